@@ -41,7 +41,7 @@ void write_two_scenes(const Workplace& here) {
   here.write("two.gltf", kTwoScenes);
 }
 
-std::string rendered(const Workplace& here, const std::string& options) {
+std::string picture_by_camera(const Workplace& here, const std::string& options) {
   const Outcome outcome = here.run("render two.gltf --size 32x32 -o p.ppm " + options);
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -51,16 +51,18 @@ std::string rendered(const Workplace& here, const std::string& options) {
 TEST_CASE("a camera is chosen by name or index; the first one is the default") {
   const Workplace here;
   write_two_scenes(here);
-  const std::string front = rendered(here, "");
-  const std::string above = rendered(here, "--camera above");
-  CHECK(rendered(here, "--camera front") == front);
-  CHECK(rendered(here, "--camera 0") == front);
-  CHECK(rendered(here, "--camera 1") == above);
+  const std::string front = picture_by_camera(here, "");
+  const std::string above = picture_by_camera(here, "--camera above");
+  CHECK(picture_by_camera(here, "--camera front") == front);
+  CHECK(picture_by_camera(here, "--camera 0") == front);
+  CHECK(picture_by_camera(here, "--camera 1") == above);
   CHECK(front != above);
   // The same lens and place, given on the command line: 1 radian is 57.29... degrees.
-  CHECK(rendered(here, "--eye 0,0,4 --look-at 0,0,0 --fov 57.29577951308232 --near 0.5 --far 20") ==
+  CHECK(picture_by_camera(
+            here, "--eye 0,0,4 --look-at 0,0,0 --fov 57.29577951308232 --near 0.5 --far 20") ==
         front);
-  CHECK(rendered(here, "--eye 0,4,0 --look-at 0,0,0 --up 0,0,-1 --ortho 4 --near 0.5 --far 20") ==
+  CHECK(picture_by_camera(
+            here, "--eye 0,4,0 --look-at 0,0,0 --up 0,0,-1 --ortho 4 --near 0.5 --far 20") ==
         above);
 }
 
@@ -74,9 +76,10 @@ TEST_CASE("only the default scene of a file is drawn") {
 TEST_CASE("a lens on the command line replaces the camera's, its pose stays") {
   const Workplace here;
   write_two_scenes(here);
-  const std::string wide = rendered(here, "--camera front --fov 90");
-  CHECK(wide != rendered(here, "--camera front"));
-  CHECK(wide == rendered(here, "--eye 0,0,4 --look-at 0,0,0 --fov 90 --near 0.5 --far 20"));
+  const std::string wide = picture_by_camera(here, "--camera front --fov 90");
+  CHECK(wide != picture_by_camera(here, "--camera front"));
+  CHECK(wide ==
+        picture_by_camera(here, "--eye 0,0,4 --look-at 0,0,0 --fov 90 --near 0.5 --far 20"));
 }
 
 TEST_CASE("without a camera the whole scene is in the picture, whatever its size and place") {

@@ -19,9 +19,9 @@ namespace {
 using Json = nlohmann::json;
 
 // a.png and b.png differ by 40 steps in (3, 3) and by one in (10, 5).
-class TwoPixels {
+class TwoPictures {
 public:
-  TwoPixels() {
+  TwoPictures() {
     StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}});
     here.write("a.png", png_of(image));
     set_sample(image, 3, 3, 1,
@@ -35,7 +35,7 @@ public:
 };
 
 TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
-  const TwoPixels two;
+  const TwoPictures two;
   REQUIRE(two.diff("-o heat.png --ignore 0,0,2x2").exit_code == 1);
   const auto heat = read_image(two.here.file("heat.png"));
   REQUIRE(heat);
@@ -58,7 +58,7 @@ TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
 }
 
 TEST_CASE("where there is nothing to show there is no heat map, and a note") {
-  const TwoPixels two;
+  const TwoPictures two;
   two.here.write("c.png", png_of(sample_picture({"", "", 3, Format::kBytes, {}}, 25, 18)));
   const Outcome outcome = two.here.run("diff a.png c.png -o heat.png");
   CHECK(outcome.exit_code == 1);
@@ -67,7 +67,7 @@ TEST_CASE("where there is nothing to show there is no heat map, and a note") {
 }
 
 TEST_CASE("--json - prints one JSON document and nothing else") {
-  const TwoPixels two;
+  const TwoPictures two;
   const Outcome outcome = two.diff("--json - --suggest-fuzzy --metric psnr");
   CHECK(outcome.exit_code == 1);
   CHECK(outcome.err.empty());
@@ -83,7 +83,7 @@ TEST_CASE("--json - prints one JSON document and nothing else") {
 }
 
 TEST_CASE("what is missing or corrupt is in the JSON, too, and said on standard error") {
-  const TwoPixels two;
+  const TwoPictures two;
   two.here.write("cut.png", two.here.read("a.png").substr(0, 100));
   for (const char* words : {"diff a.png none.png --json -", "diff none.png a.png --json -",
                             "diff a.png cut.png --json -", "diff cut.png a.png --json -"}) {
@@ -99,7 +99,7 @@ TEST_CASE("what is missing or corrupt is in the JSON, too, and said on standard 
 }
 
 TEST_CASE("--junit - prints the XML and nothing else") {
-  const TwoPixels two;
+  const TwoPictures two;
   const Outcome outcome = two.diff("--junit - --suggest-fuzzy");
   CHECK(outcome.exit_code == 1);
   CHECK(outcome.err.empty());
@@ -112,7 +112,7 @@ TEST_CASE("--junit - prints the XML and nothing else") {
 }
 
 TEST_CASE("all reports at once do not get into each other's way") {
-  const TwoPixels two;
+  const TwoPictures two;
   const Outcome outcome = two.diff("-o h.png --html p.html --json - --junit j.xml");
   CHECK(outcome.exit_code == 1);
   CHECK(Json::accept(outcome.out));
@@ -127,7 +127,7 @@ TEST_CASE("all reports at once do not get into each other's way") {
 }
 
 TEST_CASE("the page names the words that compare the same again") {
-  const TwoPixels two;
+  const TwoPictures two;
   REQUIRE(two.diff("--fuzzy 0-9;0-1 --ignore 1,1,2x2 --ignore -3,4,5x5 --nan-equal --metric rmse "
                    "--html p.html")
               .exit_code == 1);

@@ -11,14 +11,14 @@
 namespace glassbox::test {
 namespace {
 
-constexpr int kWidth = 24, kHeight = 18;  // px
+constexpr int kSevenWidth = 24, kSevenHeight = 18;  // px
 constexpr int kWrongX = 13, kWrongY = 7;
 
 // Pictures of one kind: r is the reference, the others are tests.
 class Situations {
 public:
   explicit Situations(const Kind& kind) : kind_(kind) {
-    const StoredImage reference = sample_picture(kind, kWidth, kHeight);
+    const StoredImage reference = sample_picture(kind, kSevenWidth, kSevenHeight);
     write("r", reference);
     write("same", reference);
     write("up", one_step_up(reference));
@@ -28,7 +28,7 @@ public:
     }
     write("wrong", wrong);
     write("shifted", shifted(reference));
-    write("wider", sample_picture(kind, kWidth + 1, kHeight));
+    write("wider", sample_picture(kind, kSevenWidth + 1, kSevenHeight));
     const std::string whole = kind.encode(reference);
     here_.write("corrupt" + kind.extension, whole.substr(0, whole.size() / 2));
   }

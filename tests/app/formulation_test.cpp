@@ -14,14 +14,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-Image<Rgba8> rendered(const Workplace& here, const std::string& words) {
+Image<Rgba8> picture_by_formulation(const Workplace& here, const std::string& words) {
   const Outcome outcome = here.run("render " + words + " -o p.png");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
   return read_image(here.file("p.png")).value();
 }
 
-int differing(const Image<Rgba8>& a, const Image<Rgba8>& b) {
+int differing_pixels(const Image<Rgba8>& a, const Image<Rgba8>& b) {
   REQUIRE(a.pixels.size() == b.pixels.size());
   int count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) count += !(a.pixels[i] == b.pixels[i]);
@@ -36,11 +36,12 @@ TEST_CASE("every formulation draws the same picture but for a pixel in ten thous
   const Workplace here;
   for (const char* scene : {"teapot", "room", "forest"}) {
     const std::string words = std::string(scene) + " --size 320x180 ";
-    const Image<Rgba8> usual = rendered(here, words);
-    CHECK(differing(usual, rendered(here, words + "--view-from uvn --projection perspective")) ==
+    const Image<Rgba8> usual = picture_by_formulation(here, words);
+    CHECK(differing_pixels(usual, picture_by_formulation(
+                                      here, words + "--view-from uvn --projection perspective")) ==
           0);
     for (const std::string& form : kForms) {
-      const int count = differing(usual, rendered(here, words + form));
+      const int count = differing_pixels(usual, picture_by_formulation(here, words + form));
       INFO(scene << " " << form << ": " << count << " pixels");
       // A float entry that is a neighbour moves vertices by 2^-24 of the picture's width,
       // which turns a snap where it falls within
@@ -54,13 +55,15 @@ TEST_CASE("both engines draw a formulation alike, and the commands about picture
   const Workplace here;
   for (const std::string& form : kForms) {
     const std::string words = "room --size 96x64 " + form;
-    CHECK(differing(rendered(here, words), rendered(here, words + " --engine staged")) == 0);
+    CHECK(differing_pixels(picture_by_formulation(here, words),
+                           picture_by_formulation(here, words + " --engine staged")) == 0);
     CHECK(here.run("pixel " + words + " --at 40,30").exit_code == 0);
     CHECK(here.run("why " + words + " --triangle 3").exit_code == 0);
     CHECK(here.run("explain " + words).exit_code == 0);
   }
   const std::string eyes = "teapot --size 96x64 --stereo pair --projection alpha_beta";
-  CHECK(differing(rendered(here, eyes), rendered(here, eyes + " --engine staged")) == 0);
+  CHECK(differing_pixels(picture_by_formulation(here, eyes),
+                         picture_by_formulation(here, eyes + " --engine staged")) == 0);
 }
 
 TEST_CASE("a formulation that the lens or the depth does not allow is refused in one line") {
@@ -123,9 +126,10 @@ TEST_CASE("culling in object space draws the same bytes, and says how many faces
   const Workplace here;
   for (const char* scene : {"teapot", "room", "forest"}) {
     const std::string words = std::string(scene) + " --size 160x90 ";
-    const Image<Rgba8> usual = rendered(here, words);
+    const Image<Rgba8> usual = picture_by_formulation(here, words);
     for (const char* engine : {"tile", "staged"}) {
-      CHECK(differing(usual, rendered(here, words + "--cull-stage object --engine " + engine)) ==
+      CHECK(differing_pixels(usual, picture_by_formulation(
+                                        here, words + "--cull-stage object --engine " + engine)) ==
             0);
     }
   }

@@ -25,7 +25,7 @@ std::string path_of(const std::string& keyframes, const std::string& more = "") 
   return "{\"camera_path\": 1, " + more + "\"keyframes\": [" + keyframes + "]}";
 }
 
-const std::string kWalk = path_of(
+const std::string kSmoothWalk = path_of(
     R"({"time": 0, "eye": [0, 2, 14], "look_at": [0, 1.5, 0]},
        {"time": 1, "eye": [3, 1.6, 6], "look_at": [0, 1.5, -2]},
        {"time": 3, "eye": [-1, 1.6, 2], "look_at": [0, 1.5, -6]})",
@@ -50,7 +50,7 @@ std::string frames(const std::string& scene, int count, const std::string& optio
          " --path p.json -o f.png " + options;
 }
 
-Json report(const Workplace& here, const std::string& words) {
+Json frames_report(const Workplace& here, const std::string& words) {
   const Outcome outcome = here.run(words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -62,13 +62,13 @@ Json report(const Workplace& here, const std::string& words) {
 TEST_CASE("measured parallax keeps the budget in every frame, and steps keep their bound (S0-13)") {
   double largest_step = 0;
   for (const auto& [scene, path] : std::vector<std::pair<std::string, std::string>>{
-           {"forest", kWalk}, {"forest", kJump}, {"room", kRoom}}) {
+           {"forest", kSmoothWalk}, {"forest", kJump}, {"room", kRoom}}) {
     for (const std::string options :
          {"--stereo pair", "--stereo anaglyph --parallax-budget 1,2 --max-step 0.003",
           "--stereo interlaced --parallax-budget 0.5 --release-frames 3"}) {
       const Workplace here;
       here.write("p.json", path);
-      const Json json = report(here, frames(scene, 24, options));
+      const Json json = frames_report(here, frames(scene, 24, options));
       const Json& stereo = json["stereo"];
       INFO(scene << " " << options << " " << stereo.dump());
       REQUIRE(json["frames"].size() == 24);
@@ -93,7 +93,7 @@ TEST_CASE("measured parallax keeps the budget in every frame, and steps keep the
 TEST_CASE("where the window jumps, the separation falls and rises once, without overshoot (C-79)") {
   const Workplace here;
   here.write("p.json", kJump);
-  const Json json = report(here, frames("forest", 40, "--stereo pair --release-frames 3"));
+  const Json json = frames_report(here, frames("forest", 40, "--stereo pair --release-frames 3"));
   std::vector<double> separations;
   for (const Json& frame : json["frames"]) separations.push_back(frame["separation"]);
   const auto least = std::ranges::min_element(separations);
@@ -105,15 +105,17 @@ TEST_CASE("where the window jumps, the separation falls and rises once, without 
 
 TEST_CASE("a budget of nothing gives the mono picture in both eyes; --eye-separation is the most") {
   const Workplace here;
-  here.write("p.json", kWalk);
-  const Json flat = report(here, frames("forest", 3, "--stereo anaglyph --parallax-budget 0"));
+  here.write("p.json", kSmoothWalk);
+  const Json flat =
+      frames_report(here, frames("forest", 3, "--stereo anaglyph --parallax-budget 0"));
   for (const Json& frame : flat["frames"]) CHECK(frame["separation"] == 0.0);
   const auto anaglyph = read_image(here.file("f-0002.png"));
-  const Json mono = report(here, frames("forest", 3, ""));
+  const Json mono = frames_report(here, frames("forest", 3, ""));
   CHECK_FALSE(mono.contains("stereo"));
   CHECK(anaglyph.value() == read_image(here.file("f-0002.png")).value());
 
-  const Json capped = report(here, frames("forest", 3, "--stereo pair --eye-separation 0.01"));
+  const Json capped =
+      frames_report(here, frames("forest", 3, "--stereo pair --eye-separation 0.01"));
   for (const Json& frame : capped["frames"]) CHECK(frame["separation"] <= 0.01);
 }
 
@@ -122,7 +124,7 @@ TEST_CASE("a budget of nothing gives the mono picture in both eyes; --eye-separa
 TEST_CASE("a frame's recipe makes the frame as a single picture") {
   for (const std::string options : {"--stereo anaglyph", "--stereo over-under --shade flat", ""}) {
     const Workplace here;
-    here.write("p.json", kWalk);
+    here.write("p.json", kSmoothWalk);
     REQUIRE(here.run(frames("forest", 5, options)).exit_code == 0);
     const std::string bytes = here.read("f-0004.png");
     const auto text = read_png_text(std::as_bytes(std::span(bytes)));
@@ -140,7 +142,7 @@ TEST_CASE("a frame's recipe makes the frame as a single picture") {
 
 TEST_CASE("frames are numbered after the name, where the pattern says, or in a directory") {
   const Workplace here;
-  here.write("p.json", kWalk);
+  here.write("p.json", kSmoothWalk);
   std::filesystem::create_directory(here.file("shots"));
   const std::string words = "render cube --size 8x8 --frames 2 --path p.json";
   for (const auto& [options, name] :
@@ -178,7 +180,7 @@ TEST_CASE("the first and the last frame are the first and the last keyframe; fov
 
 TEST_CASE("the plot tells its numbers in words and as lines of as many points as frames") {
   const Workplace here;
-  here.write("p.json", kWalk);
+  here.write("p.json", kSmoothWalk);
   const Outcome outcome = here.run(frames("forest", 7, "--stereo pair --parallax-budget 2,1"));
   REQUIRE(outcome.exit_code == 0);
   CHECK(contains(outcome.out, "plot: f.svg"));
@@ -258,7 +260,7 @@ TEST_CASE("a path that is none is refused with the place that is wrong") {
 
 TEST_CASE("options of frames that make no sense are refused") {
   const Workplace here;
-  here.write("p.json", kWalk);
+  here.write("p.json", kSmoothWalk);
   here.write("w.json", kJump);
   here.write("cross.json", path_of(R"({"time": 0, "eye": [0, 0, 5], "look_at": [0, 0, 0]},
                                       {"time": 1, "eye": [0, 0, 0], "look_at": [0, 0, 5]})"));

@@ -8,11 +8,11 @@
 namespace glassbox::test {
 namespace {
 
-struct Rendered {
+struct RunWithOptions {
   std::string bytes, err;
 };
 
-Rendered rendered(const std::string& words) {
+RunWithOptions run_with_options(const std::string& words) {
   const Workplace here;
   const Outcome outcome = here.run("render " + words + " --size 48x32 -o p.ppm");
   INFO(words << ": " << outcome.err);
@@ -27,11 +27,11 @@ TEST_CASE("an option that changes no byte of a quantity's picture is named, and 
   for (const char* show : {"", "depth", "normal", "uv", "id", "overdraw"}) {
     const std::string shown = *show ? std::string(" --show ") + show : "";
     // One has texture and fills the picture, the other smooth faces and background.
-    const std::string room = rendered("room" + shown).bytes;
-    const std::string teapot = rendered("teapot:2" + shown).bytes;
+    const std::string room = run_with_options("room" + shown).bytes;
+    const std::string teapot = run_with_options("teapot:2" + shown).bytes;
     for (const std::string& option : options) {
-      const Rendered of_room = rendered("room" + shown + " " + option);
-      const Rendered of_teapot = rendered("teapot:2" + shown + " " + option);
+      const RunWithOptions of_room = run_with_options("room" + shown + " " + option);
+      const RunWithOptions of_teapot = run_with_options("teapot:2" + shown + " " + option);
       const bool changes = of_room.bytes != room || of_teapot.bytes != teapot;
       INFO((*show ? show : "colours") << " with " << option);
       CHECK(contains(of_room.err, "note: " + option + " is ignored: ") == !changes);
@@ -41,15 +41,15 @@ TEST_CASE("an option that changes no byte of a quantity's picture is named, and 
 }
 
 TEST_CASE("the default given in words is no reason for a note about samples") {
-  CHECK(rendered("cube --show depth --samples 1").err.empty());
+  CHECK(run_with_options("cube --show depth --samples 1").err.empty());
 }
 
 TEST_CASE("a window without parallax is ignored with a note") {
   const std::string plain = "forest --stereo pair --eye-separation 0";
-  const Rendered with = rendered(plain + " --window 3");
+  const RunWithOptions with = run_with_options(plain + " --window 3");
   CHECK(contains(with.err, "note: --window 3 is ignored"));
-  CHECK(with.bytes == rendered(plain).bytes);
-  CHECK(rendered("forest --stereo pair --eye-separation 0.1 --window 3").err.empty());
+  CHECK(with.bytes == run_with_options(plain).bytes);
+  CHECK(run_with_options("forest --stereo pair --eye-separation 0.1 --window 3").err.empty());
 }
 
 TEST_CASE("step names what points and what triangles have no use for") {

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::size_t count_of(const Json& manifest, const std::string& column) {
+std::size_t rows_of(const Json& manifest, const std::string& column) {
   for (const Json& entry : manifest["columns"]) {
     if (entry[0] == column) return entry[2];
   }
@@ -46,11 +46,11 @@ TEST_CASE("the counts of the page are those of glassbox render") {
   for (const auto& [name, value] : stages.items()) {
     if (name != "ms") CHECK(page["stages"][name] == value);
   }
-  CHECK(count_of(page, "fragment.x") == stages["covered"]);
-  CHECK(count_of(page, "written.r") == stages["written"]);
-  CHECK(count_of(page, "triangle.number") ==
+  CHECK(rows_of(page, "fragment.x") == stages["covered"]);
+  CHECK(rows_of(page, "written.r") == stages["written"]);
+  CHECK(rows_of(page, "triangle.number") ==
         std::size_t(stages["triangles"]) - std::size_t(stages["degenerate"]));
-  CHECK(count_of(page, "cut.number") == stages["clipped"]);
+  CHECK(rows_of(page, "cut.number") == stages["clipped"]);
 }
 
 TEST_CASE("the page repeats its own command line") {
@@ -104,10 +104,10 @@ TEST_CASE("a rectangle makes a page of what would be too much") {
   REQUIRE(here.run("inspect teapot --size 64x48 --max-triangles 900 --rect 30,20,34,24 -o p.html")
               .exit_code == 0);
   const Json page = manifest_of(here.read("p.html"));
-  CHECK(count_of(page, "triangle.number") <= 900);
-  CHECK(count_of(page, "fragment.x") > 0);
+  CHECK(rows_of(page, "triangle.number") <= 900);
+  CHECK(rows_of(page, "fragment.x") > 0);
   CHECK(page["records_complete"] == true);
-  CHECK(count_of(page, "record.depth") == count_of(page, "fragment.x"));
+  CHECK(rows_of(page, "record.depth") == rows_of(page, "fragment.x"));
   CHECK(here.run("inspect teapot --size 64x48 --max-triangles 900 -o q.html").exit_code == 2);
 }
 

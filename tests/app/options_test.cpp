@@ -16,7 +16,7 @@
 namespace glassbox::test {
 namespace {
 
-Image<Rgba8> picture(const Workplace& here, const std::string& name) {
+Image<Rgba8> read_picture(const Workplace& here, const std::string& name) {
   const auto image = read_image(here.file(name));
   INFO(name);
   REQUIRE(image);
@@ -24,7 +24,7 @@ Image<Rgba8> picture(const Workplace& here, const std::string& name) {
 }
 
 // The bytes of the PPM that these options give; a PNG would have the options in it.
-std::string rendered(const std::string& options) {
+std::string picture_bytes(const std::string& options) {
   const Workplace here;
   const Outcome outcome = here.run("render " + options + " --size 48x32 -o p.ppm");
   INFO(options << ": " << outcome.err);
@@ -41,7 +41,7 @@ TEST_CASE("a picture is named after its scene and written where the user stands"
   for (const auto& [scene, name] : names) {
     INFO(scene);
     CHECK(here.run("render " + scene + " --size 8x8").exit_code == 0);
-    CHECK(picture(here, name).width == 8);
+    CHECK(read_picture(here, name).width == 8);
   }
   CHECK(here.names().size() == 3);
 }
@@ -49,7 +49,7 @@ TEST_CASE("a picture is named after its scene and written where the user stands"
 TEST_CASE("without options a picture has 1280 x 720 pixels") {
   const Workplace here;
   REQUIRE(here.run("render cube").exit_code == 0);
-  const Image<Rgba8> image = picture(here, "cube.png");
+  const Image<Rgba8> image = read_picture(here, "cube.png");
   CHECK(image.width == 1280);
   CHECK(image.height == 720);
 }
@@ -60,7 +60,7 @@ TEST_CASE("pictures have the size asked for, from 1x1 to 16384 wide or high") {
     const Workplace here;
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     REQUIRE(here.run("render room --size " + size).exit_code == 0);
-    const Image<Rgba8> image = picture(here, "room.png");
+    const Image<Rgba8> image = read_picture(here, "room.png");
     CHECK(image.width == width);
     CHECK(image.height == height);
     const Rgba8 background{26, 31, 38, 255};
@@ -94,7 +94,7 @@ TEST_CASE("PNG and PPM hold the same pixels, in either case of the extension") {
   const Workplace here;
   for (const char* name : {"a.png", "b.ppm", "c.PNG", "d.PPM"}) {
     REQUIRE(here.run(std::string("render f-glyph --size 31x17 -o ") + name).exit_code == 0);
-    CHECK(picture(here, name) == picture(here, "a.png"));
+    CHECK(read_picture(here, name) == read_picture(here, "a.png"));
   }
   CHECK(here.read("b.ppm").substr(0, 2) == "P6");
 }
@@ -111,10 +111,10 @@ TEST_CASE("every value of a choice is taken, in either case, and gives a picture
   for (const auto& [option, values] : choices) {
     std::set<std::string> pictures;
     for (const std::string& value : values) {
-      pictures.insert(rendered(option + " " + value));
+      pictures.insert(picture_bytes(option + " " + value));
       std::string upper = value;
       for (char& c : upper) c = char(std::toupper(static_cast<unsigned char>(c)));
-      CHECK(pictures.count(rendered(option + " " + upper)) == 1);
+      CHECK(pictures.count(picture_bytes(option + " " + upper)) == 1);
     }
     INFO(option);
     CHECK(pictures.size() == values.size());
@@ -122,25 +122,25 @@ TEST_CASE("every value of a choice is taken, in either case, and gives a picture
 }
 
 TEST_CASE("every other option of render changes the picture as it says") {
-  const std::string plain = rendered("f-glyph");
+  const std::string plain = picture_bytes("f-glyph");
   for (const char* option :
        {"--wireframe", "--background 0,0.5,1", "--eye 1,2,9", "--look-at 1,2,0", "--up 1,1,0",
         "--fov 20", "--ortho 6", "--frustum -0.2,0.3,-0.1,0.2 --near 0.5", "--near 11", "--far 7.5",
         "--cull front"}) {
     INFO(option);
-    CHECK(rendered(std::string("f-glyph ") + option) != plain);
+    CHECK(picture_bytes(std::string("f-glyph ") + option) != plain);
   }
   for (const char* option : {"--shade phong", "--cull back", "--transfer srgb", "--depth d32",
                              "--samples 1", "--depth d32r", "--background 0.1,0.12,0.15"}) {
     INFO(option << " is the default");
-    CHECK(rendered(std::string("f-glyph ") + option) == plain);
+    CHECK(picture_bytes(std::string("f-glyph ") + option) == plain);
   }
 }
 
 TEST_CASE("the background is the colour as displayed") {
   const Workplace here;
   REQUIRE(here.run("render cube --size 8x8 --background 0,0.5,1 --fov 170").exit_code == 0);
-  CHECK(picture(here, "cube.png").at(0, 0) == Rgba8{0, 128, 255, 255});
+  CHECK(read_picture(here, "cube.png").at(0, 0) == Rgba8{0, 128, 255, 255});
 }
 
 TEST_CASE("--json - prints JSON and nothing else; --json FILE leaves the summary where it was") {
@@ -221,7 +221,7 @@ TEST_CASE("a picture in which nothing is seen is written, with a note") {
   const Outcome outcome = here.run("render cube --size 8x8 --eye 0,0,9 --look-at 0,0,20");
   CHECK(outcome.exit_code == 0);
   CHECK(contains(outcome.err, "nothing of the scene"));
-  CHECK(picture(here, "cube.png") == Image<Rgba8>(8, 8, Rgba8{26, 31, 38, 255}));
+  CHECK(read_picture(here, "cube.png") == Image<Rgba8>(8, 8, Rgba8{26, 31, 38, 255}));
 }
 
 TEST_CASE("a picture of backs only says how to see them") {

@@ -14,7 +14,7 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr double kRoundoff = 0x1p-24;
 
-Plane rendered(const Workplace& here, const std::string& options) {
+Plane rendered_plane(const Workplace& here, const std::string& options) {
   const Outcome outcome = here.run("render " + options);
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -27,9 +27,10 @@ TEST_CASE(
   // The lower left quarter of a picture of height 4.
   here.write("wall.obj", "v -2 -2 0\nv 0 -2 0\nv 0 0 0\nv -2 0 0\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r", "d24", "d16"}) {
-    const Plane plane = rendered(here, std::string("wall.obj --size 8x8 --ortho 4 --eye 0,0,5 "
-                                                   "--look-at 0,0,0 --near 1 --far 9 --depth ") +
-                                           depth + " --depth-out plane.pfm");
+    const Plane plane =
+        rendered_plane(here, std::string("wall.obj --size 8x8 --ortho 4 --eye 0,0,5 "
+                                         "--look-at 0,0,0 --near 1 --far 9 --depth ") +
+                                 depth + " --depth-out plane.pfm");
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < 8; ++x) {
         CAPTURE(depth, x, y);
@@ -42,7 +43,8 @@ TEST_CASE(
 TEST_CASE("the rows of a PFM run bottom-up") {
   const Workplace here;
   here.write("wall.obj", "v -2 -2 0\nv 2 -2 0\nv 2 -1 0\nv -2 -1 0\nf 1 2 3 4\n");
-  rendered(here, "wall.obj --size 4x4 --ortho 4 --eye 0,0,5 --look-at 0,0,0 --id-out plane.pfm");
+  rendered_plane(here,
+                 "wall.obj --size 4x4 --ortho 4 --eye 0,0,5 --look-at 0,0,0 --id-out plane.pfm");
   const std::string bytes = here.read("plane.pfm");
   const std::string zero(4, '\0');
   // The first row of the file is the wall, at the bottom of the picture; three empty ones follow.
@@ -55,9 +57,9 @@ TEST_CASE(
   const Workplace here;
   // z = x/2, over the whole picture.
   here.write("slope.obj", "v -2 -2 -1\nv 2 -2 1\nv 2 2 1\nv -2 2 -1\nf 1 2 3 4\n");
-  const Plane plane = rendered(here,
-                               "slope.obj --size 16x16 --ortho 4 --eye 0,0,5 --look-at 0,0,0 "
-                               "--near 1 --far 9 --depth-out plane.pfm");
+  const Plane plane = rendered_plane(here,
+                                     "slope.obj --size 16x16 --ortho 4 --eye 0,0,5 --look-at 0,0,0 "
+                                     "--near 1 --far 9 --depth-out plane.pfm");
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 16; ++x) {
       const double expected = 5 - ((x + 0.5) / 4 - 2) / 2;
@@ -75,8 +77,8 @@ TEST_CASE("a wall facing a perspective camera is exactly as far as it stands") {
   here.write("wall.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
   for (const int distance : {1, 2, 4, 8}) {
     const Plane plane =
-        rendered(here, "wall.obj --size 9x5 --eye 0,0," + std::to_string(distance) +
-                           " --look-at 0,0,0 --near 0.5 --far inf --depth-out plane.pfm");
+        rendered_plane(here, "wall.obj --size 9x5 --eye 0,0," + std::to_string(distance) +
+                                 " --look-at 0,0,0 --near 0.5 --far inf --depth-out plane.pfm");
     for (const float value : plane.values) CHECK(value == float(distance));
   }
 }
@@ -86,10 +88,11 @@ TEST_CASE("pixel and distance give back the point of a floor, with near and far 
   // Corners chosen so that they fall on corners of pixels: x = 16 + 16 x/w, y = 16 + 16/w.
   here.write("floor.obj", "v -2 -1 -2\nv 2 -1 -2\nv 8 -1 -8\nv -8 -1 -8\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r"}) {
-    const Plane plane = rendered(here, std::string("floor.obj --size 32x32 --eye 0,0,0 --look-at "
-                                                   "0,0,-1 --fov 90 --near 0.001 --far 100 "
-                                                   "--depth ") +
-                                           depth + " --depth-out plane.pfm");
+    const Plane plane =
+        rendered_plane(here, std::string("floor.obj --size 32x32 --eye 0,0,0 --look-at "
+                                         "0,0,-1 --fov 90 --near 0.001 --far 100 "
+                                         "--depth ") +
+                                 depth + " --depth-out plane.pfm");
     for (int y = 0; y < 32; ++y) {
       for (int x = 0; x < 32; ++x) {
         const bool on_floor = y >= 18 && y < 24;
@@ -115,9 +118,9 @@ TEST_CASE("triangles are numbered from 1 in the order of the file, polygons taki
              "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 5 6 7\n"
              "v 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\nf 8 9 10 11 12\n"
              "v 2 -1 0\nv 4 -1 0\nv 4 3 0\nf 13 14 15\n");
-  const Plane plane = rendered(here,
-                               "row.obj --size 64x16 --ortho 2 --eye 0,0,5 --look-at 0,0,0 "
-                               "--id-out plane.pfm");
+  const Plane plane = rendered_plane(here,
+                                     "row.obj --size 64x16 --ortho 2 --eye 0,0,5 --look-at 0,0,0 "
+                                     "--id-out plane.pfm");
   bool seen[9] = {};
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -148,9 +151,9 @@ TEST_CASE("instances of one mesh have numbers of their own") {
                          {1, 1, 0},
                          {-1, 1, 0}}),
               {{{1, 1, 1}, {-3, 0, 0}}, {{1, 1, 1}, {-1, 0, 0}}, {{1, 1, 1}, {3, 0, 0}}});
-  const Plane plane = rendered(here,
-                               "row.glb --size 32x8 --ortho 2 --eye 0,0,5 --look-at 0,0,0 "
-                               "--id-out plane.pfm");
+  const Plane plane = rendered_plane(here,
+                                     "row.glb --size 32x8 --ortho 2 --eye 0,0,5 --look-at 0,0,0 "
+                                     "--id-out plane.pfm");
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 32; ++x) {
       const int tile = x / 8;

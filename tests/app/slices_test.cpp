@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kWalk = R"({"camera_path": 1, "interpolation": "smooth", "keyframes": [
+const std::string kSliceWalk = R"({"camera_path": 1, "interpolation": "smooth", "keyframes": [
   {"time": 0, "eye": [0, 2, 14], "look_at": [0, 1.5, 0]},
   {"time": 1, "eye": [3, 1.6, 6], "look_at": [0, 1.5, -2]},
   {"time": 3, "eye": [-1, 1.6, 2], "look_at": [0, 1.5, -6]}]})";
@@ -47,7 +47,7 @@ TEST_CASE("slices of a sequence have the names and bytes of the whole run") {
        {"--stereo anaglyph --path p.json -o f.png", "--stereo pair --path p.json -o f%02d.png",
         "--path p.json", "--turntable -o t.ppm", "--turntable --stereo interlaced"}) {
     const Workplace whole, parts;
-    for (const Workplace* here : {&whole, &parts}) here->write("p.json", kWalk);
+    for (const Workplace* here : {&whole, &parts}) here->write("p.json", kSliceWalk);
     draw(whole, options, "12");
     for (const char* slice : {"6-6/12", "7-12/12", "1-5/12"}) draw(parts, options, slice);
     INFO(options);
@@ -57,14 +57,14 @@ TEST_CASE("slices of a sequence have the names and bytes of the whole run") {
 
 TEST_CASE("a slice that is everything is the whole run, and one frame needs no dash") {
   const Workplace whole, slice;
-  for (const Workplace* here : {&whole, &slice}) here->write("p.json", kWalk);
+  for (const Workplace* here : {&whole, &slice}) here->write("p.json", kSliceWalk);
   const std::string options = "--stereo anaglyph --path p.json -o f.png";
   draw(whole, options, "3");
   draw(slice, options, "1-3/3");
   CHECK(sorted_names(whole) == sorted_names(slice));  // the plot as well
   CHECK(whole.read("f.svg") == slice.read("f.svg"));
   const Workplace one;
-  one.write("p.json", kWalk);
+  one.write("p.json", kSliceWalk);
   draw(one, options, "2/3");
   CHECK(one.read("f-0002.png") == whole.read("f-0002.png"));
   CHECK(sorted_names(one) == std::vector<std::string>{"f-0002.png", "p.json"});
@@ -78,7 +78,7 @@ TEST_CASE("names have as many digits as the whole sequence needs") {
 
 TEST_CASE("a slice says what it is part of") {
   const Workplace here;
-  here.write("p.json", kWalk);
+  here.write("p.json", kSliceWalk);
   CHECK(contains(draw(here, "--path p.json -o f.png", "2-4/9"), "f-0002.png to f-0004.png"));
   CHECK(contains(draw(here, "--path p.json -o f.png", "2-4/9"), "3 frames of 9"));
   const auto json = nlohmann::json::parse(draw(here, "--path p.json -o f.png --json -", "2-4/9"));
@@ -127,7 +127,7 @@ std::string on_path() {
 }
 
 Workplace& with_walk(Workplace& here) {
-  here.write("walk.json", kWalk);
+  here.write("walk.json", kSliceWalk);
   fs::create_directory(here.file("walk"));
   return here;
 }

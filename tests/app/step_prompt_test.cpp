@@ -15,7 +15,7 @@
 namespace glassbox::test {
 namespace {
 
-constexpr const char* kUp = "\x1b[A";
+constexpr const char* kUpKey = "\x1b[A";
 constexpr const char* kLeft = "\x1b[D";
 
 class PseudoTerminal {
@@ -112,7 +112,7 @@ TEST_CASE("arrow up recalls the last command, and it can be edited") {
   terminal.type("vertex all\n");
   terminal.until("vertex 2  x");
   terminal.until("world 2/10> ");
-  terminal.type(std::string(kUp) + kUp + kUp + "\n");  // vertex 1 again
+  terminal.type(std::string(kUpKey) + kUpKey + kUpKey + "\n");  // vertex 1 again
   terminal.until("\n     vertex 1  x");  // the stage's text, not the line that is edited
   terminal.until("world 2/10> ");
   // "triangle 1" with a 1 put before its last letter: 11.

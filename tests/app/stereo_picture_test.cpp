@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 const std::string kEyes = " --eye-separation 0.2 --window 4 --size 64x37";
 
-Image<Rgba8> rendered(const Workplace& here, const std::string& words) {
+Image<Rgba8> stereo_picture(const Workplace& here, const std::string& words) {
   INFO(words);
   const Outcome outcome = here.run("render room " + words + " -o p.png");
   INFO(outcome.err);
@@ -30,19 +30,20 @@ Image<Rgba8> rendered(const Workplace& here, const std::string& words) {
 
 TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
   const Workplace here;
-  const Image<Rgba8> left = rendered(here, "--seen-by left" + kEyes);
-  const Image<Rgba8> right = rendered(here, "--seen-by right" + kEyes);
+  const Image<Rgba8> left = stereo_picture(here, "--seen-by left" + kEyes);
+  const Image<Rgba8> right = stereo_picture(here, "--seen-by right" + kEyes);
   const int w = left.width, h = left.height;
   REQUIRE(w == 64);
   REQUIRE(h == 37);
   CHECK(!(left == right));
 
-  const Image<Rgba8> anaglyph = rendered(here, "--stereo anaglyph" + kEyes);
-  const Image<Rgba8> green = rendered(here, "--stereo anaglyph --glasses green-magenta" + kEyes);
-  const Image<Rgba8> pair = rendered(here, "--stereo pair" + kEyes);
-  const Image<Rgba8> crossed = rendered(here, "--stereo cross-eyed" + kEyes);
-  const Image<Rgba8> over = rendered(here, "--stereo over-under" + kEyes);
-  const Image<Rgba8> rows = rendered(here, "--stereo interlaced" + kEyes);
+  const Image<Rgba8> anaglyph = stereo_picture(here, "--stereo anaglyph" + kEyes);
+  const Image<Rgba8> green =
+      stereo_picture(here, "--stereo anaglyph --glasses green-magenta" + kEyes);
+  const Image<Rgba8> pair = stereo_picture(here, "--stereo pair" + kEyes);
+  const Image<Rgba8> crossed = stereo_picture(here, "--stereo cross-eyed" + kEyes);
+  const Image<Rgba8> over = stereo_picture(here, "--stereo over-under" + kEyes);
+  const Image<Rgba8> rows = stereo_picture(here, "--stereo interlaced" + kEyes);
   REQUIRE(pair.width == 2 * w);
   REQUIRE(crossed.width == 2 * w);
   REQUIRE(over.height == 2 * h);
@@ -69,8 +70,8 @@ TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cu
   const std::string start =
       "--fov 90 --size 64x64 --window 4 --shade unlit --stereo pair --eye-separation ";
   const auto differing = [&](const std::string& separation) {
-    const Image<Rgba8> skewed = rendered(here, start + separation);
-    const Image<Rgba8> cropped = rendered(here, start + separation + " --eyes-by crop");
+    const Image<Rgba8> skewed = stereo_picture(here, start + separation);
+    const Image<Rgba8> cropped = stereo_picture(here, start + separation + " --eyes-by crop");
     REQUIRE(cropped.width == 128);
     REQUIRE(cropped.pixels.size() == skewed.pixels.size());
     int count = 0;
@@ -121,8 +122,8 @@ TEST_CASE("frames of cropped eyes are measured like those of skewed ones") {
 
 TEST_CASE("separation 0 gives the mono bytes in one pass (C-71)") {
   const Workplace here;
-  const Image<Rgba8> mono = rendered(here, "--size 64x37");
-  CHECK(rendered(here, "--stereo anaglyph --eye-separation 0 --size 64x37") == mono);
+  const Image<Rgba8> mono = stereo_picture(here, "--size 64x37");
+  CHECK(stereo_picture(here, "--stereo anaglyph --eye-separation 0 --size 64x37") == mono);
   const Json json = Json::parse(
       here.run("render room --stereo pair --eye-separation 0 --size 64x37 -o p.png --json -").out);
   CHECK(json.at("stereo").at("passes") == 1);
@@ -147,14 +148,14 @@ TEST_CASE("the parallax that is printed is that of the formula, in pixels and pe
 TEST_CASE("colours are moved before the anaglyph, and a cable comes after it (S0-15, S0-17)") {
   const Workplace here;
   const std::string anaglyph = "--stereo anaglyph" + kEyes;
-  const Image<Rgba8> plain = rendered(here, anaglyph);
-  CHECK(rendered(here, anaglyph + " --desaturate 0 --brighten 0") == plain);
-  CHECK(!(rendered(here, anaglyph + " --cable composite") == plain));
-  const Image<Rgba8> white = rendered(here, anaglyph + " --brighten 1");
+  const Image<Rgba8> plain = stereo_picture(here, anaglyph);
+  CHECK(stereo_picture(here, anaglyph + " --desaturate 0 --brighten 0") == plain);
+  CHECK(!(stereo_picture(here, anaglyph + " --cable composite") == plain));
+  const Image<Rgba8> white = stereo_picture(here, anaglyph + " --brighten 1");
   CHECK(white == Image<Rgba8>(white.width, white.height, {255, 255, 255, 255}));
   // Without saturation and from one place, each eye's channels show the same grey.
   const Image<Rgba8> grey =
-      rendered(here, "--stereo pair --eye-separation 0 --size 64x37 --desaturate 1");
+      stereo_picture(here, "--stereo pair --eye-separation 0 --size 64x37 --desaturate 1");
   int coloured = 0;
   for (const Rgba8& p : grey.pixels) coloured += p.r != p.g || p.g != p.b;
   CHECK(coloured == 0);

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json report(const Workplace& here, const std::string& words) {
+Json stereo_report(const Workplace& here, const std::string& words) {
   const Outcome outcome = here.run("stereo " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -78,7 +78,7 @@ TEST_CASE(
     "(S0-11)") {
   const Workplace here;
   const std::string words = "room --size 96x64 --eye-separation 0.6 --window 3";
-  const Json json = report(here, words);
+  const Json json = stereo_report(here, words);
   float nearest = INFINITY, farthest = 0;
   std::array<std::uint64_t, 2> beyond{};
   const double width = 96, budget = width * 0.03;
@@ -147,7 +147,7 @@ TEST_CASE(
   const std::string picture = " --size 160x90";
   for (const std::string& scene : {std::string("forest"), std::string("room"),
                                    std::string("teapot"), std::string("teapot --ortho 6")}) {
-    const Json first = report(here, scene + picture + " --eye-separation 1.5");
+    const Json first = stereo_report(here, scene + picture + " --eye-separation 1.5");
     int taken = 0;
     for (const Json& advice : first["advice"]) {
       const auto options = advice["options"].get<std::vector<std::string>>();
@@ -155,7 +155,7 @@ TEST_CASE(
       std::string words = scene + picture;
       for (const std::string& option : options) words += " " + option;
       INFO(words << ": " << advice["text"]);
-      const Json second = report(here, words);
+      const Json second = stereo_report(here, words);
       // Eyes that stand elsewhere see other things beside the old pictures; a few pixels at most.
       CHECK(second["disparity"]["share_beyond_budget"] < 0.001);
       if (advice["text"].get<std::string>().starts_with("Bring the window")) {
@@ -175,7 +175,8 @@ TEST_CASE("the forest gives more depth to see than a flat road of its extent (S0
   const std::string words =
       " --size 320x180 --eye 0,1.7,0 --look-at 0,2.3,-12 --fov 45 --near 0.25 --window 12"
       " --eye-separation 0.1";
-  const Json forest = report(here, "forest" + words), road = report(here, "road.glb" + words);
+  const Json forest = stereo_report(here, "forest" + words),
+             road = stereo_report(here, "road.glb" + words);
   CHECK(road["information"]["score"] > 0);  // its edges
   CHECK(forest["information"]["score"] > 10 * road["information"]["score"].get<std::uint64_t>());
   CHECK(road["information"]["pixels"].get<std::uint64_t>() > 320 * 180 * 9 / 10);
@@ -185,10 +186,10 @@ TEST_CASE(
     "skewed frusta have no vertical parallax, and cameras that are toed in have some (S0-07, "
     "C-75)") {
   const Workplace here;
-  const Json json = report(here, "room --size 96x64 --eye-separation 0.4 --window 3");
+  const Json json = stereo_report(here, "room --size 96x64 --eye-separation 0.4 --window 3");
   CHECK(json["vertical_parallax"]["skewed_px"] == 0);
   CHECK(json["vertical_parallax"]["toed_in_px"] > 0.5);
-  const Json parallel = report(here, "teapot --size 96x64 --ortho 5 --eye-separation 0.4");
+  const Json parallel = stereo_report(here, "teapot --size 96x64 --ortho 5 --eye-separation 0.4");
   CHECK(parallel["vertical_parallax"]["skewed_px"] == 0);
   CHECK(parallel["vertical_parallax"]["toed_in_px"] == 0);
   CHECK(parallel["eyes"]["projection"] == "parallel");
@@ -197,38 +198,39 @@ TEST_CASE(
 TEST_CASE("on a wall the eyes would have to diverge, and the advice is for the wall (C-72)") {
   const Workplace here;
   const std::string words = "forest --size 160x90 --eye-separation 0.5 --window 3 --budget 20";
-  const Json desk = report(here, words + " --display 300,500");
-  const Json wall = report(here, words + " --display 3000,4000");
+  const Json desk = stereo_report(here, words + " --display 300,500");
+  const Json wall = stereo_report(here, words + " --display 3000,4000");
   CHECK(verdict_of(desk, "divergence")["level"] == "good");
   CHECK(verdict_of(wall, "divergence")["level"] == "bad");
   CHECK(row_of(wall, "farthest seen")["display_mm"] > 65);
   REQUIRE(wall["advice"][0]["options"][0] == "--eye-separation");
   const Json better =
-      report(here, "forest --size 160x90 --budget 20 --display 3000,4000 --eye-separation " +
-                       wall["advice"][0]["options"][1].get<std::string>() + " --window 3");
+      stereo_report(here, "forest --size 160x90 --budget 20 --display 3000,4000 --eye-separation " +
+                              wall["advice"][0]["options"][1].get<std::string>() + " --window 3");
   CHECK(verdict_of(better, "divergence")["level"] == "good");
 }
 
 TEST_CASE("colours that quarrel are named, with another method and other colours (S0-14, S0-15)") {
   const Workplace here;
-  const Json json = report(here, "cube --size 64x64 --target-rivalry 0.02");
+  const Json json = stereo_report(here, "cube --size 64x64 --target-rivalry 0.02");
   CHECK(verdict_of(json, "rivalry")["level"] == "warning");
   const Json& anaglyph = json["anaglyph"];
   REQUIRE(anaglyph.contains("recolour"));
   CHECK(anaglyph["recolour"]["rivalry"] <= 0.02 + 1e-6);
   CHECK(anaglyph["recolour"]["curve"].size() > 2);
   CHECK(anaglyph["methods"].size() == 7);
-  const Json dubois = report(here, "cube --size 64x64 --anaglyph dubois --glasses amber-blue");
+  const Json dubois =
+      stereo_report(here, "cube --size 64x64 --anaglyph dubois --glasses amber-blue");
   CHECK(dubois["anaglyph"]["methods"].size() < 7);
   CHECK(dubois["anaglyph"]["measured_lenses"] == false);
-  const Json patient = report(here, "cube --size 64x64 --target-rivalry 1");
+  const Json patient = stereo_report(here, "cube --size 64x64 --target-rivalry 1");
   CHECK(verdict_of(patient, "rivalry")["level"] == "good");
   CHECK_FALSE(patient["anaglyph"].contains("recolour"));
 }
 
 TEST_CASE("eyes in one place are said to be, and are told how far to go apart") {
   const Workplace here;
-  const Json json = report(here, "teapot --size 96x64 --eye-separation 0");
+  const Json json = stereo_report(here, "teapot --size 96x64 --eye-separation 0");
   CHECK(json["eyes"]["passes"] == 1);
   CHECK(json["disparity"]["share_beyond_budget"] == 0);
   CHECK(json["window_violations"].empty());
@@ -240,18 +242,19 @@ TEST_CASE("eyes in one place are said to be, and are told how far to go apart") 
 TEST_CASE("pictures of nothing, and of one pixel, are reported on") {
   const Workplace here;
   const Json nothing =
-      report(here, "teapot --size 64x48 --eye 0,0,50 --look-at 0,0,100 --html nothing.html");
+      stereo_report(here, "teapot --size 64x48 --eye 0,0,50 --look-at 0,0,100 --html nothing.html");
   CHECK(verdict_of(nothing, "pictures")["level"] == "bad");
   CHECK(nothing["parallax"].size() == 3);
   CHECK(nothing["disparity"]["histogram"]["counts"].empty());
   CHECK(nothing["advice"].size() == 1);
   for (const std::string& size : {std::string("1x1"), std::string("1x9"), std::string("9x1")}) {
     INFO(size);
-    const Json tiny = report(here, "room --size " + size + " --html tiny.html");
+    const Json tiny = stereo_report(here, "room --size " + size + " --html tiny.html");
     CHECK(tiny["disparity"]["left"]["drawn"] > 0);
   }
   // As far apart as the picture is wide at the window.
-  const Json enormous = report(here, "teapot --size 64x48 --eye-separation 6 --html big.html");
+  const Json enormous =
+      stereo_report(here, "teapot --size 64x48 --eye-separation 6 --html big.html");
   CHECK(verdict_of(enormous, "parallax")["level"] == "bad");
 }
 

@@ -17,11 +17,11 @@
 namespace glassbox::test {
 namespace {
 
-using Triple = std::array<double, 3>;
+using Direction3 = std::array<double, 3>;
 
 // ---- what was drawn ----
 
-Image<Rgba8> picture(const Workplace& here, const std::string& name) {
+Image<Rgba8> turntable_picture(const Workplace& here, const std::string& name) {
   const auto image = read_image(here.file(name));
   INFO(name);
   REQUIRE(image);
@@ -37,16 +37,16 @@ Recipe recipe(const Workplace& here, const std::string& name) {
   return *found;
 }
 
-Triple triple_after(const std::vector<std::string>& words, const std::string& option) {
+Direction3 triple_after(const std::vector<std::string>& words, const std::string& option) {
   const auto at = std::find(words.begin(), words.end(), option);
   REQUIRE(at != words.end());
-  Triple triple{};
+  Direction3 triple{};
   REQUIRE(std::sscanf(std::next(at)->c_str(), "%lf,%lf,%lf", &triple[0], &triple[1], &triple[2]) ==
           3);
   return triple;
 }
 
-double distance(const Triple& a, const Triple& b) {
+double distance(const Direction3& a, const Direction3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
@@ -85,20 +85,20 @@ const std::string kBeam =
 
 TEST_CASE("a turntable's eye goes once around up through the target, at one distance and height") {
   for (const auto& [options, up] :
-       std::vector<std::pair<std::string, Triple>>{{"", {0, 1, 0}},
-                                                   {"--up 0,0,1", {0, 0, 1}},
-                                                   {"--up 0,2,0", {0, 1, 0}},
-                                                   {"--up 1,0,0", {1, 0, 0}}}) {
+       std::vector<std::pair<std::string, Direction3>>{{"", {0, 1, 0}},
+                                                       {"--up 0,0,1", {0, 0, 1}},
+                                                       {"--up 0,2,0", {0, 1, 0}},
+                                                       {"--up 1,0,0", {1, 0, 0}}}) {
     const Workplace here;
     constexpr std::size_t kFrames = 10;
     turn(here, "teapot:2", kFrames, options + " --size 32x24");
-    std::vector<Triple> eyes;
+    std::vector<Direction3> eyes;
     for (std::size_t i = 1; i <= kFrames; ++i) {
       const Recipe made = recipe(here, fmt::format("t-{:04}.png", i));
       eyes.push_back(triple_after(made.options, "--eye"));
-      const Triple target = triple_after(made.options, "--look-at");
+      const Direction3 target = triple_after(made.options, "--look-at");
       CHECK(target == triple_after(recipe(here, "t-0001.png").options, "--look-at"));
-      const auto along_up = [&up = up](const Triple& p) {
+      const auto along_up = [&up = up](const Direction3& p) {
         return p[0] * up[0] + p[1] * up[1] + p[2] * up[2];
       };
       INFO(options << " frame " << i);
@@ -140,7 +140,7 @@ TEST_CASE("all of a scene is in every frame of its turn, and the frame is not la
     turn(here, words.substr(0, blank), 24, words.substr(blank));
     double most = 0;
     for (int i = 1; i <= 24; ++i) {
-      const double one = reach(picture(here, fmt::format("t-{:04}.png", i)));
+      const double one = reach(turntable_picture(here, fmt::format("t-{:04}.png", i)));
       INFO(words << " frame " << i);
       CHECK(one < 1);
       most = std::max(most, one);
@@ -163,7 +163,7 @@ TEST_CASE("the recipe of a turntable's frame makes its pixels as a single pictur
     for (const std::string& word : made.options) words += " " + word;
     INFO(words);
     REQUIRE(here.run(words + " -o alone.png").exit_code == 0);
-    CHECK(picture(here, "alone.png") == picture(here, "t-0002.png"));
+    CHECK(turntable_picture(here, "alone.png") == turntable_picture(here, "t-0002.png"));
   }
 }
 
@@ -173,10 +173,10 @@ TEST_CASE("--eye says where a turn begins") {
   const auto eye = [&](int i) {
     return triple_after(recipe(here, fmt::format("t-{:04}.png", i)).options, "--eye");
   };
-  CHECK(eye(1) == Triple{0, 3, 5});
-  CHECK(eye(2) == Triple{5, 3, 0});  // to +x: counterclockwise as seen from above
-  CHECK(eye(3) == Triple{0, 3, -5});
-  CHECK(eye(4) == Triple{-5, 3, 0});
+  CHECK(eye(1) == Direction3{0, 3, 5});
+  CHECK(eye(2) == Direction3{5, 3, 0});  // to +x: counterclockwise as seen from above
+  CHECK(eye(3) == Direction3{0, 3, -5});
+  CHECK(eye(4) == Direction3{-5, 3, 0});
 }
 
 TEST_CASE("what has no extent can be turned as well") {

@@ -30,11 +30,11 @@ Json geometry_of(const Workplace& here, const std::string& words) {
 }
 
 using Rows = std::array<std::array<double, 3>, 3>;
-using Triple = std::array<double, 3>;
+using Row3 = std::array<double, 3>;
 
 double constraint(const Rows& f, const std::vector<double>& left,
                   const std::vector<double>& right) {
-  const Triple l{left[0], left[1], 1}, r{right[0], right[1], 1};
+  const Row3 l{left[0], left[1], 1}, r{right[0], right[1], 1};
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) sum += r[i] * f[i][k] * l[k];
@@ -43,7 +43,7 @@ double constraint(const Rows& f, const std::vector<double>& left,
 }
 
 // How far from 0 F e is, the matrix and the vector being of length 1.
-double image_of(const Rows& f, const Triple& e, bool transposed) {
+double image_of(const Rows& f, const Row3& e, bool transposed) {
   double squares = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0;
@@ -104,7 +104,7 @@ TEST_CASE(
       CHECK(std::abs(other[i][k] + expected[i][k]) < 1e-6);
     }
   }
-  const Triple left = json["epipoles"]["left"];
+  const Row3 left = json["epipoles"]["left"];
   CHECK(std::abs(std::abs(left[0]) - 1) < 1e-6);
   CHECK(std::abs(left[2]) < 1e-6);
 }

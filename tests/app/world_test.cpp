@@ -20,7 +20,7 @@ struct Picture {
   std::string depth, ids;  // the bytes of the PFM files
 };
 
-Picture rendered(const Workplace& here, const std::string& options) {
+Picture picture_of_world(const Workplace& here, const std::string& options) {
   const Outcome outcome =
       here.run("render " + options + " --size 160x120 -o p.png --depth-out d.pfm --id-out i.pfm");
   INFO(options << ": " << outcome.err);
@@ -51,11 +51,11 @@ TEST_CASE("a cube of 1 m placed far away by its node does not shake (C-13, C-14)
   const Workplace here;
   for (const char* lens : {"--near 0.5 --far 10", "--ortho 2 --near 0.5 --far 10", "--near 0.5"}) {
     write_scene(here, "near.glb", cube, {Placement{}});
-    const Picture at_origin = rendered(here, "near.glb " + camera_at(0, lens));
+    const Picture at_origin = picture_of_world(here, "near.glb " + camera_at(0, lens));
     for (const double offset : kOffsets) {
       write_scene(here, "away.glb", cube, {{{1, 1, 1}, {offset, offset, offset}}});
       INFO("offset " << offset << ", " << lens);
-      const Picture away = rendered(here, "away.glb " + camera_at(offset, lens));
+      const Picture away = picture_of_world(here, "away.glb " + camera_at(offset, lens));
       CHECK(away.color == at_origin.color);
       CHECK(away.ids == at_origin.ids);
     }
@@ -66,7 +66,7 @@ TEST_CASE("a cube of 1 m whose vertices are far away does not shake (C-13)") {
   const Workplace here;
   const std::string lens = "--near 0.5 --far 10";
   write_scene(here, "near.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), {Placement{}});
-  const Picture at_origin = rendered(here, "near.glb " + camera_at(0, lens));
+  const Picture at_origin = picture_of_world(here, "near.glb " + camera_at(0, lens));
   for (const double offset : {100.0, 65536.0, 1e6, 4194304.0}) {
     // Multiples of 1/2 are floats up to 2^23, so that the corners are where they should be.
     const float low = float(offset - 0.5);
@@ -74,7 +74,7 @@ TEST_CASE("a cube of 1 m whose vertices are far away does not shake (C-13)") {
     REQUIRE(double(low) == offset - 0.5);
     write_scene(here, "away.glb", box({low, low, low}, {high, high, high}), {Placement{}});
     INFO("offset " << offset);
-    const Picture away = rendered(here, "away.glb " + camera_at(offset, lens));
+    const Picture away = picture_of_world(here, "away.glb " + camera_at(offset, lens));
     CHECK(away.color == at_origin.color);
     CHECK(away.ids == at_origin.ids);
   }
@@ -103,12 +103,13 @@ TEST_CASE("a node that mirrors shows the mirrored mesh, its fronts outside and l
   for (const char* options : {"--cull back", "--cull front", "--cull none", "--show normal"}) {
     const std::string camera = camera_at(0, std::string("--near 0.5 --far 10 ") + options);
     INFO(options);
-    check_same(rendered(here, "node.glb " + camera), rendered(here, "mesh.glb " + camera));
+    check_same(picture_of_world(here, "node.glb " + camera),
+               picture_of_world(here, "mesh.glb " + camera));
   }
   // Culling the wrong side would show.
   const std::string camera = camera_at(0, "--near 0.5 --far 10 ");
-  CHECK(rendered(here, "node.glb " + camera + "--cull back").depth !=
-        rendered(here, "node.glb " + camera + "--cull front").depth);
+  CHECK(picture_of_world(here, "node.glb " + camera + "--cull back").depth !=
+        picture_of_world(here, "node.glb " + camera + "--cull front").depth);
 }
 
 TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)") {
@@ -117,8 +118,8 @@ TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)"
   write_scene(here, "mirrored.glb", triangles(tetrahedron(false)), {{{-1, 1, 1}, {0, 0, 0}}});
   // The headlight is not symmetric; normals are.
   const std::string camera = "--eye 0,0,4 --look-at 0,0,0 --near 0.5 --far 10 --show normal";
-  const Image<Rgba8> plain = rendered(here, "plain.glb " + camera).color;
-  const Image<Rgba8> mirrored = rendered(here, "mirrored.glb " + camera).color;
+  const Image<Rgba8> plain = picture_of_world(here, "plain.glb " + camera).color;
+  const Image<Rgba8> mirrored = picture_of_world(here, "mirrored.glb " + camera).color;
   const Rgba8 background{26, 31, 38, 255};
   int compared = 0;
   for (int y = 0; y < plain.height; ++y) {
@@ -137,7 +138,7 @@ TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)"
 
 // The brightest green of the picture: the square fills its middle.
 int green_at_centre(const Workplace& here, const std::string& scene, const std::string& shade) {
-  const Picture picture = rendered(
+  const Picture picture = picture_of_world(
       here, scene + " --eye 0,0,8 --look-at 0,0,0 --ortho 1 --near 1 --far 20 --shade " + shade);
   return picture.color.at(80, 60).g;
 }
@@ -178,10 +179,10 @@ TEST_CASE("the picture does not change as the far plane moves away to infinity (
   write_scene(here, "cube.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), {Placement{}});
   for (const char* depth : {"d32", "d32r", "d24"}) {
     const std::string start = std::string("cube.glb --depth ") + depth + " ";
-    const Picture infinite = rendered(here, start + camera_at(0, "--near 1 --far inf"));
+    const Picture infinite = picture_of_world(here, start + camera_at(0, "--near 1 --far inf"));
     for (const char* far : {"1e3", "1e6", "1e9", "1e30"}) {
       INFO("depth " << depth << ", far " << far);
-      check_same(rendered(here, start + camera_at(0, std::string("--near 1 --far ") + far)),
+      check_same(picture_of_world(here, start + camera_at(0, std::string("--near 1 --far ") + far)),
                  infinite);
     }
   }

@@ -25,6 +25,7 @@ struct Lines {
 };
 
 const std::vector<Lines> kRunElsewhere{
+    {"docs/tour.md", "", "tests/docs/readme_test.cpp, in the order of the page"},
     {"docs/step.md", "", "tests/app/step_test.cpp replays the page"},
     {"docs/why.md", "", "tests/app/why_test.cpp replays the page"},
     {"docs/benchmark.md", "", "minutes of measuring; tests/study/bench has every option, smaller"},

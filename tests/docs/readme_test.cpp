@@ -1,4 +1,4 @@
-// README's command lines, in their order, verbatim.
+// The command lines of README and docs/tour.md, in their order, verbatim.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -17,14 +17,16 @@ bool is_exempt(const std::string& line) {
 }
 
 // All lines of the blocks that are marked as the shell's.
-std::vector<std::string> lines_of_readme() {
+std::vector<std::string> lines_of_readme_and_tour() {
   std::vector<std::string> lines;
-  bool in_block = false;
-  for (const std::string& line : lines_of("README.md")) {
-    if (line.starts_with("```")) {
-      in_block = line == "```sh";
-    } else if (in_block && !is_exempt(line)) {
-      lines.push_back(line);
+  for (const char* page : {"README.md", "docs/tour.md"}) {
+    bool in_block = false;
+    for (const std::string& line : lines_of(page)) {
+      if (line.starts_with("```")) {
+        in_block = line == "```sh";
+      } else if (in_block && !is_exempt(line)) {
+        lines.push_back(line);
+      }
     }
   }
   return lines;
@@ -32,8 +34,10 @@ std::vector<std::string> lines_of_readme() {
 
 }  // namespace
 
-TEST_CASE("every command line of README runs in a fresh clone, and leaves nothing that git sees") {
-  const std::vector<std::string> lines = lines_of_readme();
+TEST_CASE(
+    "every command line of README and the tour runs in a fresh clone, and leaves nothing that git "
+    "sees") {
+  const std::vector<std::string> lines = lines_of_readme_and_tour();
   REQUIRE(lines.size() >= 15);
   const Clone clone;
   const std::vector<std::string> before = clone.files();

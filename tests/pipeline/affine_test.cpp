@@ -1,5 +1,6 @@
 #include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,7 +18,7 @@ namespace {
 using test::Rational;
 using test::RationalMatrix;
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 using WorldMap = Transform<World, World>;
 
 WorldMap rotation(const Vector<World, double>& axis, double degrees) {

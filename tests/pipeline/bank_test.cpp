@@ -1,5 +1,6 @@
 // The true/false bank of S3.39-40 and the claims around it, as statements that a machine checks (S3-18).
 #include <glassbox/base/random.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 using WorldMap = Transform<World, World>;
 using EyePoint = Point<Eye, double>;
 

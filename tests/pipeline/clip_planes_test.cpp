@@ -49,9 +49,9 @@ TEST_CASE("the guard band keeps what it can hold and cuts the rest at its edge (
       if (p.x == at(-100, 0).x) continue;
       CHECK(p.x == 64.0f * p.w);
       // On the edge it came from, to half an ulp of a coordinate of less than 300 px.
-      const RationalPoint q = test::exactly(p);
-      const RationalPoint from = test::exactly(t[p.y > at(0, 100).y ? 2 : 0].position);
-      const RationalPoint to = test::exactly(t[1].position);
+      const RationalPoint q = test::rational_of(p);
+      const RationalPoint from = test::rational_of(t[p.y > at(0, 100).y ? 2 : 0].position);
+      const RationalPoint to = test::rational_of(t[1].position);
       const Rational y = from.y + (to.y - from.y) * (q.x - from.x) / (to.x - from.x);
       CHECK(std::abs(double(q.y - y)) * 512 <= 300 * 0x1p-24);
     }
@@ -255,7 +255,7 @@ TEST_CASE("the sign of a distance is exact") {
       plane.d = -(plane.a * p.x + plane.b * p.y + plane.c * p.z) / p.w;
     }
     if (i % 7 == 0) p.w = p.z = p.x;
-    const int expected = test::distance(plane, test::exactly(p)).sign();
+    const int expected = test::distance(plane, test::rational_of(p)).sign();
     const double d = signed_distance(plane, p);
     CAPTURE(plane.name, p.x, p.y, p.z, p.w, d);
     REQUIRE((d > 0) - (d < 0) == expected);

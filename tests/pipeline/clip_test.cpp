@@ -27,11 +27,11 @@ TEST_CASE("a triangle through the eye plane is cut to exactly what lies in front
     INFO(in_words(t));
     const ClipPolygon polygon = clip_triangle(t, near);
     REQUIRE(polygon.count == count);
-    const Rational expected = test::twice_ndc_area(test::clip(test::exactly(t), near));
-    CHECK(test::twice_ndc_area(test::exactly(polygon)) == expected);
+    const Rational expected = test::twice_ndc_area(test::clip(test::rational_of(t), near));
+    CHECK(test::twice_ndc_area(test::rational_of(polygon)) == expected);
     for (int i = 0; i < count; ++i) CHECK(polygon.vertices[std::size_t(i)].position.w >= 0.5f);
     // The trap: dividing first maps what is behind the eye to the front.
-    CHECK(test::twice_ndc_area(test::exactly(t)) != expected);
+    CHECK(test::twice_ndc_area(test::rational_of(t)) != expected);
   }
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("clipped areas are the rational ones for all eight patterns of signs o
         p[std::size_t(k)] = behind ? random_position(random, -1, 0) : random_position(random, 0, 1);
       }
       const Triangle3 t = triangle(p[0], p[1], p[2]);
-      const RationalPolygon exact = test::clip(test::exactly(t), planes);
+      const RationalPolygon exact = test::clip(test::rational_of(t), planes);
       const bool too_near = std::any_of(
           exact.begin(), exact.end(), [](const RationalPoint& v) { return v.w < Rational(1, 16); });
       const ClipPolygon polygon = clip_triangle(t, planes);
@@ -77,7 +77,7 @@ TEST_CASE("clipped areas are the rational ones for all eight patterns of signs o
       INFO("w signs " << signs << ": " << in_words(t));
       ++drawn;
       const Rational difference =
-          test::twice_ndc_area(test::exactly(polygon)) - test::twice_ndc_area(exact);
+          test::twice_ndc_area(test::rational_of(polygon)) - test::twice_ndc_area(exact);
       REQUIRE(std::abs(double(difference)) <= tolerance);
     }
     CHECK((signs == 7) == (drawn == 0));
@@ -113,8 +113,8 @@ TEST_CASE("neither the first corner nor the winding nor the order of planes matt
     };
     if (polygon.count == 0 || near_eye(polygon) || near_eye(other)) continue;
     ++compared;
-    const Rational difference =
-        test::twice_ndc_area(test::exactly(polygon)) - test::twice_ndc_area(test::exactly(other));
+    const Rational difference = test::twice_ndc_area(test::rational_of(polygon)) -
+                                test::twice_ndc_area(test::rational_of(other));
     REQUIRE(std::abs(double(difference)) <=
             2 * 16 * 340 * 0x1p-24);  // twice the bound derived above
   }
@@ -261,7 +261,7 @@ TEST_CASE("all six planes cut a triangle to nine vertices, and no triangle to mo
     for (const float x : {-1.0f, 1.0f}) {
       for (const float y : {-1.0f, 1.0f}) CHECK(contains(screen, {x, y, 0.5f, 1}));
     }
-    CHECK(test::twice_ndc_area(test::exactly(screen)) == 8);
+    CHECK(test::twice_ndc_area(test::rational_of(screen)) == 8);
   }
 }
 

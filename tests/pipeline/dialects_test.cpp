@@ -1,4 +1,5 @@
 #include <tests/pipeline/cameras.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 using WorldPoint = Point<World, double>;
 
 TEST_CASE("the adaptors of eye and depth are their own inverses, exactly") {

@@ -1,5 +1,6 @@
 // The slides' formulations make the matrices that the program's own make, but for rounding.
 #include <tests/pipeline/cameras.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 
 std::uint64_t ulps_apart(const glm::dmat4& a, const glm::dmat4& b) {
   std::uint64_t most = 0;

@@ -1,6 +1,7 @@
 // Against the reference implementation of the functions that S4 names: Mesa's GLU, whose gluLookAt and gluPerspective work on
 // the current OpenGL context. OSMesa gives one without a display.
 #include <tests/pipeline/cameras.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 #include <tests/support/mesa_leaks.h>
 
@@ -23,7 +24,7 @@ namespace {
 using test::LensCase;
 using test::LookAtCase;
 
-constexpr double uf = unit_roundoff<float>, ud = unit_roundoff<double>;
+using test::ud, test::uf;
 
 class Context {
 public:

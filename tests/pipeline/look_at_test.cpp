@@ -1,5 +1,6 @@
 #include <tests/pipeline/cameras.h>
 #include <tests/pipeline/rational.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,12 +24,13 @@ namespace {
 using test::LookAtCase;
 using test::Rational;
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 using EyeFromWorld = Transform<Eye, World>;
 using WorldPoint = Point<World, double>;
 using WorldVector = Vector<World, double>;
 
-EyeFromWorld view_of(const WorldPoint& eye, const WorldPoint& target, const WorldVector& up) {
+EyeFromWorld eye_from_world_of(const WorldPoint& eye, const WorldPoint& target,
+                               const WorldVector& up) {
   const auto m = look_at(eye, target, up);
   REQUIRE(m);
   return *m;
@@ -51,7 +53,7 @@ Difference difference(const A& a, const B& b) {
 }
 
 TEST_CASE("a camera on the z axis that looks at the origin is a plain translation (S4-02)") {
-  const EyeFromWorld m = view_of({0, 0, 1}, {0, 0, 0}, {0, 1, 0});
+  const EyeFromWorld m = eye_from_world_of({0, 0, 1}, {0, 0, 0}, {0, 1, 0});
   CHECK(m == EyeFromWorld(translate<World>({0, 0, -1}).columns));
 }
 
@@ -92,7 +94,7 @@ TEST_CASE(
   Random random(40);
   for (int i = 0; i < 2000; ++i) {
     const LookAtCase c = test::random_look_at(random);
-    const EyeFromWorld m = view_of(c.eye, c.target, c.up);
+    const EyeFromWorld m = eye_from_world_of(c.eye, c.target, c.up);
     CAPTURE(i, c.up_sine);
     const glm::dmat3 rotation(m.columns);
     CHECK(orthogonality_error(rotation) <= (8 + 8 / c.up_sine) * u);
@@ -126,7 +128,7 @@ TEST_CASE(
     // Gaze against the third row, up anywhere in the plane of the second and third: all integers, no rounding.
     const double tilt = double(random.integer(-3, 3));
     const WorldVector up = axis(1, 1) + axis(2, tilt);
-    const EyeFromWorld m = view_of(eye, eye + axis(2, -double(random.integer(1, 9))), up);
+    const EyeFromWorld m = eye_from_world_of(eye, eye + axis(2, -double(random.integer(1, 9))), up);
     const test::RationalMatrix exact = test::exactly(r);
     const double sine = 1 / std::sqrt(1 + tilt * tilt);
     CAPTURE(i, tilt);
@@ -153,7 +155,8 @@ TEST_CASE("both constructions agree within their bounds (S3-16)") {
     const LookAtCase c = test::random_look_at(random);
     const auto turned = look_at_axis_angle(c.eye, c.target, c.up);
     REQUIRE(turned);
-    const Difference d = difference(turned->columns, view_of(c.eye, c.target, c.up).columns);
+    const Difference d =
+        difference(turned->columns, eye_from_world_of(c.eye, c.target, c.up).columns);
     CAPTURE(i, c.up_sine);
     CHECK(d.rotation <= (32 + 16 / c.up_sine) * u);
     CHECK(d.translation <=
@@ -171,7 +174,8 @@ TEST_CASE(
     const auto turned = look_at_axis_angle(eye, target, up);
     REQUIRE(turned);
     CAPTURE(off);
-    CHECK(difference(turned->columns, view_of(eye, target, up).columns).rotation <= 64 * u);
+    CHECK(difference(turned->columns, eye_from_world_of(eye, target, up).columns).rotation <=
+          64 * u);
     const Point<Eye, double> image = *turned * target;
     CHECK(std::abs(image.x) <= 8 * u);
     CHECK(std::abs(image.y) <= 8 * u);
@@ -234,7 +238,7 @@ TEST_CASE("E7: rotating the gaze to +z mirrors the picture of an F, unless x is 
   REQUIRE(lens);
   REQUIRE(ours);
 
-  const auto right = *ours * view_of(eye, target, up);
+  const auto right = *ours * eye_from_world_of(eye, target, up);
   const auto wrong = *lens * slide_37(eye, target, up);
   CHECK(image_turn(right, glyph) < 0);
   CHECK(image_turn(wrong, glyph) > 0);
@@ -260,7 +264,7 @@ TEST_CASE(
       6, 3, -2};  // perpendicular to it, also of length 7; the third is their cross product over 7
   for (double e : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     const WorldVector up = gaze + across * e;
-    const EyeFromWorld m = view_of(eye, target, up);
+    const EyeFromWorld m = eye_from_world_of(eye, target, up);
     // The exact V: up less its part along the gaze, normalised; in long double, whose roundoff is u/2048.
     const long double k =
         ((long double)(up.x) * 3 - (long double)(up.y) * 2 + (long double)(up.z) * 6) / 49;
@@ -386,7 +390,8 @@ TEST_CASE("a camera far from the origin sees near things as exactly as one at th
     for (int i = 0; i < 200; ++i) {
       const WorldVector place{offset, -offset, offset * 0.5};
       const WorldPoint eye = WorldPoint{3, 4, 5} + place;
-      const EyeFromWorld eye_from_world = view_of(eye, WorldPoint{0, 0, 0} + place, {0, 1, 0});
+      const EyeFromWorld eye_from_world =
+          eye_from_world_of(eye, WorldPoint{0, 0, 0} + place, {0, 1, 0});
       const Transform<World, Object> world_from_object = translate<World, Object>(place);
       const Transform<Eye, Object, float> eye_from_object =
           round_to_float(eye_from_world * world_from_object);
@@ -418,7 +423,7 @@ TEST_CASE("a camera far from the origin sees near things as exactly as one at th
 TEST_CASE("a cube of one metre on a planet keeps its shape (C-14)") {
   const WorldVector place{6.378e6, 0, 0};
   const EyeFromWorld eye_from_world =
-      view_of(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0});
+      eye_from_world_of(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0});
   const auto m = round_to_float(eye_from_world * translate<World, Object>(place));
   for (int corner = 0; corner < 8; ++corner) {
     const Point<Object> p{(corner & 1) != 0 ? 0.5f : -0.5f, (corner & 2) != 0 ? 0.5f : -0.5f,
@@ -434,7 +439,7 @@ TEST_CASE("10 000 random cameras agree with GLM's lookAt (S4-12)") {
   for (int i = 0; i < 10000; ++i) {
     const LookAtCase c = test::random_look_at(random);
     const glm::dmat4 theirs = glm::lookAt(to_glm(c.eye), to_glm(c.target), to_glm(c.up));
-    const Difference d = difference(view_of(c.eye, c.target, c.up).columns, theirs);
+    const Difference d = difference(eye_from_world_of(c.eye, c.target, c.up).columns, theirs);
     // Each is within (8 + 4/sine) u of the exact one, GLM's with an inverse square root more: twice and a half of it.
     const double bound = (24 + 12 / c.up_sine) * u;
     CAPTURE(i, c.up_sine);

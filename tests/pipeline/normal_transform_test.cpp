@@ -1,5 +1,6 @@
 #include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 using Linear = Transform<World, Object>;
 using Vec = glm::dvec3;
 
-constexpr double u = 0x1p-24;
+using test::uf;
 
 Vec unit_of(const Vec& v) {
   return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
@@ -33,7 +34,7 @@ TEST_CASE(
   const Normal<World> right = normalized(normal_transform(squash) * slope);
   // The surface's tangents (0.8, 0, -0.6) and y go to (0.8, 0, -0.6e-6) and y.
   const Vec exact = unit_of(Vec(double(slope.x) * 1e-6, 0, double(slope.z)));
-  CHECK(angle(Vec(to_glm(right)), exact) <= 10 * u);
+  CHECK(angle(Vec(to_glm(right)), exact) <= 10 * uf);
   const Vec wrong = Vec(slope.x, slope.y, double(slope.z) * 1e-6);
   CHECK(angle(unit_of(wrong), exact) > 1.57);
 }
@@ -62,7 +63,7 @@ TEST_CASE("normals of random transforms are within 10 u of the exact cofactors' 
     for (int k = 0; k < 3; ++k) terms += glm::length(cofactors[k]);
     if (size == 0) continue;
     CAPTURE(i, det);
-    CHECK(angle(Vec(to_glm(value)), exact) <= 10 * u * std::max(1.0, terms / size));
+    CHECK(angle(Vec(to_glm(value)), exact) <= 10 * uf * std::max(1.0, terms / size));
   }
 }
 

@@ -1,4 +1,5 @@
 #include <tests/pipeline/cameras.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,10 +17,10 @@ namespace glassbox {
 namespace {
 
 using test::LensCase;
-using Exact = boost::multiprecision::cpp_bin_float_50;
+using Real = boost::multiprecision::cpp_bin_float_50;
 
-constexpr double u = unit_roundoff<double>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::u;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 using Projection = Transform<Clip, Eye>;
 
 template <class T>
@@ -35,7 +36,7 @@ double depth_of(const Projection& m, double distance) {
 }
 
 // Largest distance in ulps of corresponding entries, which must be zero together.
-std::uint64_t ulps_apart(const glm::dmat4& a, const glm::dmat4& b) {
+std::uint64_t largest_distance(const glm::dmat4& a, const glm::dmat4& b) {
   std::uint64_t largest = 0;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
@@ -72,7 +73,7 @@ TEST_CASE("a right angle and powers of two give exact entries (S4-10, S4-12)") {
   CHECK(o.at(3, 3) == 1);
   for (const Projection& p :
        {m, o, must(frustum({-1, 1, -1, 1}, {1, 3})),
-        must(perspective_degrees(60, 1, {1, kInfinity, DepthRange::kReversed}))}) {
+        must(perspective_degrees(60, 1, {1, kInfinite, DepthRange::kReversed}))}) {
     CHECK(!has_negative_zero(p.columns));
   }
 }
@@ -103,39 +104,39 @@ TEST_CASE(
 
 TEST_CASE("every entry is within 4 ulps of its exact value, standard and reversed (oracle D)") {
   Random random(51);
-  const Exact pi = boost::multiprecision::acos(Exact(-1));
+  const Real pi = boost::multiprecision::acos(Real(-1));
   double worst = 0;
   for (int i = 0; i < 2000; ++i) {
     const LensCase c = test::random_lens(random);
     const double radians = radians_from_degrees(c.fovy_degrees);
-    const Exact n(c.near), f(c.far), aspect(c.aspect);
+    const Real n(c.near), f(c.far), aspect(c.aspect);
     for (const DepthRange range : {DepthRange::kStandard, DepthRange::kReversed}) {
       const bool standard = range == DepthRange::kStandard;
       const Projection by_radians = must(perspective(radians, c.aspect, {c.near, c.far, range}));
       const Projection by_degrees =
           must(perspective_degrees(c.fovy_degrees, c.aspect, {c.near, c.far, range}));
-      const Exact cot = 1 / boost::multiprecision::tan(Exact(radians) / 2);
-      const Exact cot_degrees = 1 / boost::multiprecision::tan(Exact(c.fovy_degrees) * pi / 360);
+      const Real cot = 1 / boost::multiprecision::tan(Real(radians) / 2);
+      const Real cot_degrees = 1 / boost::multiprecision::tan(Real(c.fovy_degrees) * pi / 360);
       const Window w{random.between(-2, -1), random.between(0, 1), random.between(-3, 1),
                      random.between(2, 5)};
       const Projection off_centre = must(frustum(w, {c.near, c.far, range}));
       const Projection parallel = must(orthographic(w, {c.near, c.far, range}));
-      const Exact width = Exact(w.right) - w.left, height = Exact(w.top) - w.bottom;
+      const Real width = Real(w.right) - w.left, height = Real(w.top) - w.bottom;
       const double errors[] = {
-          error_in_ulps(by_radians.at(0, 0), Exact(cot / aspect)),
+          error_in_ulps(by_radians.at(0, 0), Real(cot / aspect)),
           error_in_ulps(by_radians.at(1, 1), cot),
-          error_in_ulps(by_degrees.at(0, 0), Exact(cot_degrees / aspect)),
+          error_in_ulps(by_degrees.at(0, 0), Real(cot_degrees / aspect)),
           error_in_ulps(by_degrees.at(1, 1), cot_degrees),
-          error_in_ulps(by_degrees.at(2, 2), Exact(standard ? -f / (f - n) : n / (f - n))),
-          error_in_ulps(by_degrees.at(2, 3), Exact((standard ? -1 : 1) * f * n / (f - n))),
-          error_in_ulps(off_centre.at(0, 0), Exact(2 * n / width)),
-          error_in_ulps(off_centre.at(0, 2), Exact((Exact(w.right) + w.left) / width)),
-          error_in_ulps(off_centre.at(1, 1), Exact(2 * n / height)),
-          error_in_ulps(off_centre.at(1, 2), Exact((Exact(w.top) + w.bottom) / height)),
-          error_in_ulps(parallel.at(0, 0), Exact(2 / width)),
-          error_in_ulps(parallel.at(0, 3), Exact(-(Exact(w.right) + w.left) / width)),
-          error_in_ulps(parallel.at(2, 2), Exact((standard ? -1 : 1) / (f - n))),
-          error_in_ulps(parallel.at(2, 3), Exact(standard ? -n / (f - n) : f / (f - n)))};
+          error_in_ulps(by_degrees.at(2, 2), Real(standard ? -f / (f - n) : n / (f - n))),
+          error_in_ulps(by_degrees.at(2, 3), Real((standard ? -1 : 1) * f * n / (f - n))),
+          error_in_ulps(off_centre.at(0, 0), Real(2 * n / width)),
+          error_in_ulps(off_centre.at(0, 2), Real((Real(w.right) + w.left) / width)),
+          error_in_ulps(off_centre.at(1, 1), Real(2 * n / height)),
+          error_in_ulps(off_centre.at(1, 2), Real((Real(w.top) + w.bottom) / height)),
+          error_in_ulps(parallel.at(0, 0), Real(2 / width)),
+          error_in_ulps(parallel.at(0, 3), Real(-(Real(w.right) + w.left) / width)),
+          error_in_ulps(parallel.at(2, 2), Real((standard ? -1 : 1) / (f - n))),
+          error_in_ulps(parallel.at(2, 3), Real(standard ? -n / (f - n) : f / (f - n)))};
       for (double error : errors) {
         worst = std::max(worst, error);
         CHECK(error < 4);
@@ -167,9 +168,9 @@ TEST_CASE(
         glm::frustumRH_NO(w.left, w.right, w.bottom, w.top, c.near, c.far),
         glm::orthoRH_NO(w.left, w.right, w.bottom, w.top, c.near, c.far)};
     for (int kind = 0; kind < 3; ++kind) {
-      worst = std::max(worst, ulps_apart(ours[kind].columns, zero_to_one[kind]));
-      worst_gl = std::max(
-          worst_gl, ulps_apart((clip_gl_from_clip() * ours[kind]).columns, minus_one_to_one[kind]));
+      worst = std::max(worst, largest_distance(ours[kind].columns, zero_to_one[kind]));
+      worst_gl = std::max(worst_gl, largest_distance((clip_gl_from_clip() * ours[kind]).columns,
+                                                     minus_one_to_one[kind]));
     }
   }
   // Ours is within 4 ulps; GLM divides by a tangent of libm's (1 ulp) with two roundings more, and multiplies n by f.
@@ -177,8 +178,8 @@ TEST_CASE(
   // 2 z - w cancels at most one bit of entries near 2 against 1, and parallel offsets -(f + n)/(f - n) likewise.
   CHECK(worst_gl <= 12);
   const glm::dmat4 infinite = glm::infinitePerspective(1.0, 1.5, 0.25);
-  CHECK(ulps_apart((clip_gl_from_clip() * must(perspective(1.0, 1.5, {0.25}))).columns, infinite) <=
-        8);
+  CHECK(largest_distance((clip_gl_from_clip() * must(perspective(1.0, 1.5, {0.25}))).columns,
+                         infinite) <= 8);
 }
 
 TEST_CASE(
@@ -194,8 +195,8 @@ TEST_CASE(
         must(alpha_beta(c.fovy_degrees / 2, 1, c.near, c.far)) * eye_left_from_eye();
     CAPTURE(i, c.fovy_degrees, c.near, c.far);
     CHECK(slides == p);
-    CHECK(ulps_apart(watt.columns, p.columns) <= 8);  // h carries the tangent's 2.5 ulps
-    CHECK(ulps_apart(by_window.columns, p.columns) <= 8);
+    CHECK(largest_distance(watt.columns, p.columns) <= 8);  // h carries the tangent's 2.5 ulps
+    CHECK(largest_distance(by_window.columns, p.columns) <= 8);
   }
 }
 
@@ -257,8 +258,8 @@ TEST_CASE("simple perspective scales by d/z, and T_ort drops depth (S3-08, S4-06
 TEST_CASE("fields of view next to 0 and 180 degrees work and report their condition (C-08)") {
   for (double fovy : {1e-6, 1e-3, 90.0, 179.0, 179.9999}) {
     const Projection m = must(perspective_degrees(fovy, 1, {1, 10}));
-    const Exact exact =
-        1 / boost::multiprecision::tan(Exact(fovy) * boost::multiprecision::acos(Exact(-1)) / 360);
+    const Real exact =
+        1 / boost::multiprecision::tan(Real(fovy) * boost::multiprecision::acos(Real(-1)) / 360);
     CAPTURE(fovy);
     CHECK(error_in_ulps(m.at(1, 1), exact) < 4);
   }
@@ -268,7 +269,7 @@ TEST_CASE("fields of view next to 0 and 180 degrees work and report their condit
 }
 
 TEST_CASE("fields of view of 0, 180 degrees and beyond, and NaN, are refused (C-08, C-03)") {
-  for (double fovy : {0.0, -0.0, -45.0, 180.0, 200.0, 360.0, kInfinity, -kInfinity, std::nan("")}) {
+  for (double fovy : {0.0, -0.0, -45.0, 180.0, 200.0, 360.0, kInfinite, -kInfinite, std::nan("")}) {
     for (const auto& m : {perspective_degrees(fovy, 1, {1, 10}),
                           perspective(radians_from_degrees(fovy), 1, {1, 10})}) {
       CAPTURE(fovy);
@@ -293,7 +294,7 @@ TEST_CASE("near <= 0, near = far, near > far and NaN are refused by name (C-09)"
   for (const Case& c : {Case{0, 10, "near plane"},
                         {-1, 10, "near plane"},
                         {nan, 10, "near plane"},
-                        {kInfinity, kInfinity, "near plane"},
+                        {kInfinite, kInfinite, "near plane"},
                         {1, 1, "far plane"},
                         {2, 1, "far plane"},
                         {1, nan, "far plane"},
@@ -314,7 +315,7 @@ TEST_CASE("near <= 0, near = far, near > far and NaN are refused by name (C-09)"
   CHECK(perspective_degrees(60, 1, {1e-30, 10}));
   CHECK(orthographic({}, {-5, 5}));
   for (const DepthPlanes& planes :
-       {DepthPlanes{1, kInfinity}, {2, 1}, {1, 1}, {nan, 1}, {-kInfinity, 1}, {-1e308, 1e308}}) {
+       {DepthPlanes{1, kInfinite}, {2, 1}, {1, 1}, {nan, 1}, {-kInfinite, 1}, {-1e308, 1e308}}) {
     CHECK(!orthographic({}, planes));
   }
 }
@@ -325,12 +326,12 @@ TEST_CASE("windows without inside, and aspects that are no ratio, are refused (C
                           {1, -1, -1, 1},
                           {-1, 1, 2, 1},
                           {nan, 1, -1, 1},
-                          {-1, kInfinity, -1, 1},
+                          {-1, kInfinite, -1, 1},
                           {-1e308, 1e308, -1, 1}}) {
     CHECK(frustum(w, {1, 10}).error().place == "window");
     CHECK(orthographic(w, {1, 10}).error().place == "window");
   }
-  for (double aspect : {0.0, -1.0, nan, kInfinity}) {
+  for (double aspect : {0.0, -1.0, nan, kInfinite}) {
     CHECK(perspective_degrees(60, aspect, {1, 10}).error().place == "aspect ratio");
   }
 }
@@ -339,8 +340,8 @@ TEST_CASE("an infinite far plane is exact: alpha = 1, beta = -near, reversed 0 a
   const Projection m = must(perspective_degrees(60, 1, {0.1}));
   CHECK(m.at(2, 2) == -1);
   CHECK(m.at(2, 3) == -0.1);
-  CHECK(must(t_pers(1, 0.1, kInfinity)).at(2, 2) == 1);
-  const Projection r = must(perspective_degrees(60, 1, {0.1, kInfinity, DepthRange::kReversed}));
+  CHECK(must(t_pers(1, 0.1, kInfinite)).at(2, 2) == 1);
+  const Projection r = must(perspective_degrees(60, 1, {0.1, kInfinite, DepthRange::kReversed}));
   CHECK(r.at(2, 2) == 0);
   CHECK(r.at(2, 3) == 0.1);
 }
@@ -348,7 +349,7 @@ TEST_CASE("an infinite far plane is exact: alpha = 1, beta = -near, reversed 0 a
 TEST_CASE("depth is continuous as the far plane goes to infinity (C-10)") {
   const double n = 0.1;
   for (const DepthRange range : {DepthRange::kStandard, DepthRange::kReversed}) {
-    const Projection infinite = must(perspective_degrees(60, 1, {n, kInfinity, range}));
+    const Projection infinite = must(perspective_degrees(60, 1, {n, kInfinite, range}));
     for (double ratio : {1e3, 1e6, 1e9, 1e15, 1e18, 1e300}) {
       const Projection finite = must(perspective_degrees(60, 1, {n, n * ratio, range}));
       for (double z = n; z < n * 1e3; z *= 3) {

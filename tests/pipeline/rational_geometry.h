@@ -14,11 +14,11 @@ using exact::clip;
 using exact::distance;
 using exact::twice_ndc_area;
 
-inline RationalPoint exactly(const Point<Clip>& p) {
+inline RationalPoint rational_of(const Point<Clip>& p) {
   return exact::exact_point<Rational>(p);
 }
 template <class Polygon>
-RationalPolygon exactly(const Polygon& polygon) {
+RationalPolygon rational_of(const Polygon& polygon) {
   return exact::exact_polygon<Rational>(polygon);
 }
 

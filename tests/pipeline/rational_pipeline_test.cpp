@@ -3,6 +3,7 @@
 // generic ones of SPEC C.
 #include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
+#include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -20,7 +21,7 @@ using test::Rational;
 using test::RationalMatrix;
 using test::RationalVector;
 
-constexpr double uf = unit_roundoff<float>, ud = unit_roundoff<double>;
+using test::ud, test::uf;
 
 RationalMatrix rational_translation(const Point<World, double>& by, int sign) {
   RationalMatrix m = RationalMatrix::identity();

@@ -15,7 +15,7 @@ namespace {
 
 using WorldPoint = Point<World, double>;
 
-View view_of(const Lens& lens, DepthRange range = DepthRange::kStandard) {
+View view_by(const Lens& lens, DepthRange range = DepthRange::kStandard) {
   Camera camera;
   camera.lens = lens;
   camera.world_from_eye = camera_pose(WorldPoint{3, 4, 12}, WorldPoint{0, 0, 0}, {0, 1, 0}).value();
@@ -34,12 +34,12 @@ Point<Screen, double> screen_of(const View& view, const WorldPoint& p) {
 
 TEST_CASE("world to screen to world returns every kind of camera's points (S3-03)") {
   Random random(90);
-  const View views[] = {view_of(PerspectiveLens{1, 0.5, 100.0}),
-                        view_of(PerspectiveLens{1, 0.5, {}}),
-                        view_of(PerspectiveLens{1, 0.5, 100.0}, DepthRange::kReversed),
-                        view_of(PerspectiveLens{1, 0.5, {}}, DepthRange::kReversed),
-                        view_of(OrthographicLens{5, -10, 100}),
-                        view_of(FrustumLens{-0.2, 0.7, -0.1, 0.3, 0.5, 100.0})};
+  const View views[] = {view_by(PerspectiveLens{1, 0.5, 100.0}),
+                        view_by(PerspectiveLens{1, 0.5, {}}),
+                        view_by(PerspectiveLens{1, 0.5, 100.0}, DepthRange::kReversed),
+                        view_by(PerspectiveLens{1, 0.5, {}}, DepthRange::kReversed),
+                        view_by(OrthographicLens{5, -10, 100}),
+                        view_by(FrustumLens{-0.2, 0.7, -0.1, 0.3, 0.5, 100.0})};
   for (const View& view : views) {
     for (int i = 0; i < 500; ++i) {
       const WorldPoint p{random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
@@ -53,7 +53,7 @@ TEST_CASE("world to screen to world returns every kind of camera's points (S3-03
 }
 
 TEST_CASE("pixel corners at the near plane are the window's (S3-17)") {
-  const View view = view_of(FrustumLens{-0.25, 0.5, -0.125, 0.25, 0.5, 100.0});
+  const View view = view_by(FrustumLens{-0.25, 0.5, -0.125, 0.25, 0.5, 100.0});
   const auto corner = unproject(view, {0, 0, 0});
   REQUIRE(corner);
   const Point<Eye, double> eye = view.eye_from_world * *corner;
@@ -64,8 +64,8 @@ TEST_CASE("pixel corners at the near plane are the window's (S3-17)") {
 
 TEST_CASE("an error in depth is magnified by z^2 (f - n)/(f n) (C-20, bound 8)") {
   const double n = 0.01, f = 1000;  // f/n = 1e5
-  const View view = view_of(PerspectiveLens{1, n, f});
-  const View reversed = view_of(PerspectiveLens{1, n, f}, DepthRange::kReversed);
+  const View view = view_by(PerspectiveLens{1, n, f});
+  const View reversed = view_by(PerspectiveLens{1, n, f}, DepthRange::kReversed);
   const auto distance_of = [](const View& v, double depth) {
     const auto p = unproject(v, {640, 360, depth});
     REQUIRE(p);
@@ -90,11 +90,11 @@ TEST_CASE("an error in depth is magnified by z^2 (f - n)/(f n) (C-20, bound 8)")
 }
 
 TEST_CASE("depths that no point in front of the eye has are refused") {
-  const View endless = view_of(PerspectiveLens{1, 0.5, {}});
+  const View endless = view_by(PerspectiveLens{1, 0.5, {}});
   CHECK(!unproject(endless, {0, 0, 1}));    // infinity itself
   CHECK(!unproject(endless, {0, 0, 1.5}));  // beyond
   CHECK(!unproject(endless, {0, 0, std::nan("")}));
-  const View reversed = view_of(PerspectiveLens{1, 0.5, {}}, DepthRange::kReversed);
+  const View reversed = view_by(PerspectiveLens{1, 0.5, {}}, DepthRange::kReversed);
   CHECK(!unproject(reversed, {0, 0, 0}));
 }
 

@@ -12,7 +12,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 Camera camera_with(const Lens& lens) {
   Camera camera;
@@ -22,7 +22,7 @@ Camera camera_with(const Lens& lens) {
   return camera;
 }
 
-Point<Screen> screen_of(const View& view, const Point<World, double>& p) {
+Point<Screen> screen_point(const View& view, const Point<World, double>& p) {
   const Point<Clip, double> c = view.clip_from_eye * view.eye_from_world * p;
   const NdcVertex ndc{{float(c.x / c.w), float(c.y / c.w), float(c.z / c.w)}, float(1 / c.w)};
   return to_screen(ndc, view.viewport).position;
@@ -43,7 +43,7 @@ TEST_CASE("a perspective camera is the look-at and the projection of its parts")
   const auto endless =
       make_view(camera_with(PerspectiveLens{kHalfPi, 1, {}}), 640, 480, DepthRange::kReversed);
   REQUIRE(endless);
-  CHECK(endless->far == kInfinity);
+  CHECK(endless->far == kInfinite);
   CHECK(endless->clip_from_eye.at(2, 2) == 0);
 }
 
@@ -54,7 +54,7 @@ TEST_CASE(
   CHECK(!view->perspective);
   // 256 world units are 256 pixels: world (x, y) is at pixel (x + 256, 128 - y), fractions of 1/256 included.
   for (double x : {-256.0, -3.00390625, 0.0, 0.5, 17.25, 255.99609375}) {
-    const Point<Screen> p = screen_of(*view, {x, x / 2, 0});
+    const Point<Screen> p = screen_point(*view, {x, x / 2, 0});
     CHECK(p.x == x + 256);
     CHECK(p.y == 128 - x / 2);
   }
@@ -81,10 +81,10 @@ TEST_CASE("the viewport's corners are exact, y downwards (S3-17)") {
 TEST_CASE("E14: screen coordinates are reals, negative ones too, until they are sampled") {
   const auto view = make_view(camera_with(PerspectiveLens{kHalfPi, 1, 9}), 64, 64);
   REQUIRE(view);
-  const Point<Screen> inside = screen_of(*view, {1, 1, 0});
+  const Point<Screen> inside = screen_point(*view, {1, 1, 0});
   CHECK(inside.x == 32 + 32 / 5.0f);
   CHECK(inside.x != std::floor(inside.x));
-  const Point<Screen> outside = screen_of(*view, {-8, 8, 0});  // left of and above the picture
+  const Point<Screen> outside = screen_point(*view, {-8, 8, 0});  // left of and above the picture
   CHECK(outside.x < 0);
   CHECK(outside.y < 0);
   // What an unsigned pixel index would make of it.
@@ -94,8 +94,8 @@ TEST_CASE("E14: screen coordinates are reals, negative ones too, until they are 
 TEST_CASE("the y flip of the screen turns counter-clockwise fronts clockwise (SPEC 0.2)") {
   const auto view = make_view(camera_with(PerspectiveLens{kHalfPi, 1, 9}), 64, 64);
   REQUIRE(view);
-  const Point<Screen> a = screen_of(*view, {0, 0, 0}), b = screen_of(*view, {1, 0, 0}),
-                      c = screen_of(*view, {0, 1, 0});
+  const Point<Screen> a = screen_point(*view, {0, 0, 0}), b = screen_point(*view, {1, 0, 0}),
+                      c = screen_point(*view, {0, 1, 0});
   // Counter-clockwise in the world, seen from +z. In y-down coordinates its doubled area is negative.
   CHECK((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0);
 }
@@ -137,7 +137,7 @@ TEST_CASE("degenerate lenses are refused with a reason and a remedy (C-08, C-09)
       {OrthographicLens{-2, 0, 1}, "orthographic height"},
       {OrthographicLens{1, 1, 1}, "far plane"},
       {OrthographicLens{1, nan, 1}, "near plane"},
-      {OrthographicLens{1, 0, kInfinity}, "far plane"},
+      {OrthographicLens{1, 0, kInfinite}, "far plane"},
       {OrthographicLens{1e-300, 0, 1}, "projection"},
       {FrustumLens{1, 1, -1, 1, 1, 10.0}, "window"},
       {FrustumLens{-1, 1, nan, 1, 1, 10.0}, "window"},
@@ -207,8 +207,8 @@ TEST_CASE("a pose with few digits is repaired to the nearest rotation (C-12)") {
   const Point<World, double> p = camera.world_from_eye * Point<Eye, double>(1, 0.5, -4);
   View other = *view;
   other.eye_from_world = unrepaired;
-  CHECK(std::abs(screen_of(*view, p).x - screen_of(other, p).x) <= 1e-3f);
-  CHECK(std::abs(screen_of(*view, p).y - screen_of(other, p).y) <= 1e-3f);
+  CHECK(std::abs(screen_point(*view, p).x - screen_point(other, p).x) <= 1e-3f);
+  CHECK(std::abs(screen_point(*view, p).y - screen_point(other, p).y) <= 1e-3f);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 // Element `index` of an array, counted over all its dimensions.
 template <class T>
-T at(const TraceArrays& arrays, const std::string& name, std::size_t index) {
+T number_at(const TraceArrays& arrays, const std::string& name, std::size_t index) {
   for (const Table& table : arrays.tables()) {
     for (const Array& array : table.arrays()) {
       if (array.name != name) continue;
@@ -64,29 +64,29 @@ TEST_CASE("arrays have the records' numbers, row for row") {
   std::size_t vertex = 0, piece = 0, cut = 0, cut_vertex = 0;
   for (std::size_t t = 0; t < run.triangles.size(); ++t) {
     const TracedTriangle& triangle = run.triangles[t];
-    REQUIRE(at<std::uint32_t>(arrays, "triangle.number", t) == triangle.number);
-    REQUIRE(at<std::uint64_t>(arrays, "triangle.first_vertex", t) == vertex);
-    REQUIRE(at<std::uint64_t>(arrays, "triangle.first_piece", t) == piece);
-    REQUIRE(at<std::uint64_t>(arrays, "triangle.first_cut", t) == cut);
-    REQUIRE(at<std::uint8_t>(arrays, "triangle.vertex_count", t) == triangle.polygon.size());
+    REQUIRE(number_at<std::uint32_t>(arrays, "triangle.number", t) == triangle.number);
+    REQUIRE(number_at<std::uint64_t>(arrays, "triangle.first_vertex", t) == vertex);
+    REQUIRE(number_at<std::uint64_t>(arrays, "triangle.first_piece", t) == piece);
+    REQUIRE(number_at<std::uint64_t>(arrays, "triangle.first_cut", t) == cut);
+    REQUIRE(number_at<std::uint8_t>(arrays, "triangle.vertex_count", t) == triangle.polygon.size());
     for (std::size_t k = 0; k < 3; ++k) {
       const TracedCorner& corner = triangle.corners[k];
-      REQUIRE(at<float>(arrays, "corner.clip", 4 * (3 * t + k) + 3) == corner.clip.w);
-      REQUIRE(at<double>(arrays, "corner.eye", 3 * (3 * t + k) + 2) == corner.eye.z);
-      REQUIRE(at<std::uint32_t>(arrays, "corner.outcode", 3 * t + k) == corner.outcode);
+      REQUIRE(number_at<float>(arrays, "corner.clip", 4 * (3 * t + k) + 3) == corner.clip.w);
+      REQUIRE(number_at<double>(arrays, "corner.eye", 3 * (3 * t + k) + 2) == corner.eye.z);
+      REQUIRE(number_at<std::uint32_t>(arrays, "corner.outcode", 3 * t + k) == corner.outcode);
     }
     for (const ClipStep& step : triangle.clipping) {
-      REQUIRE(at<std::uint64_t>(arrays, "cut.first_vertex", cut) == cut_vertex);
-      REQUIRE(at<std::uint64_t>(arrays, "cut.triangle", cut++) == t);
+      REQUIRE(number_at<std::uint64_t>(arrays, "cut.first_vertex", cut) == cut_vertex);
+      REQUIRE(number_at<std::uint64_t>(arrays, "cut.triangle", cut++) == t);
       cut_vertex += std::size_t(step.after.count);
     }
     for (const TracedVertex& v : triangle.polygon) {
-      REQUIRE(at<float>(arrays, "vertex.screen", 2 * vertex) == v.screen.position.x);
-      REQUIRE(at<std::int32_t>(arrays, "vertex.snapped", 2 * vertex + 1) == v.snapped.y);
+      REQUIRE(number_at<float>(arrays, "vertex.screen", 2 * vertex) == v.screen.position.x);
+      REQUIRE(number_at<std::int32_t>(arrays, "vertex.snapped", 2 * vertex + 1) == v.snapped.y);
       ++vertex;
     }
     for (const TracedPiece& p : triangle.pieces) {
-      REQUIRE(at<std::int64_t>(arrays, "piece.double_area", piece) ==
+      REQUIRE(number_at<std::int64_t>(arrays, "piece.double_area", piece) ==
               (p.setup ? p.setup->double_area : 0));
       ++piece;
     }
@@ -94,15 +94,16 @@ TEST_CASE("arrays have the records' numbers, row for row") {
   CHECK(cut > 0);
   for (std::size_t f = 0; f < run.fragments.size(); ++f) {
     const TracedFragment& fragment = run.fragments[f];
-    REQUIRE(at<std::int64_t>(arrays, "fragment.triangle", f) == fragment.source.number);
-    REQUIRE(at<std::uint16_t>(arrays, "fragment.pixel", 2 * f) == fragment.fragment.x);
-    REQUIRE(at<float>(arrays, "fragment.depth", f) == fragment.fragment.depth);
-    REQUIRE(at<std::int64_t>(arrays, "fragment.edges", 3 * f + 1) == fragment.coverage.edges[1]);
-    REQUIRE(at<std::uint8_t>(arrays, "fragment.after", 4 * f + 2) == fragment.after.b);
-    REQUIRE(at<double>(arrays, "fragment.depth_bound", f) > 0);
+    REQUIRE(number_at<std::int64_t>(arrays, "fragment.triangle", f) == fragment.source.number);
+    REQUIRE(number_at<std::uint16_t>(arrays, "fragment.pixel", 2 * f) == fragment.fragment.x);
+    REQUIRE(number_at<float>(arrays, "fragment.depth", f) == fragment.fragment.depth);
+    REQUIRE(number_at<std::int64_t>(arrays, "fragment.edges", 3 * f + 1) ==
+            fragment.coverage.edges[1]);
+    REQUIRE(number_at<std::uint8_t>(arrays, "fragment.after", 4 * f + 2) == fragment.after.b);
+    REQUIRE(number_at<double>(arrays, "fragment.depth_bound", f) > 0);
   }
-  CHECK(at<double>(arrays, "round_trip.largest_ratio", 0) <= 1);
-  CHECK(at<std::uint64_t>(arrays, "round_trip.corners", 0) > 0);
+  CHECK(number_at<double>(arrays, "round_trip.largest_ratio", 0) <= 1);
+  CHECK(number_at<std::uint64_t>(arrays, "round_trip.corners", 0) > 0);
 }
 
 TEST_CASE("the size of the arrays is known to the byte before they are filled") {
@@ -144,7 +145,7 @@ TEST_CASE("bounds of fragments come from their own triangle, batch after batch")
     });
     const TriangleBounds bounds = bounds_of(run, *triangle, *draw, bounds_of(*draw, *view));
     const TracedPiece& piece = triangle->pieces[fragment.source.piece];
-    CHECK(at<double>(arrays, "fragment.depth_bound", f) ==
+    CHECK(number_at<double>(arrays, "fragment.depth_bound", f) ==
           fragment_bounds(*piece.setup, fragment.fragment, setup_bounds(piece, bounds)).depth);
   }
 }

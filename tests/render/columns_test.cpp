@@ -15,24 +15,24 @@
 namespace glassbox {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 64;
+constexpr int kColumnsWidth = 96, kColumnsHeight = 64;
 
-struct Case {
+struct ColumnCase {
   std::string name;
   Scene scene;
   View view;
 };
 
 // All built-in scenes, framed, and the room from among its furniture, where triangles are cut.
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<ColumnCase> column_cases() {
+  std::vector<ColumnCase> all;
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const auto scene = make_builtin(std::string(builtin.name));
     REQUIRE(scene);
-    const auto camera = frame(*scene, double(kWidth) / kHeight);
+    const auto camera = frame(*scene, double(kColumnsWidth) / kColumnsHeight);
     REQUIRE(camera);
-    const auto view =
-        make_view(scene->cameras.empty() ? *camera : scene->cameras.front(), kWidth, kHeight);
+    const auto view = make_view(scene->cameras.empty() ? *camera : scene->cameras.front(),
+                                kColumnsWidth, kColumnsHeight);
     REQUIRE(view);
     all.push_back({std::string(builtin.name), *scene, *view});
   }
@@ -112,11 +112,11 @@ TEST_CASE("columns of every type come back to the bit, NaN and empty ones includ
 // ---- a run ----
 
 TEST_CASE("the last fragment written in each pixel is the pixel of the image") {
-  for (const Case& c : cases()) {
+  for (const ColumnCase& c : column_cases()) {
     INFO(c.name);
     const ColumnRun run = record_columns(c.scene, c.view, {}, {});
     CHECK(run.rendering.buffers.color == render_staged(c.scene, c.view, {}).buffers.color);
-    Image<Rgba8> replayed(kWidth, kHeight, RenderSettings{}.background);
+    Image<Rgba8> replayed(kColumnsWidth, kColumnsHeight, RenderSettings{}.background);
     const FragmentColumns& f = run.fragments;
     std::size_t written = 0;
     for (std::size_t i = 0; i < f.fate.size(); ++i) {
@@ -132,7 +132,7 @@ TEST_CASE("the last fragment written in each pixel is the pixel of the image") {
 }
 
 TEST_CASE("columns and the trace tell the same of every triangle and fragment") {
-  for (const Case& c : cases()) {
+  for (const ColumnCase& c : column_cases()) {
     INFO(c.name);
     const ColumnRun run = record_columns(c.scene, c.view, {}, {});
     const Trace trace = glassbox::trace(c.scene, c.view, {}, {}).trace;
@@ -180,12 +180,12 @@ TEST_CASE("columns and the trace tell the same of every triangle and fragment") 
 }
 
 TEST_CASE("a rectangle leaves exactly its own fragments, and their triangles") {
-  const Case room = [] {
-    for (Case& c : cases()) {
+  const ColumnCase room = [] {
+    for (ColumnCase& c : column_cases()) {
       if (c.name == "room") return std::move(c);
     }
     FAIL("there is no room");
-    return Case{};
+    return ColumnCase{};
   }();
   const PixelRect part{30, 20, 50, 41};
   const ColumnRun all = record_columns(room.scene, room.view, {}, {});
@@ -199,7 +199,7 @@ TEST_CASE("a rectangle leaves exactly its own fragments, and their triangles") {
     }
   };
   list(all.fragments, part, expected);
-  list(some.fragments, {0, 0, kWidth, kHeight}, found);
+  list(some.fragments, {0, 0, kColumnsWidth, kColumnsHeight}, found);
   CHECK(found == expected);
   CHECK_FALSE(found.empty());
   CHECK(some.triangles.number.size() < all.triangles.number.size());
@@ -209,7 +209,7 @@ TEST_CASE("a rectangle leaves exactly its own fragments, and their triangles") {
 }
 
 TEST_CASE("beyond the limits nothing is kept, but all is counted") {
-  const Case c = cases().front();
+  const ColumnCase c = column_cases().front();
   const ColumnRun all = record_columns(c.scene, c.view, {}, {});
   ColumnFilter filter;
   filter.max_triangles = 7;
@@ -223,7 +223,7 @@ TEST_CASE("beyond the limits nothing is kept, but all is counted") {
 }
 
 TEST_CASE("a masked channel stays in the columns what it is in the picture") {
-  const Case c = cases().front();
+  const ColumnCase c = column_cases().front();
   RenderSettings settings;
   settings.mask = {true, false, false, true};
   const ColumnRun run = record_columns(c.scene, c.view, settings, {});

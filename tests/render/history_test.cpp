@@ -18,7 +18,7 @@
 namespace glassbox::test {
 namespace {
 
-struct Case {
+struct HistoryCase {
   std::string name;
   Scene scene;
   View view;
@@ -31,7 +31,7 @@ struct Square {
   Material material;
 };
 
-Scene squares(const std::vector<Square>& all) {
+Scene squares_of(const std::vector<Square>& all) {
   Scene scene;
   scene.name = "squares";
   for (const Square& square : all) {
@@ -63,7 +63,7 @@ Material material(AlphaMode mode, const Rgba& color, float cutoff = 0.5f) {
   return m;
 }
 
-View view_of(const Scene& scene, int width, int height, double near = 0) {
+View history_view(const Scene& scene, int width, int height, double near = 0) {
   Camera camera;
   camera.lens = PerspectiveLens{1.2, 0.5, 20.0};
   if (!scene.cameras.empty()) camera = scene.cameras.front();
@@ -75,40 +75,42 @@ View view_of(const Scene& scene, int width, int height, double near = 0) {
   return *view;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<HistoryCase> history_cases() {
+  std::vector<HistoryCase> all;
   const Scene blended =
-      squares({{-9, 6, 0, material(AlphaMode::kOpaque, {0.9f, 0.2f, 0.1f, 1})},
-               {-3, 1, 0.4, material(AlphaMode::kBlend, {0.1f, 0.9f, 0.2f, 1})},
-               {-5, 2, -1, material(AlphaMode::kBlend, {0.1f, 0.3f, 0.9f, 0.5f})},
-               {-4, 1, -1, material(AlphaMode::kOpaque, {0.2f, 0.2f, 0.2f, 1})},
-               {-2, 1, 0, material(AlphaMode::kBlend, {0.9f, 0.9f, 0.2f, 1.5f})}});
-  all.push_back({"blended", blended, view_of(blended, 40, 30), {}});
+      squares_of({{-9, 6, 0, material(AlphaMode::kOpaque, {0.9f, 0.2f, 0.1f, 1})},
+                  {-3, 1, 0.4, material(AlphaMode::kBlend, {0.1f, 0.9f, 0.2f, 1})},
+                  {-5, 2, -1, material(AlphaMode::kBlend, {0.1f, 0.3f, 0.9f, 0.5f})},
+                  {-4, 1, -1, material(AlphaMode::kOpaque, {0.2f, 0.2f, 0.2f, 1})},
+                  {-2, 1, 0, material(AlphaMode::kBlend, {0.9f, 0.9f, 0.2f, 1.5f})}});
+  all.push_back({"blended", blended, history_view(blended, 40, 30), {}});
 
-  const Scene cut = squares({{-3, 1, 0.4, material(AlphaMode::kMask, {0.1f, 0.9f, 0.2f, 1})},
-                             {-5, 2, -1, material(AlphaMode::kMask, {0.1f, 0.3f, 0.9f, 1}, 0.2f)},
-                             {-9, 6, 0, material(AlphaMode::kOpaque, {0.9f, 0.2f, 0.1f, 1})},
-                             {-2, 1, 0, material(AlphaMode::kBlend, {0.9f, 0.9f, 0.2f, 0.5f})}});
-  Case masked{"cut out, red and alpha only", cut, view_of(cut, 40, 30), {}};
+  const Scene cut =
+      squares_of({{-3, 1, 0.4, material(AlphaMode::kMask, {0.1f, 0.9f, 0.2f, 1})},
+                  {-5, 2, -1, material(AlphaMode::kMask, {0.1f, 0.3f, 0.9f, 1}, 0.2f)},
+                  {-9, 6, 0, material(AlphaMode::kOpaque, {0.9f, 0.2f, 0.1f, 1})},
+                  {-2, 1, 0, material(AlphaMode::kBlend, {0.9f, 0.9f, 0.2f, 0.5f})}});
+  HistoryCase masked{"cut out, red and alpha only", cut, history_view(cut, 40, 30), {}};
   masked.settings.mask = {true, false, false, true};
   all.push_back(masked);
-  Case nothing{"cut out, all channels masked", cut, view_of(cut, 24, 18), {}};
+  HistoryCase nothing{"cut out, all channels masked", cut, history_view(cut, 24, 18), {}};
   nothing.settings.mask = {false, false, false, false};
   all.push_back(nothing);
 
   const auto room = make_builtin("room");
   REQUIRE(room);
-  Case real{"room, a near plane through the furniture", *room, view_of(*room, 48, 36, 2.5), {}};
+  HistoryCase real{
+      "room, a near plane through the furniture", *room, history_view(*room, 48, 36, 2.5), {}};
   all.push_back(real);
   const auto forest = make_builtin("forest");
   REQUIRE(forest);
-  all.push_back({"forest, 16-bit depth", *forest, view_of(*forest, 32, 24), {}});
+  all.push_back({"forest, 16-bit depth", *forest, history_view(*forest, 32, 24), {}});
   all.back().settings.depth = DepthFormat::kUnorm16;
   return all;
 }
 
 TEST_CASE("a pixel's history ends in the picture's bytes and has every fragment, for every pixel") {
-  for (const Case& c : cases()) {
+  for (const HistoryCase& c : history_cases()) {
     INFO(c.name);
     const TracedRun run = trace(c.scene, c.view, c.settings, {});
     RenderSettings counting = c.settings;
@@ -153,7 +155,7 @@ TEST_CASE("a pixel's history ends in the picture's bytes and has every fragment,
 }
 
 TEST_CASE("a run that is traced for one pixel tells the history that a full trace tells") {
-  for (const Case& c : cases()) {
+  for (const HistoryCase& c : history_cases()) {
     INFO(c.name);
     const TracedRun run = trace(c.scene, c.view, c.settings, {});
     const Image<Rgba8>& picture = run.rendering.buffers.color;

@@ -9,7 +9,7 @@ namespace {
 using namespace test;
 
 // A quad `z` in front of the camera that covers the whole picture, with a texture of its own.
-void add_wall(Scene& scene, float z, std::uint32_t texture) {
+void add_textured_wall(Scene& scene, float z, std::uint32_t texture) {
   Mesh mesh;
   mesh.positions = {{-99, -99, z}, {99, -99, z}, {99, 99, z}, {-99, 99, z}};
   mesh.texcoords = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
@@ -29,9 +29,9 @@ void add_wall(Scene& scene, float z, std::uint32_t texture) {
 
 TEST_CASE("the levels of a texture are made when its first pixel asks for them") {
   Scene scene;
-  add_wall(scene, -3, 0);  // hides
-  add_wall(scene, -9, 1);  // this one
-  add_wall(scene, 99, 2);  // behind the camera
+  add_textured_wall(scene, -3, 0);  // hides
+  add_textured_wall(scene, -9, 1);  // this one
+  add_textured_wall(scene, 99, 2);  // behind the camera
   const View view = planned_view();
   RenderSettings settings;
   Framebuffer target;
@@ -57,9 +57,9 @@ TEST_CASE("what a hidden draw would ask for its alpha is not made either") {
     for (const int samples : {1, 4}) {
       settings.samples = samples;
       Scene scene;
-      add_wall(scene, -3, 0);  // hides
-      add_wall(scene, -9, 1);
-      add_wall(scene, -2, 2);  // in front of both
+      add_textured_wall(scene, -3, 0);  // hides
+      add_textured_wall(scene, -9, 1);
+      add_textured_wall(scene, -2, 2);  // in front of both
       scene.materials[1].alpha_mode = scene.materials[2].alpha_mode = mode;
       scene.materials[2].base_color.a = 0.25f;  // masked: all of it is cut away
       for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {

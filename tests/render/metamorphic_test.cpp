@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kAspect = 160.0 / 120;
 
-Scene built_in(const char* name) {
-  const auto scene = make_builtin(name);
-  REQUIRE(scene);
-  return *scene;
-}
-
 Rendering render(const Scene& scene, const Camera& camera, const RenderSettings& settings = {}) {
   const auto view = make_view(camera, 160, 120);
   REQUIRE(view);
@@ -70,7 +64,7 @@ TEST_CASE("a scene and its camera scaled by a power of two give the same bytes")
   for (const char* name : {"teapot:4", "cube", "f-glyph", "room"}) {
     for (const double scale : {0x1p-20, 0.5, 0x1p20}) {
       INFO(name << " scaled by " << scale);
-      const Scene scene = built_in(name);
+      const Scene scene = test::built_in(name);
       const Camera camera = test::camera_for(scene, kAspect);
       const Rendering a = render(scene, camera);
       const Rendering b = render(scaled(scene, scale), scaled(camera, scale));
@@ -81,7 +75,7 @@ TEST_CASE("a scene and its camera scaled by a power of two give the same bytes")
 }
 
 TEST_CASE("the order of triangles does not matter where no two depths tie") {
-  const Scene scene = built_in("teapot:6");
+  const Scene scene = test::built_in("teapot:6");
   Scene reversed = scene;
   for (Mesh& mesh : reversed.meshes) std::reverse(mesh.faces.begin(), mesh.faces.end());
   RenderSettings settings;
@@ -96,7 +90,7 @@ TEST_CASE("the order of triangles does not matter where no two depths tie") {
 TEST_CASE("a closed convex solid looks the same with and without back-face culling (C-30, S4-19)") {
   for (const char* name : {"cube", "sphere"}) {
     INFO(name);
-    const Scene scene = built_in(name);
+    const Scene scene = test::built_in(name);
     RenderSettings culled, whole;
     culled.cull = Cull::kBack;
     whole.cull = Cull::kNone;

@@ -23,18 +23,12 @@ RenderSettings early(RenderSettings settings = {}) {
   return settings;
 }
 
-Scene built_in(const std::string& name) {
-  const auto scene = make_builtin(name);
-  REQUIRE(scene);
-  return *scene;
-}
-
-View view_of(const Scene& scene, int width, int height) {
+View view_of_size(const Scene& scene, int width, int height) {
   return make_view(test::camera_for(scene, double(width) / height), width, height).value();
 }
 
 // Where the picture with early culling differs from the one without, in either engine.
-std::string difference(const AnyCase& c) {
+std::string early_difference(const AnyCase& c) {
   RenderSettings late = c.settings;
   late.cull_stage = CullStage::kScreen;
   const Rendering expected = render_staged(c.scene, c.view, late);
@@ -50,7 +44,7 @@ TEST_CASE("culling in object space first changes no byte of any picture, in eith
     Random random(1000 + seed);
     AnyCase c = test::any_case(random, 200, 130);
     if (seed % 4 != 0) c.settings.cull = seed % 4 == 1 ? Cull::kFront : Cull::kBack;
-    test::check_no_difference(1000 + seed, c, difference);
+    test::check_no_difference(1000 + seed, c, early_difference);
     const Statistics s = render_staged(c.scene, c.view, early(c.settings)).statistics;
     removed += s.culled_early;
     culled += s.culled;
@@ -62,8 +56,8 @@ TEST_CASE("culling in object space first changes no byte of any picture, in eith
 TEST_CASE("both engines cull the same triangles early, and the counts still add up") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     INFO(builtin.name);
-    const Scene scene = built_in(std::string(builtin.name));
-    const View view = view_of(scene, 160, 90);
+    const Scene scene = test::built_in(std::string(builtin.name));
+    const View view = view_of_size(scene, 160, 90);
     for (const Cull cull : {Cull::kMaterial, Cull::kBack, Cull::kFront, Cull::kNone}) {
       RenderSettings settings = early();
       settings.cull = cull;
@@ -84,17 +78,17 @@ TEST_CASE("both engines cull the same triangles early, and the counts still add 
 }
 
 TEST_CASE("nearly half of a closed surface goes before clipping (S4-19)") {
-  const Scene scene = built_in("teapot:16");
+  const Scene scene = test::built_in("teapot:16");
   RenderSettings settings = early();
   settings.cull = Cull::kBack;
-  const Statistics s = render_staged(scene, view_of(scene, 640, 360), settings).statistics;
+  const Statistics s = render_staged(scene, view_of_size(scene, 640, 360), settings).statistics;
   const std::uint64_t backs = s.culled_early + s.culled;
   CHECK(backs > s.triangles / 3);
   CHECK(double(s.culled_early) > 0.9 * double(backs));
 }
 
 TEST_CASE("a parallel view culls early, too") {
-  const Scene scene = built_in("sphere");
+  const Scene scene = test::built_in("sphere");
   Camera parallel = test::camera_for(scene, 1);
   parallel.lens = OrthographicLens{3, 0.1, 10};
   const View view = make_view(parallel, 400, 400).value();
@@ -178,8 +172,8 @@ TEST_CASE("a triangle that a plane cuts is left to the snapped area") {
 }
 
 TEST_CASE("where the test cannot be made, the reason is given") {
-  Scene scene = built_in("cube");
-  const View view = view_of(scene, 64, 64);
+  Scene scene = test::built_in("cube");
+  const View view = view_of_size(scene, 64, 64);
   const auto because = [&](const View& seen, const RenderSettings& settings) {
     const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
     const DrawList list = make_draw_list(scene, prepared, seen);

@@ -17,17 +17,18 @@ namespace {
 constexpr std::array kCounts{2, 4, 8, 16};
 
 // White and unlit, in a parallel view in which a unit is a pixel, the middle of the picture at 0.
-constexpr int kSide = 16;
+constexpr int kSamplesSide = 16;
 
 View pixel_view() {
-  const auto view = make_view({"plan", OrthographicLens{kSide / 2.0, 0.0, 10.0}, {}}, kSide, kSide);
+  const auto view = make_view({"plan", OrthographicLens{kSamplesSide / 2.0, 0.0, 10.0}, {}},
+                              kSamplesSide, kSamplesSide);
   REQUIRE(view);
   return *view;
 }
 
 // A position in pixels from the upper left corner.
 Point<Object> at_pixel(float x, float y, float distance = 1) {
-  return {x - kSide / 2, kSide / 2 - y, -distance};
+  return {x - kSamplesSide / 2, kSamplesSide / 2 - y, -distance};
 }
 
 Material white(float alpha = 1, AlphaMode mode = AlphaMode::kOpaque) {
@@ -174,7 +175,8 @@ TEST_CASE("colours at a triangle's rim are its own: nothing is extrapolated") {
   Mesh mesh;
   Random random(6);
   for (int i = 0; i < 400; ++i) {
-    const float x = float(random.between(0, kSide)), y = float(random.between(0, kSide));
+    const float x = float(random.between(0, kSamplesSide)),
+                y = float(random.between(0, kSamplesSide));
     const auto near = [&](float v) { return v + float(random.between(-0.7, 0.7)); };
     const auto first = std::uint32_t(mesh.positions.size());
     for (int k = 0; k < 3; ++k) {

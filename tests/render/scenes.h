@@ -1,18 +1,35 @@
 // Small scenes for the tests of whole runs.
 #pragma once
 
+#include <tests/support/catch.h>
+
 #include <array>
+#include <string>
 #include <vector>
 
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/settings.h>
 
 namespace glassbox::test {
+
+inline Scene built_in(const std::string& name) {
+  const auto scene = make_builtin(name);
+  REQUIRE(scene);
+  return *scene;
+}
+
+inline RenderSettings with_ids() {
+  RenderSettings settings;
+  settings.want_id = true;
+  return settings;
+}
 
 inline Scene scene_of(Mesh mesh, Material material = {}) {
   Scene scene;

@@ -27,9 +27,9 @@
 namespace glassbox {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 64;
+constexpr int kTraceWidth = 96, kTraceHeight = 64;
 
-struct Case {
+struct TraceCase {
   std::string name;
   Scene scene;
   View view;
@@ -37,10 +37,10 @@ struct Case {
 
 // Nothing where the scene's camera sees it in no way that can be rendered.
 std::optional<View> framed(const Scene& scene) {
-  const auto automatic = frame(scene, double(kWidth) / kHeight);
+  const auto automatic = frame(scene, double(kTraceWidth) / kTraceHeight);
   REQUIRE(automatic);
-  const auto view =
-      make_view(scene.cameras.empty() ? *automatic : scene.cameras.front(), kWidth, kHeight);
+  const auto view = make_view(scene.cameras.empty() ? *automatic : scene.cameras.front(),
+                              kTraceWidth, kTraceHeight);
   if (!view) return std::nullopt;
   return *view;
 }
@@ -51,14 +51,14 @@ View inside_cube() {
   PerspectiveLens lens;
   lens.near = 1.2;
   lens.far = 2.3;
-  const auto view = make_view({"inside", lens, inverse_rigid(*pose)}, kWidth, kHeight);
+  const auto view = make_view({"inside", lens, inverse_rigid(*pose)}, kTraceWidth, kTraceHeight);
   REQUIRE(view);
   return *view;
 }
 
 // The glTF files among the real assets, up to a size that keeps this short: strips, fans, sparse and interleaved accessors,
 // mirrored nodes, skins, morphs, masks, blending. Those that are refused are the loader's business.
-void add_real_files(std::vector<Case>& all) {
+void add_real_files(std::vector<TraceCase>& all) {
   namespace fs = std::filesystem;
   for (const char* folder : {"meshes/gltf", "meshes/asset-generator"}) {
     const fs::path root = fs::path(GLASSBOX_ASSETS_DIR) / folder;
@@ -75,8 +75,8 @@ void add_real_files(std::vector<Case>& all) {
 }
 
 // All built-in scenes, the cube from so near that its faces are cut, and real files where they are.
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<TraceCase> trace_cases() {
+  std::vector<TraceCase> all;
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const auto scene = make_builtin(std::string(builtin.name));
     REQUIRE(scene);
@@ -139,13 +139,13 @@ void replay_clipping(const Trace& recorded, const TracedTriangle& triangle) {
 TEST_CASE("real glTF files are among the scenes whose traces are replayed") {
   const std::filesystem::path assets = GLASSBOX_ASSETS_DIR;
   if (!std::filesystem::exists(assets)) SKIP_TEST("no assets at " << assets.string());
-  std::vector<Case> real;
+  std::vector<TraceCase> real;
   add_real_files(real);
   CHECK(real.size() > 20);
 }
 
 TEST_CASE("a run that is traced gives the bytes of one that is not") {
-  for (const Case& c : cases()) {
+  for (const TraceCase& c : trace_cases()) {
     INFO(c.name);
     for (const Shading shading : {Shading::kFlat, Shading::kPhong}) {
       RenderSettings settings;
@@ -163,7 +163,7 @@ TEST_CASE("a run that is traced gives the bytes of one that is not") {
 }
 
 TEST_CASE("the recorded geometric steps replayed give the recorded results, bit for bit") {
-  for (const Case& c : cases()) {
+  for (const TraceCase& c : trace_cases()) {
     INFO(c.name);
     const Trace recorded = trace(c.scene, c.view, RenderSettings{}, {}).trace;
     REQUIRE(!recorded.triangles.empty());
@@ -223,7 +223,7 @@ TEST_CASE("in a picture of edges a triangle has the vertices that it has otherwi
 }
 
 TEST_CASE("the recorded fragments follow from their triangles, bit for bit") {
-  for (const Case& c : cases()) {
+  for (const TraceCase& c : trace_cases()) {
     INFO(c.name);
     const RenderSettings settings;
     const Trace recorded = trace(c.scene, c.view, settings, {}).trace;
@@ -255,7 +255,7 @@ TEST_CASE("the last fragment that survived at a pixel is what the picture shows 
     REQUIRE(scene);
     const RenderSettings settings;
     const TracedRun run = trace(*scene, *framed(*scene), settings, {});
-    Image<Rgba8> last(kWidth, kHeight, settings.background);
+    Image<Rgba8> last(kTraceWidth, kTraceHeight, settings.background);
     for (const TracedFragment& traced : run.trace.fragments) {
       if (traced.fate != Fate::kWritten && traced.fate != Fate::kBlended) continue;
       Rgba8& pixel = last.at(traced.fragment.x, traced.fragment.y);

@@ -1,3 +1,4 @@
+#include <tests/pipeline/roundoff.h>
 #include <tests/pipeline/stereo/stereo_cases.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double u = unit_roundoff<double>;
+using test::u;
 
 Transform<Clip, World> composed(const View& view) {
   return view.clip_from_eye * view.eye_from_world;

@@ -9,19 +9,13 @@ namespace {
 using namespace test;
 
 template <auto change>
-std::vector<Plan> changed(std::span<const PlannedEye> eyes, bool leave_out) {
+std::vector<Plan> plans_with(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans = make_plans(eyes, leave_out);
   for (Plan& plan : plans) change(plan);
   return plans;
 }
 
-Scene built_in(const std::string& name) {
-  const auto scene = make_builtin(name);
-  REQUIRE(scene);
-  return *scene;
-}
-
-View view_of(const Scene& scene) {
+View small_view_of(const Scene& scene) {
   const auto view = make_view(camera_for(scene, 1.5), 96, 64);
   REQUIRE(view);
   return *view;
@@ -35,8 +29,8 @@ RenderSettings depth_only() {
 }
 
 TEST_CASE("a picture without colours needs no light, no normals and no texture") {
-  const Scene room = built_in("room");
-  const View view = view_of(room);
+  const Scene room = test::built_in("room");
+  const View view = small_view_of(room);
   CHECK(counts_without_plan(room, view).normals > 0);
   RenderSettings numbers, depths;
   numbers.show = Show::kId;
@@ -50,7 +44,7 @@ TEST_CASE("a picture without colours needs no light, no normals and no texture")
     for (const DrawMethod& method : planned.plan.methods) CHECK_FALSE(method.texture);
   }
   CHECK(plan_of(room, view).plan.colors);
-  CHECK(is_caught(room, view, {}, changed<[](Plan& plan) { plan.colors = false; }>));
+  CHECK(is_caught(room, view, {}, plans_with<[](Plan& plan) { plan.colors = false; }>));
 }
 
 TEST_CASE(
@@ -75,7 +69,7 @@ TEST_CASE(
   add_object(scene, marks, glass);
   check_planned(scene, view, settings);
   CHECK(plan_of(scene, view, settings).plan.colors);
-  CHECK(is_caught(scene, view, settings, changed<[](Plan& plan) { plan.colors = false; }>));
+  CHECK(is_caught(scene, view, settings, plans_with<[](Plan& plan) { plan.colors = false; }>));
   // What is opaque is behind them all the same, and its colour does not matter.
   scene.materials.back().alpha_mode = AlphaMode::kOpaque;
   check_planned(scene, view, settings);
@@ -91,18 +85,18 @@ TEST_CASE("highlights are left out where the material has none") {
   check_planned(ball_at({0, 0, -4}), view);
   check_planned(ball_at({0, 0, -4}, shiny), view);
   CHECK(is_caught(ball_at({0, 0, -4}, shiny), view, {},
-                  changed<[](Plan& plan) { plan.methods[0].highlights = false; }>));
+                  plans_with<[](Plan& plan) { plan.methods[0].highlights = false; }>));
 }
 
 TEST_CASE(
     "texture coordinates and the choice of a level are left out where no texture is sampled, or "
     "one level") {
-  Scene checker = built_in("checker");
-  const View view = view_of(checker);
+  Scene checker = test::built_in("checker");
+  const View view = small_view_of(checker);
   check_planned(checker, view);
   CHECK(decision(checker, view, "texture coordinates").needed);
   CHECK(decision(checker, view, "choice of a mip level").needed);
-  CHECK(is_caught(checker, view, {}, changed<[](Plan& plan) {
+  CHECK(is_caught(checker, view, {}, plans_with<[](Plan& plan) {
                     for (DrawMethod& method : plan.methods) method.texture = false;
                   }>));
   for (Texture& texture : checker.textures) {
@@ -117,8 +111,8 @@ TEST_CASE(
 }
 
 TEST_CASE("channels that the mask keeps are not encoded, and those that it writes are") {
-  const Scene room = built_in("room");
-  const View view = view_of(room);
+  const Scene room = test::built_in("room");
+  const View view = small_view_of(room);
   RenderSettings settings;
   settings.mask = {true, false, false, false};
   const ColorMask channels = plan_of(room, view, settings).plan.channels;
@@ -128,7 +122,7 @@ TEST_CASE("channels that the mask keeps are not encoded, and those that it write
   check_planned(room, view, settings);
   settings.mask = {false, true, true, true};
   check_planned(room, view, settings);
-  CHECK(is_caught(room, view, settings, changed<[](Plan& plan) { plan.channels.b = false; }>));
+  CHECK(is_caught(room, view, settings, plans_with<[](Plan& plan) { plan.channels.b = false; }>));
 }
 
 TEST_CASE("depths are kept in a plane for somebody who asks") {
@@ -140,7 +134,7 @@ TEST_CASE("depths are kept in a plane for somebody who asks") {
   settings.want_depth = true;
   CHECK(render_tiled(scene, view, settings).buffers.depth.pixels.size() == 96 * 64);
   check_planned(scene, view, settings);
-  CHECK(is_caught(scene, view, settings, changed<[](Plan& plan) { plan.keep_depth = false; }>));
+  CHECK(is_caught(scene, view, settings, plans_with<[](Plan& plan) { plan.keep_depth = false; }>));
 }
 
 TEST_CASE("what is blended reads what lies behind it, and nothing else does") {
@@ -168,14 +162,15 @@ TEST_CASE("turning the order of what is blended round is caught") {
   scene.instances.push_back(scene.instances.front());
   scene.instances.back().mesh = std::uint32_t(scene.meshes.size() - 1);
   check_planned(scene, view);
-  CHECK(is_caught(scene, view, {}, changed<[](Plan& plan) { std::ranges::reverse(plan.order); }>));
+  CHECK(
+      is_caught(scene, view, {}, plans_with<[](Plan& plan) { std::ranges::reverse(plan.order); }>));
 }
 
 TEST_CASE("with the plan off every built-in scene has the same bytes, whatever is asked for") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     INFO(builtin.name);
-    const Scene scene = built_in(std::string(builtin.name));
-    const View view = view_of(scene);
+    const Scene scene = test::built_in(std::string(builtin.name));
+    const View view = small_view_of(scene);
     RenderSettings all;
     all.want_depth = all.want_distance = all.want_id = true;
     check_same(scene, view, all, without_plan());

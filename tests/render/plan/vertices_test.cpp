@@ -7,7 +7,7 @@ namespace {
 using namespace test;
 
 template <auto change>
-std::vector<Plan> changed(std::span<const PlannedEye> eyes, bool leave_out) {
+std::vector<Plan> plans_with_methods(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans = make_plans(eyes, leave_out);
   for (Plan& plan : plans) {
     for (DrawMethod& method : plan.methods) change(method);
@@ -58,7 +58,7 @@ TEST_CASE("vertices of a draw that reaches a plane are tested, and leaving that 
     place(scene, 0, {0, 0, z}, size);
     CHECK(check_planned(scene, planned_view()).plane_tests == scene.meshes[0].positions.size());
     CHECK(is_caught(scene, planned_view(), {},
-                    changed<[](DrawMethod& m) { m.test_planes = false; }>));
+                    plans_with_methods<[](DrawMethod& m) { m.test_planes = false; }>));
   }
   // Out of the guard band.
   Scene giant = ball_to_place();
@@ -75,7 +75,8 @@ TEST_CASE("nothing is divided by w in a parallel view, where w is 1") {
   CHECK_FALSE(plan_of(scene, parallel).plan.methods[0].divide);
   check_planned(ball_at({0.3, 0, -0.9}), parallel);  // with the test against planes
   CHECK(plan_of(scene, planned_view()).plan.methods[0].divide);
-  CHECK(is_caught(scene, planned_view(), {}, changed<[](DrawMethod& m) { m.divide = false; }>));
+  CHECK(is_caught(scene, planned_view(), {},
+                  plans_with_methods<[](DrawMethod& m) { m.divide = false; }>));
 }
 
 TEST_CASE("normals are carried to eye space where light asks for them, and nowhere else") {
@@ -91,7 +92,8 @@ TEST_CASE("normals are carried to eye space where light asks for them, and nowhe
 
   const Scene lit = ball_at({0, 0, -4});
   CHECK(check_planned(lit, view).normals == lit.meshes[0].faces.size());
-  CHECK(is_caught(lit, view, {}, changed<[](DrawMethod& m) { m.light = LightAt::kNowhere; }>));
+  CHECK(is_caught(lit, view, {},
+                  plans_with_methods<[](DrawMethod& m) { m.light = LightAt::kNowhere; }>));
 }
 
 TEST_CASE("positions are carried to eye space where light depends on them, and nowhere else") {
@@ -101,7 +103,8 @@ TEST_CASE("positions are carried to eye space where light depends on them, and n
   CHECK(check_planned(lit_by(sun(), shiny()), view).eye_positions > 0);
   const Scene near = lit_by(point_light());
   CHECK(check_planned(near, view).eye_positions == near.meshes[0].positions.size());
-  CHECK(is_caught(near, view, {}, changed<[](DrawMethod& m) { m.eye_positions = false; }>));
+  CHECK(is_caught(near, view, {},
+                  plans_with_methods<[](DrawMethod& m) { m.eye_positions = false; }>));
 }
 
 TEST_CASE("each position is carried over once, however many corners name it") {

@@ -6,12 +6,6 @@ namespace {
 
 using namespace test;
 
-RenderSettings with_ids() {
-  RenderSettings settings;
-  settings.want_id = true;
-  return settings;
-}
-
 TEST_CASE("draws beyond any plane of the view are left out, and no stage sees them") {
   const View view = planned_view();
   Scene scene = ball_to_place();
@@ -22,7 +16,7 @@ TEST_CASE("draws beyond any plane of the view are left out, and no stage sees th
       {{-9, 0, -5}, {9, 0, -5}, {0, 9, -5}, {0, -9, -5}, {0, 0, 5}, {0, 0, -30}}};
   for (const auto& at : beyond) place(scene, 0, at);
 
-  const Statistics planned = check_planned(scene, view, with_ids());
+  const Statistics planned = check_planned(scene, view, test::with_ids());
   CHECK(planned.vertices == positions);
   CHECK(planned.left_out == 6 * faces);
   const Statistics all = counts_without_plan(scene, view);
@@ -40,7 +34,7 @@ TEST_CASE("draws beyond any plane of the view are left out, and no stage sees th
 
 TEST_CASE("a picture of nothing but draws that are left out is its background") {
   const View view = planned_view();
-  const Statistics counts = check_planned(ball_at({50, 0, -5}), view, with_ids());
+  const Statistics counts = check_planned(ball_at({50, 0, -5}), view, test::with_ids());
   CHECK(counts.vertices == 0);
 }
 
@@ -51,7 +45,7 @@ TEST_CASE("a draw that reaches into the view is not left out") {
     const Scene scene = ball_at(at);
     CHECK(plan_of(scene, view).plan.methods[0].drawn);
     CHECK(decision(scene, view, "the whole draw").needed);
-    check_planned(scene, view, with_ids());
+    check_planned(scene, view, test::with_ids());
   }
 }
 
@@ -91,7 +85,7 @@ Judged judge_margin(double margin_px, int tries) {
     const Planned planned = plan_of(at.scene, at.view);
     if (place_box(planned.list.draws[0], at.view, margin_px).outside_of == nullptr) continue;
     ++judged.outside;
-    const Rendering staged = render_staged(at.scene, at.view, with_ids());
+    const Rendering staged = render_staged(at.scene, at.view, test::with_ids());
     judged.visible +=
         std::ranges::any_of(staged.buffers.id.pixels, [](std::uint32_t id) { return id != 0; });
   }
@@ -116,8 +110,8 @@ TEST_CASE("a margin of the wrong sign is caught") {
     return plans;
   };
   const Scene scene = ball_at({-3.6, 0, -5});
-  check_same(scene, planned_view(), with_ids());
-  CHECK(is_caught(scene, planned_view(), with_ids(), wrong));
+  check_same(scene, planned_view(), test::with_ids());
+  CHECK(is_caught(scene, planned_view(), test::with_ids(), wrong));
 }
 
 TEST_CASE(
@@ -153,7 +147,7 @@ TEST_CASE(
   scene = ball_at({0, 0, -5});
   scene.meshes[0].positions[3].y = std::numeric_limits<float>::quiet_NaN();
   CHECK(plan_of(scene, planned_view()).plan.methods[0].test_planes);
-  check_same(scene, planned_view(), with_ids());
+  check_same(scene, planned_view(), test::with_ids());
 }
 
 }  // namespace

@@ -20,13 +20,13 @@
 namespace glassbox {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kPictureSide = 64;
 constexpr StereoPair kPair{0.5, 4};
 constexpr double kQuarterTurn = 1.57079632679489661923;
 
 View view_at_origin() {
-  const auto view =
-      make_view({"test", PerspectiveLens{kQuarterTurn, 0.125, 1000}, {}}, kSide, kSide);
+  const auto view = make_view({"test", PerspectiveLens{kQuarterTurn, 0.125, 1000}, {}},
+                              kPictureSide, kPictureSide);
   REQUIRE(view);
   return *view;
 }
@@ -82,7 +82,7 @@ TEST_CASE(
     const double expected = 32 * (1.0 / 4 - 1 / distance);
     for (const Image<float>* map : {&m.left, &m.right}) {
       const DisparitySummary summary = summarise(*map, {});
-      CHECK(summary.drawn == kSide * kSide);
+      CHECK(summary.drawn == kPictureSide * kPictureSide);
       CHECK(std::abs(summary.least_px - expected) <= tolerance_px(distance));
       CHECK(std::abs(summary.greatest_px - expected) <= tolerance_px(distance));
     }
@@ -94,7 +94,7 @@ TEST_CASE("nothing drawn has no disparity") {
   add_wall(scene, "half", 8, -40, 0, -40, 40);
   const Measured m = measure(scene);
   const DisparitySummary summary = summarise(m.left, {100, 100});
-  CHECK(summary.drawn == 30 * kSide);  // the left eye has its edge 2 px left of the middle
+  CHECK(summary.drawn == 30 * kPictureSide);  // the left eye has its edge 2 px left of the middle
   CHECK(std::isnan(m.left.at(40, 10)));
   CHECK(count(m.monocular.left).all() == 0);
 
@@ -179,7 +179,7 @@ TEST_CASE(
   for (const Image<OtherEye>* map : {&m.monocular.left, &m.monocular.right}) {
     const MonocularCounts counts = count(*map);
     CHECK(counts.hidden == 12 * 8);
-    CHECK(counts.beside == 4 * kSide);  // of the wall, whose parallax is 4 px
+    CHECK(counts.beside == 4 * kPictureSide);  // of the wall, whose parallax is 4 px
     CHECK(counts.missing == 0);
   }
   CHECK(m.monocular.left.at(20, 32) ==

@@ -22,12 +22,6 @@
 namespace glassbox {
 namespace {
 
-RenderSettings with_ids() {
-  RenderSettings settings;
-  settings.want_id = true;
-  return settings;
-}
-
 template <class Pixel>
 Image<Pixel> columns(const Image<Pixel>& image, int first, int width) {
   Image<Pixel> part(width, image.height);
@@ -66,8 +60,8 @@ CutEye cut_eye(const Scene& scene, const View& centre, const StereoPair& pair, S
   const View& wide = left ? pictures->left : pictures->right;
   const int first = left ? pictures->left_first : pictures->right_first;
   const int width = int(centre.viewport.width());
-  CutEye eye{render_staged(scene, eye_view(centre, pair, side), with_ids()).buffers, {}};
-  const Framebuffer whole = render_staged(scene, wide, with_ids()).buffers;
+  CutEye eye{render_staged(scene, eye_view(centre, pair, side), test::with_ids()).buffers, {}};
+  const Framebuffer whole = render_staged(scene, wide, test::with_ids()).buffers;
   eye.cut.color = columns(whole.color, first, width);
   eye.cut.depth = columns(whole.depth, first, width);
   eye.cut.id = columns(whole.id, first, width);
@@ -222,7 +216,7 @@ TEST_CASE("a textured quad at the window is the same picture in both eyes (S0-09
     }
     flipped += !same;
     if (!same) continue;
-    const StereoRendering both = render_pair(scene, *centre, pair, {with_ids()});
+    const StereoRendering both = render_pair(scene, *centre, pair, {test::with_ids()});
     CAPTURE(i);
     CHECK(both.left.color == both.right.color);
     CHECK(both.left.id == both.right.id);

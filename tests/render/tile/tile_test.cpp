@@ -13,13 +13,8 @@ namespace {
 
 using test::check_same;
 
-Scene built_in(const std::string& name) {
-  const auto scene = make_builtin(name);
-  REQUIRE(scene);
-  return *scene;
-}
-
-View view_of(const Scene& scene, int width, int height, DepthRange range = DepthRange::kStandard) {
+View tile_view_of(const Scene& scene, int width, int height,
+                  DepthRange range = DepthRange::kStandard) {
   const auto view =
       make_view(test::camera_for(scene, double(width) / height), width, height, range);
   REQUIRE(view);
@@ -34,8 +29,8 @@ RenderSettings all_planes(RenderSettings settings = {}) {
 TEST_CASE("the tile engine draws every built-in scene as the staged reference does", "[tile]") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     INFO(builtin.name);
-    const Scene scene = built_in(std::string(builtin.name));
-    check_same(scene, view_of(scene, 323, 181), all_planes());
+    const Scene scene = test::built_in(std::string(builtin.name));
+    check_same(scene, tile_view_of(scene, 323, 181), all_planes());
   }
 }
 
@@ -43,8 +38,8 @@ TEST_CASE("the tile engine's bytes do not depend on the target, the threads or t
           "[tile]") {
   for (const char* name : {"teapot:16", "room", "forest"}) {
     INFO(name);
-    const Scene scene = built_in(name);
-    const View view = view_of(scene, 250, 131);
+    const Scene scene = test::built_in(name);
+    const View view = tile_view_of(scene, 250, 131);
     const RenderSettings settings = all_planes();
     const Rendering staged = render_staged(scene, view, settings);
     for (const Target target : available_targets()) {
@@ -63,16 +58,18 @@ TEST_CASE("the tile engine's bytes do not depend on the target, the threads or t
 
 TEST_CASE("the tile engine takes every option as the staged reference does", "[tile]") {
   for (const char* name : {"teapot:6", "room", "checker", "f-glyph"}) {
-    const Scene scene = built_in(name);
+    const Scene scene = test::built_in(name);
     const auto check_with = [&](RenderSettings settings, const char* what) {
       INFO(name << ", " << what);
       const bool reversed = settings.depth == DepthFormat::kFloat32Reversed;
-      check_same(scene,
-                 view_of(scene, 160, 90, reversed ? DepthRange::kReversed : DepthRange::kStandard),
-                 settings);
-      check_same(scene,
-                 view_of(scene, 97, 61, reversed ? DepthRange::kReversed : DepthRange::kStandard),
-                 all_planes(settings), {2, 16, available_targets().front(), true});
+      check_same(
+          scene,
+          tile_view_of(scene, 160, 90, reversed ? DepthRange::kReversed : DepthRange::kStandard),
+          settings);
+      check_same(
+          scene,
+          tile_view_of(scene, 97, 61, reversed ? DepthRange::kReversed : DepthRange::kStandard),
+          all_planes(settings), {2, 16, available_targets().front(), true});
     };
     RenderSettings s;
     for (const Shading shading :
@@ -118,7 +115,7 @@ TEST_CASE(
     "pixels and samples that share their triangles are coloured as the staged reference has them",
     "[tile]") {
   for (const char* name : {"sphere:6", "sphere:24", "teapot:3", "teapot:8", "checker", "room"}) {
-    const Scene scene = built_in(name);
+    const Scene scene = test::built_in(name);
     for (const Target target : available_targets()) {
       for (const Shading shading : {Shading::kPhong, Shading::kGouraud, Shading::kUnlit}) {
         for (const Cull cull : {Cull::kBack, Cull::kNone}) {
@@ -129,7 +126,7 @@ TEST_CASE(
             s.shading = shading;
             s.cull = cull;
             s.samples = samples;
-            check_same(scene, view_of(scene, 150, 93), s, {1, 32, target, true});
+            check_same(scene, tile_view_of(scene, 150, 93), s, {1, 32, target, true});
           }
         }
       }

@@ -1,26 +1,26 @@
-# README's program, as it stands there: built against the installed package by README's CMake lines, it prints README's numbers
-# and writes the picture that the program renders, and without the scene it says so. Included by check_install.cmake.
-file(READ ${clone}/README.md readme)
+# The program of docs/library.md, built against the installed package by the page's own CMake lines, prints the page's numbers and
+# writes the picture that the command line renders; without the scene it says so. Included by check_install.cmake.
+file(READ ${clone}/docs/library.md page)
 
-# block_of_readme(LANGUAGE RESULT): the text of README's only block in that language.
-function(block_of_readme language result)
-  string(FIND "${readme}" "\n```${language}\n" begin)
-  string(FIND "${readme}" "\n```${language}\n" last REVERSE)
+# block_of_page(LANGUAGE RESULT): the text of the page's only block in that language.
+function(block_of_page language result)
+  string(FIND "${page}" "\n```${language}\n" begin)
+  string(FIND "${page}" "\n```${language}\n" last REVERSE)
   if(begin EQUAL -1 OR NOT begin EQUAL last)
-    message(FATAL_ERROR "README.md needs one block of ${language}")
+    message(FATAL_ERROR "docs/library.md needs one block of ${language}")
   endif()
-  string(SUBSTRING "${readme}" ${begin} -1 text)
+  string(SUBSTRING "${page}" ${begin} -1 text)
   string(REGEX REPLACE "^\n```${language}\n" "" text "${text}")
   string(FIND "${text}" "```" end)
   string(SUBSTRING "${text}" 0 ${end} text)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(house ${work}/readme)
+set(house ${work}/library_page)
 file(REMOVE_RECURSE ${house})
-block_of_readme(cpp program)
-block_of_readme(cmake lines)
-block_of_readme(text numbers)
+block_of_page(cpp program)
+block_of_page(cmake lines)
+block_of_page(text numbers)
 file(WRITE ${house}/house.cpp "${program}")
 file(WRITE ${house}/CMakeLists.txt "${lines}")
 run(${CMAKE_COMMAND} -S ${house} -B ${house}/build -G ${generator}
@@ -31,7 +31,7 @@ run(${CMAKE_COMMAND} --build ${house}/build)
 function(run_house expected prints)
   execute_process(COMMAND ${house}/build/house WORKING_DIRECTORY ${house} RESULT_VARIABLE result OUTPUT_VARIABLE output)
   if(NOT result EQUAL expected OR NOT output STREQUAL prints)
-    message(FATAL_ERROR "README's program ended with ${result}, expected ${expected}, and printed\n${output}instead of\n${prints}")
+    message(FATAL_ERROR "the page's program ended with ${result}, expected ${expected}, and printed\n${output}instead of\n${prints}")
   endif()
 endfunction()
 
@@ -41,4 +41,4 @@ file(COPY ${clone}/examples DESTINATION ${house})
 run_house(0 "${numbers}")
 run(${prefix}/bin/glassbox render ${house}/examples/house.gltf --size 640x360 -o ${house}/expected.png)
 run(${prefix}/bin/glassbox diff ${house}/expected.png ${house}/house.png)
-message("README's program: all as README says")
+message("docs/library.md: all as the page says")
