@@ -12,7 +12,7 @@
 namespace glassbox {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNoFarPlane = std::numeric_limits<double>::infinity();
 
 Camera camera_with(const Lens& lens) {
   Camera camera;
@@ -43,7 +43,7 @@ TEST_CASE("a perspective camera is the look-at and the projection of its parts")
   const auto endless =
       make_view(camera_with(PerspectiveLens{kHalfPi, 1, {}}), 640, 480, DepthRange::kReversed);
   REQUIRE(endless);
-  CHECK(endless->far == kInfinite);
+  CHECK(endless->far == kNoFarPlane);
   CHECK(endless->clip_from_eye.at(2, 2) == 0);
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("degenerate lenses are refused with a reason and a remedy (C-08, C-09)
       {OrthographicLens{-2, 0, 1}, "orthographic height"},
       {OrthographicLens{1, 1, 1}, "far plane"},
       {OrthographicLens{1, nan, 1}, "near plane"},
-      {OrthographicLens{1, 0, kInfinite}, "far plane"},
+      {OrthographicLens{1, 0, kNoFarPlane}, "far plane"},
       {OrthographicLens{1e-300, 0, 1}, "projection"},
       {FrustumLens{1, 1, -1, 1, 1, 10.0}, "window"},
       {FrustumLens{-1, 1, nan, 1, 1, 10.0}, "window"},
