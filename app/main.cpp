@@ -1,5 +1,5 @@
-// glassbox: a software rasterizer you can see through. Each program is made of this file, and of
-// the subjects that app/CMakeLists.txt names for it.
+// The glassbox program. Each executable consists of this file and of the command groups (subjects)
+// that app/CMakeLists.txt names for it.
 #include "app/subjects.h"
 
 int main(int argc, char** argv) {

@@ -17,7 +17,8 @@ namespace glassbox::app {
 
 namespace {
 
-// A subject that this program is without: it is listed, and says where it is.
+// Adds a command that is not compiled into this program: it is listed, and refuses with a message
+// that says how to build it.
 void add_name_of(const Subject& subject, CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(subject.name, subject.help);
   command.prefix_command();
@@ -55,7 +56,7 @@ int run(std::span<const Subject> subjects, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are no errors; anything else is bad usage, whatever code CLI11 has for it.
+    // Help and version are no errors; anything else is bad usage, whatever CLI11's exit code.
     if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
     fmt::print(stderr, "glassbox: {}\n", usage_problem(app, error));
     return kBadInput;

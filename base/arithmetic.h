@@ -1,4 +1,4 @@
-// The types that are numbers.
+// A concept for the types that are numbers.
 #pragma once
 
 #include <type_traits>

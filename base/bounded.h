@@ -1,16 +1,21 @@
-// Numbers that know how far they may be off: a third reading of the stages' formulas, beside that of single numbers
-// (base/numbers.h) and that of lanes. A number is the one that the run computes, bit by bit, and beside it a bound of its
-// distance from what exact arithmetic makes of the same input (running error analysis: Wilkinson 1986; Higham, section 3.3).
+// Numbers with an error bound: a third definition of the operations that the stages' formulas use,
+// beside the single numbers (base/numbers.h) and the lanes. `value` is the number that the run
+// computes, bit by bit; `bound` is an upper bound of its distance from the result of exact
+// arithmetic on the same input (running error analysis: Wilkinson 1986; Higham, section 3.3).
 //
-// Where x and y stand for exact values X and Y, |x - X| <= dx and |y - Y| <= dy, and r is what the operation rounds:
+// Where x and y approximate exact values X and Y, |x - X| <= dx and |y - Y| <= dy, and r is the
+// rounding error of the operation:
 //
 //   x + y    dx + dy + r                       x y     |x| dy + |y| dx + dx dy + r
-//   x / y    (dx + |x/y| dy)/(|y| - dy) + r    sqrt x  dx/(sqrt x + sqrt(x - dx)) + r, or sqrt dx where dx > x
+//   x / y    (dx + |x/y| dy)/(|y| - dy) + r    sqrt x  dx/(sqrt x + sqrt(x - dx)) + r, or sqrt dx
+//                                                      where dx > x
 //
-// r is not u times the result but what this operation has rounded: of floats it is computed, as sums and products of floats fit
-// doubles; of doubles it is 2^-53 of the result. Where nothing is rounded nothing is charged, so 1 times x is as good as x.
-// A comparison knows whether it is sure. select() of one that is not has to stand for either of its numbers. The bounds are
-// doubles, each rounded up by 2^-49, which covers the eight roundings of its own at most; infinite where nothing can be said.
+// r is not u times the result but what this operation really rounds. For floats it is computed,
+// because sums and products of floats fit doubles; for doubles it is 2^-53 of the result. Where
+// nothing is rounded, r is 0: 1 times x has the bound of x. A comparison also says whether it is
+// sure. select() with an unsure condition returns a bound that covers both numbers. The bounds are
+// doubles, each rounded up by a factor 1 + 2^-49, which covers the at most eight roundings of its
+// own computation; a bound is infinite where nothing can be said.
 #pragma once
 
 #include <array>
@@ -24,13 +29,14 @@ namespace glassbox::bounded {
 
 inline constexpr double kRoundUp = 1 + 0x1p-49;
 
-// What a comparison says of the numbers, and whether it says the same of the exact ones.
+// The result of a comparison of the computed numbers, and whether the exact numbers certainly give
+// the same.
 struct Truth {
   bool holds = false;
   bool is_sure = true;
 
   friend Truth operator!(Truth a) { return {!a.holds, a.is_sure}; }
-  // What is certain of one of the two decides, whatever the other is.
+  // If one operand is certainly true, the result is certain, whatever the other one is.
   friend Truth operator||(Truth a, Truth b) {
     return {a.holds || b.holds,
             (a.holds && a.is_sure) || (b.holds && b.is_sure) || (a.is_sure && b.is_sure)};
@@ -53,7 +59,7 @@ struct BoundedOf {
 
   BoundedOf() = default;
   BoundedOf(T exact) : value(exact) {}
-  // A bound that is no number, and a number that is none, are without bound.
+  // Where the bound is no number or the value is not finite, the bound becomes infinite.
   BoundedOf(T computed, double bound_)
       : value(computed),
         bound(std::isfinite(computed) && bound_ >= 0 ? bound_
@@ -61,7 +67,7 @@ struct BoundedOf {
 
   bool is_bounded() const { return std::isfinite(bound); }
 
-  // Friends, so that a number without a bound may stand on either side: 1 / x.
+  // Friends, so that an exact number can be on either side: 1 / x.
   friend BoundedOf operator+(const BoundedOf& x, const BoundedOf& y) { return sum_of(x, y); }
   friend BoundedOf operator-(const BoundedOf& x, const BoundedOf& y) { return sum_of(x, -y); }
   friend BoundedOf operator*(const BoundedOf& x, const BoundedOf& y) { return product_of(x, y); }
@@ -81,7 +87,8 @@ struct BoundedOf {
   }
 
 private:
-  // Two numbers without error compare as their exact values do, equal ones too.
+  // Whether the comparison is certain. Two numbers without error compare as their exact values do,
+  // equal ones too.
   static bool are_apart(const BoundedOf& x, const BoundedOf& y) {
     if (x.bound == 0 && y.bound == 0) return true;
     return std::abs(double(x.value) - double(y.value)) > (x.bound + y.bound) * kRoundUp;
@@ -92,20 +99,20 @@ using Bounded = BoundedOf<float>;
 template <class F>
 concept Number = std::same_as<F, BoundedOf<float>> || std::same_as<F, BoundedOf<double>>;
 
-// 0 times infinity is 0: an unknown number that is not used does no harm.
+// a b, where 0 times infinity is 0: an unknown number that is multiplied by 0 does no harm.
 inline double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
 
 // ---- what an operation rounds ----
 
-// How far `rounded` is from `near`, which is itself within `off` of the exact result.
+// How far `rounded` is from the exact result at most: `near` is within `off` of it.
 template <class T>
 double rounding(T rounded, double near, double off) {
   return std::abs(near - double(rounded)) + off;
 }
 
-// What a sum of doubles loses, exactly (Knuth's TwoSum).
+// The rounding error of a sum of doubles, exactly (Knuth's TwoSum).
 inline double lost_of_sum(double a, double b, double sum) {
   const double b_there = sum - a, a_there = sum - b_there;
   return std::abs((a - a_there) + (b - b_there));
@@ -113,7 +120,7 @@ inline double lost_of_sum(double a, double b, double sum) {
 
 inline constexpr double kHalfUlp = 0x1p-53;
 
-// Floats only: a = b c without rounding.
+// Whether a = b c without rounding. Only known for floats.
 template <class T>
 bool is_product(T a, T b, T c) {
   return std::same_as<T, float> && double(b) * double(c) == double(a);
@@ -135,9 +142,9 @@ template <class T>
 BoundedOf<T> product_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const T value = x.value * y.value;
   const double a = std::abs(double(x.value)), b = std::abs(double(y.value));
-  // The product of two floats is a double.
+  // The product of two floats is exact in double.
   const double near = double(x.value) * double(y.value);
-  // That of doubles may be too small for one, but not where a factor is 0: then nothing is rounded.
+  // The product of doubles may be subnormal, hence kSmallest. If a factor is 0, nothing is rounded.
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   const double own = std::same_as<T, float> ? rounding(value, near, 0)
                      : a == 0 || b == 0     ? 0
@@ -156,7 +163,7 @@ BoundedOf<T> quotient_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   return {value, ((x.bound + times(size, y.bound)) / smallest + own) * kRoundUp};
 }
 
-// `sqrt x` stands for the root of a number that is not negative.
+// The square root. Neither x nor the exact value that it approximates may be negative.
 template <class T>
 BoundedOf<T> sqrt(const BoundedOf<T>& x) {
   const T value = std::sqrt(x.value);
@@ -178,14 +185,14 @@ F select(Truth condition, F yes, F no) {
   const F other = condition.holds ? no : yes;
   const double apart = std::abs(double(chosen.value) - double(other.value));
   const double whole = (apart + other.bound) * kRoundUp;
-  return {chosen.value, whole <= chosen.bound ? chosen.bound : whole};  // NaN is no bound
+  return {chosen.value, whole <= chosen.bound ? chosen.bound : whole};  // a NaN is not a bound
 }
 template <Number F>
 F select(bool condition, F yes, F no) {
   return condition ? yes : no;
 }
 
-// Certainly not: what is left out must not be what the exact number would have had.
+// Certainly false: nothing may be left out that the exact numbers would include.
 inline bool none(Truth condition) {
   return !condition.holds && condition.is_sure;
 }
@@ -200,13 +207,13 @@ inline Bounded rounded(const BoundedOf<double>& x) {
   return {value, (x.bound + rounding(value, x.value, 0)) * kRoundUp};
 }
 
-// A whole number as the nearest float, 2^62 at most.
+// A whole number as the nearest float; |i| <= 2^62.
 inline Bounded to_float(std::int64_t i) {
   const float value = float(i);
   return {value, std::abs(double(std::int64_t(value) - i))};
 }
 
-// The number that the run has, if a formula that is equal but for rounding gave `same`.
+// `value` with a bound, when a formula that differs from the run's only in rounding gave `same`.
 inline Bounded standing_for(float value, const Bounded& same) {
   return {value, (same.bound + std::abs(double(value) - double(same.value))) * kRoundUp};
 }

@@ -1,4 +1,4 @@
-// Axis-aligned boxes: bounds of what is drawn.
+// Axis-aligned boxes, which bound what is drawn.
 #pragma once
 
 #include <limits>
@@ -39,7 +39,7 @@ struct Box {
     return {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
             (i & 4) != 0 ? high.z : low.z};
   }
-  // Half of each first, so that no finite box overflows.
+  // Each corner is halved before the sum, so that no finite box overflows.
   Point<Space, double> center() const {
     return {low.x * 0.5 + high.x * 0.5, low.y * 0.5 + high.y * 0.5, low.z * 0.5 + high.z * 0.5};
   }

@@ -7,14 +7,15 @@
 
 namespace glassbox {
 
-// The word as it goes with the number: "is" or "are". Of nouns with a plural in "s", the singular is enough.
+// Returns the word that agrees with the count: `one` for 1 ("is"), else `many` ("are"). For a noun
+// whose plural ends in "s" only the singular has to be passed.
 inline std::string inflected(std::integral auto count, std::string_view one,
                              std::string_view many = {}) {
   if (count != 1 && many.empty()) return std::string(one).append("s");
   return std::string(count == 1 ? one : many);
 }
 
-// "1 mesh", "2 meshes"
+// Returns the count with its noun: "1 mesh", "2 meshes".
 inline std::string counted(std::integral auto count, std::string_view one,
                            std::string_view many = {}) {
   return std::to_string(count) + " " + inflected(count, one, many);

@@ -12,14 +12,14 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// ln 2 in two pieces: the first has 32 bits, so that its product with an exponent, which has 11, is
+// ln 2 in two parts. The first has 32 bits, so that its product with an exponent (11 bits) is
 // exact.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
-// ln(1 + f) = 2 artanh(s) with s = f / (2 + f), 2 s (1 + s^2/3 + s^4/5 + ...). This is what the
-// series is beyond its first term, s^2 (2/3 + s^2 2/5 + ...). With |s| <= 0.1716 the terms left out
-// are below 2^-60 of ln(1 + f).
+// ln(1 + f) = 2 artanh(s) with s = f / (2 + f), and 2 artanh(s) = 2 s (1 + s^2/3 + s^4/5 + ...).
+// Returns the series in brackets without its 1, doubled: s^2 (2/3 + s^2 2/5 + ...). With |s| <=
+// 0.1716 the terms left out are below 2^-60 of ln(1 + f).
 double artanh_rest(double s) {
   const double z = s * s;
   constexpr double c3 = 2.0 / 3, c5 = 2.0 / 5, c7 = 2.0 / 7, c9 = 2.0 / 9, c11 = 2.0 / 11,
@@ -39,13 +39,13 @@ double exponential_rest(double r) {
   return c2 + r * (c3 + r * (c4 + r * (c5 + r * (c6 + r * (c7 + r * (c8 + r * high))))));
 }
 
-// Where the squares would not fit, all three are divided by the power of two in the largest, which
-// is exact.
+// Where the squares would overflow or underflow, all three numbers are first divided by the power
+// of two in the largest, which is exact.
 double root_of_squares(double x, double y, double z) {
   if (std::isinf(x) || std::isinf(y) || std::isinf(z)) return kInfinity;
   const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
   if (std::isnan(x + y + z)) return kNan;
-  // No square that matters is subnormal or infinite, so that scaling would change no bit.
+  // In this range no square that matters is subnormal or infinite, so scaling would change no bit.
   if (largest > 0x1p-400 && largest < 0x1p500) return std::sqrt(x * x + y * y + z * z);
   if (largest == 0) return 0;
   const int scale = std::ilogb(largest);
@@ -70,15 +70,15 @@ double logarithm(double x) {
   const double f = fraction - 1;  // exact: within a factor of two of 1
   const double half_square = 0.5 * f * f;
   const double s = f / (2 + f);
-  // ln(1 + f) = f - (half_square - s (half_square + rest)): what is taken from f is small, so that
-  // its roundings count for little.
+  // ln(1 + f) = f - (half_square - s (half_square + rest)). The term subtracted from f is small, so
+  // that its roundings have little effect.
   const double correction = s * (half_square + artanh_rest(s));
   const double k = exponent;
   return k * kLn2High - ((half_square - (correction + k * kLn2Low)) - f);
 }
 
-// 1 + x = u rounds x off to u - 1, exactly that, and ln(u) / (u - 1) hardly differs between the
-// two.
+// 1 + x is rounded to u, so u - 1 is x after rounding, computed exactly. The ratio ln(1 + y) / y
+// hardly differs between y = x and y = u - 1.
 double logarithm_1p(double x) {
   const double u = 1 + x;
   if (u == 1 || !std::isfinite(u) || !(u > 0)) return u == 1 ? x : logarithm(u);
@@ -128,15 +128,15 @@ double logarithm_10(double x) {
   return x == power_of_ten(int(whole)) ? whole : found;
 }
 
-// A third of the bits, as of a number, is within 5 % of the root (Kahan's first guess). Halley's
-// iteration cubes a relative error and multiplies it by 2/3: 8e-5, 4e-13, and less than rounding.
-// What it takes from a root that is nearly right is small, so that its own roundings count for
-// little.
+// A third of the number's bits, read as a number, is within 5 % of the root (Kahan's first guess).
+// Halley's iteration cubes a relative error and multiplies it by 2/3: 8e-5, 4e-13, then less than
+// rounding. The correction that it subtracts from a nearly exact root is small, so that its own
+// roundings have little effect.
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double size = std::abs(x);
-  // Subnormal numbers have other bits, and the largest ones overflow below; 2^54 and its cube root
-  // are powers of two.
+  // The bits of subnormal numbers have another layout, and the largest numbers would overflow
+  // below; 2^54 and its cube root are powers of two.
   if (size < 0x1p-1022) return cube_root(x * 0x1p54) * 0x1p-18;
   if (size > 0x1p1020) return cube_root(x * 0x1p-54) * 0x1p18;
   constexpr std::uint64_t kTwoThirdsOfOne = 0x2a9f7893ull << 32;

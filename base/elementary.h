@@ -1,14 +1,14 @@
 // Logarithm, exponential, powers, cube root and hypotenuse that give the same bytes on every
-// machine, as base/trig.h has the trigonometry: a C library's last digit is its own, and differs
-// between processors with and without FMA. Polynomials and reductions are IEEE double operations in
-// one written order, and square roots, which IEEE 754 rounds correctly.
+// machine, as base/trig.h does for trigonometry. (The last digit of a C library's functions depends
+// on the library, and on whether the processor has FMA.) They use polynomials and reductions, which
+// are IEEE double operations in one written order, and square roots, which IEEE 754 rounds
+// correctly.
 //
-// For floats in loops there are cruder ones in images/colour/power.h, which overload cube_root and
-// power.
+// For floats in loops there are faster, less accurate overloads of cube_root and power in
+// images/colour/power.h.
 //
 // Errors are in ulps of the exact result for the arguments as given, unless the result is
-// subnormal.
-// tests/base/elementary_test.cpp measures them against 50 digits.
+// subnormal. tests/base/elementary_test.cpp measures them against 50 digits.
 #pragma once
 
 namespace glassbox {
@@ -16,34 +16,36 @@ namespace glassbox {
 // ln(x). Error below 1 ulp, and ln(1) = +0. -inf for +-0, +inf for +inf, NaN for NaN and below 0.
 double logarithm(double x);
 
-// ln(1 + x), of a small x too. Error below 4 ulps. -inf for -1, NaN below.
+// ln(1 + x), accurate for small x, too. Error below 4 ulps. -inf for -1, NaN below.
 double logarithm_1p(double x);
 
 // e^x. Error below 1 ulp, and e^0 = 1. +inf beyond the largest double, 0 below the smallest, NaN
 // for NaN.
 double exponential(double x);
 
-// x^y = e^(y ln x) of x > 0. Error below 1 + 3 |y ln x| ulps: it grows with how far from 1 the
-// result is. 0^y is 0 for y > 0; NaN for x < 0, for NaN, and for other powers of 0.
+// x^y = e^(y ln x) for x > 0. Error below 1 + 3 |y ln x| ulps: the farther the result is from 1,
+// the larger. 0^y is 0 for y > 0; NaN for x < 0, for NaN, and for other powers of 0.
 double power(double x, double y);
 
 // x^n by multiplications from left to right, n >= 0: n - 1 roundings. x^0 is 1.
 double whole_power(double x, int n);
 
-// 10^n: exact from 10^0 to 10^22, correctly rounded from 10^-22, and of |n| + 1 roundings beyond.
-// +inf above 10^308, 0 below 10^-308.
+// 10^n: exact from 10^0 to 10^22, correctly rounded from 10^-22 to 10^-1, and with |n| + 1
+// roundings for other n. +inf above 10^308, 0 below 10^-308.
 double power_of_ten(int n);
 
-// The logarithms to base 2 and 10, of one more rounding each and the rounded factor's: error below
-// 2.5 ulps. Those of powers of two are exact to base 2, those of 10^-22 .. 10^22 exact to base 10.
+// The logarithms to base 2 and 10: ln(x) times a factor. The product and the factor are rounded
+// once more each: error below 2.5 ulps. For powers of two the result is exact to base 2, for 10^-22
+// .. 10^22 it is exact to base 10.
 double logarithm_2(double x);
 double logarithm_10(double x);
 
-// The real cube root, odd. Error below 2 ulps. +-0, infinities and NaN give themselves.
+// The real cube root, an odd function. Error below 2 ulps. +-0, infinities and NaN are returned as
+// they are.
 double cube_root(double x);
 
-// sqrt(x^2 + y^2) and sqrt(x^2 + y^2 + z^2), where squares would overflow or vanish too. Errors
-// below 2 and 2.5 ulps. +inf where one of them is infinite, else NaN where one is NaN.
+// sqrt(x^2 + y^2) and sqrt(x^2 + y^2 + z^2), also where the squares would overflow or underflow.
+// Errors below 2 and 2.5 ulps. +inf if an argument is infinite, else NaN if one is NaN.
 double hypotenuse(double x, double y);
 double hypotenuse(double x, double y, double z);
 

@@ -1,4 +1,4 @@
-// The one error type: what was wrong, where, and what to do about it.
+// The one error type: it says what was wrong, where, and what to do about it.
 #pragma once
 
 #include <string>
@@ -7,15 +7,16 @@
 
 namespace glassbox {
 
-// A refusal of input. `file` and `place` ("node 3", "accessor 7, byte 120", "--fov") may be empty; `cause` and
-// `remedy` never are. The program prints message() on one line and exits with 2.
+// The reason why an input is refused. `file` and `place` ("node 3", "accessor 7, byte 120",
+// "--fov") may be empty; `cause` and `remedy` never are. The program prints message() on one line
+// and exits with 2.
 struct Error {
   std::string file;
   std::string place;
   std::string cause;
   std::string remedy;
 
-  // "duck.glb: accessor 7: names buffer view 9 of 4; export the file again"
+  // For example "duck.glb: accessor 7: names buffer view 9 of 4; export the file again".
   std::string message() const {
     std::string text;
     for (const std::string* part : {&file, &place}) {
@@ -27,7 +28,7 @@ struct Error {
   }
 };
 
-// A value or the reason why there is none. Stages and cameras return it; loaders do too.
+// A value, or the reason why there is none. Stages, cameras and loaders return it.
 template <class T>
 using Result = tl::expected<T, Error>;
 

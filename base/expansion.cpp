@@ -72,8 +72,9 @@ double sum_of_products(std::span<const double> a, std::span<const double> b) {
     sum += product;
     magnitude += std::abs(product);
   }
-  // One rounding for each product and at most n - 1 more for its way through the sum: n u of the magnitude, which is
-  // itself rounded as often. One more u covers the second order.
+  // A product is rounded once, and at most n - 1 times more on its way through the sum: an error of
+  // n u times the magnitude, which is itself rounded as often. One more u covers the second-order
+  // terms.
   const double bound = double(a.size() + 1) * kRoundoff * magnitude;
   if (std::abs(sum) > bound) return sum;
   Expansion<2 * kMaxProducts> exact;

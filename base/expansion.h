@@ -1,12 +1,13 @@
-// Exact sums and products of doubles, for the few decisions that rounding must not make.
+// Exact sums and products of doubles, for the few decisions that rounding must not influence.
 //
-// A number is held as an expansion: a sum of doubles, smallest first, no two of which share a bit (Dekker 1971, Knuth
-// 1997 4.2.2, Shewchuk 1997). Its sign is the sign of its last term. Capacities are part of the type, so nothing is
-// allocated; only + - * of IEEE doubles are used, rounded to nearest, and no fused multiply-add.
+// A number is stored as an expansion: a sum of doubles, smallest first, no two of which share a bit
+// (Dekker 1971, Knuth 1997 4.2.2, Shewchuk 1997). Its sign is the sign of its last term. Capacities
+// are part of the type, so nothing is allocated; only + - * of IEEE doubles are used, rounded to
+// nearest, without fused multiply-add.
 //
-// Valid inputs are zero or have 2^-200 <= |x| <= 2^200. Every float qualifies (2^-149 .. 2^128). Products of up to
-// four such numbers neither overflow nor lose a bit to underflow: the last bit of the smallest is 4 * (-252) = 2^-1008,
-// and splitting a factor costs another 2^27.
+// Valid inputs are zero or have 2^-200 <= |x| <= 2^200. Every float qualifies (2^-149 .. 2^128).
+// Products of up to four such numbers neither overflow nor lose a bit to underflow: the last bit of
+// the smallest is 4 * (-252) = 2^-1008, and splitting a factor costs another 2^27.
 #pragma once
 
 #include <array>
@@ -72,14 +73,14 @@ struct Expansion {
     if (term != 0) terms[std::size_t(count++)] = term;
   }
 
-  // Adds one double (Shewchuk's Grow-Expansion). The caller has made room: the capacity is one more than the terms
-  // in use, or as large as the number of bits that the result can span.
+  // Adds one double (Shewchuk's Grow-Expansion). The caller has made room: the capacity is one more
+  // than the terms in use, or as large as the number of bits that the result can span.
   void add(double value) {
     const int old_count = count;
     count = 0;
     for (int i = 0; i < old_count; ++i) {
       const TwoTerms sum = two_sum(value, terms[std::size_t(i)]);
-      append(sum.low);  // behind the term that is being read, so nothing is overwritten
+      append(sum.low);  // is written behind the term that is being read, so nothing is overwritten
       value = sum.high;
     }
     append(value);
@@ -95,8 +96,9 @@ struct Expansion {
     return terms[std::size_t(count - 1)] > 0 ? 1 : -1;
   }
 
-  // The number as a double, to a few units in the last place. Its sign is right because the largest terms come
-  // first: a partial sum is exact until it is 2^53 times larger than all that is still to come.
+  // The number as a double, to a few units in the last place. Its sign is right because the largest
+  // terms come first: a partial sum is exact until it is 2^53 times larger than all the remaining
+  // terms.
   double estimate() const {
     double sum = 0;
     for (int i = count - 1; i >= 0; --i) sum += terms[std::size_t(i)];
@@ -152,16 +154,19 @@ inline Expansion<2> exact_product(double a, double b) {
 using Exact2 = std::array<double, 2>;
 using Exact3 = std::array<double, 3>;
 
-// +1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 where they lie on one line: the sign of
-// (a - c) x (b - c). Exact for valid inputs; a static filter (Shewchuk 1997) answers nearly all calls.
+// +1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 where they are on one line: the
+// sign of (a - c) x (b - c). Exact for valid inputs; a static filter (Shewchuk 1997) decides nearly
+// all calls.
 int sign_of_orient2d(const Exact2& a, const Exact2& b, const Exact2& c);
 
-// The sign of the determinant with the rows a - d, b - d, c - d: +1 where d sees a, b, c turn clockwise, 0 where the
-// four lie in one plane. Exact for valid inputs, filtered like the above.
+// The sign of the determinant with the rows a - d, b - d, c - d: +1 where a, b, c turn clockwise as
+// seen from d, 0 where the four points are in one plane. Exact for valid inputs, with a filter like
+// the above.
 int sign_of_orient3d(const Exact3& a, const Exact3& b, const Exact3& c, const Exact3& d);
 
-// a[0] b[0] + ... + a[n-1] b[n-1] for at most kMaxProducts pairs: a double of exactly the right sign (0 only where
-// the sum is 0) and right in size to a few units in the last place of the largest product.
+// a[0] b[0] + ... + a[n-1] b[n-1] for at most kMaxProducts pairs. The sign of the result is exact
+// (0 only where the sum is 0), and its size is right to a few units in the last place of the
+// largest product.
 inline constexpr int kMaxProducts = 8;
 double sum_of_products(std::span<const double> a, std::span<const double> b);
 

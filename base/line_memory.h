@@ -1,4 +1,4 @@
-// Memory that begins at a line of the cache.
+// Memory that begins at the start of a cache line.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-inline constexpr std::size_t kCacheLine = 64;  // bytes; the longest vectors, too
+inline constexpr std::size_t kCacheLine = 64;  // bytes; no vector register is longer
 
 template <class T>
 struct LineAllocator {

@@ -1,9 +1,9 @@
-// Refuses to be compiled where numbers lie in memory with their highest byte first.
+// Compilation fails on machines that store the highest byte of a number first (big-endian).
 //
-// glTF's buffers, .ldi files, pages' tables and PLY files hold numbers with the lowest byte first,
-// and are read and written as they lie in memory; the lanes take a colour's four bytes for one
-// number whose lowest byte is red. A big-endian machine would draw wrong pictures without a word.
-// Whoever relies on the order includes this.
+// glTF's buffers, .ldi files, pages' tables and PLY files store numbers with the lowest byte first,
+// and are read and written as they are in memory; the lanes take a colour's four bytes as one
+// number whose lowest byte is red. A big-endian machine would draw wrong pictures without an error.
+// Every file that relies on the byte order includes this header.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// The word that somebody meant who mistyped one.
+// The word that was probably meant by a mistyped one.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace glassbox {
 
-// How many characters are to be put in, left out, replaced or exchanged with their neighbour (optimal string alignment), A
-// and a being the same.
+// How many characters have to be inserted, removed, replaced or exchanged with their neighbour to
+// turn a into b (optimal string alignment). Upper and lower case count as equal.
 inline std::size_t edits_between(std::string_view a, std::string_view b) {
   const auto same = [](char c, char d) {
     const auto lower = [](char e) { return e >= 'A' && e <= 'Z' ? char(e - 'A' + 'a') : e; };
     return lower(c) == lower(d);
   };
-  // Rows of the table: that of i, and the two before it.
+  // Three rows of the table: row i and the two before it.
   std::vector<std::size_t> row(b.size() + 1), before(row), first(row);
   std::iota(row.begin(), row.end(), std::size_t(0));
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -36,8 +36,8 @@ inline std::size_t edits_between(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// The only one of `words` that begins with `typed`, if that has three letters or more; else the nearest, if it is at most
-// a third of its letters away, and at most two of them.
+// The only one of `words` that begins with `typed`, if `typed` has at least three letters; else the
+// nearest word, if the edits are at most a third of its letters, and at most two.
 inline std::optional<std::string> near_word(std::string_view typed,
                                             const std::vector<std::string>& words) {
   constexpr std::size_t kMostEdits = 2, kLongestWord = 64, kTellingBeginning = 3;

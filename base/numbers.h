@@ -1,7 +1,8 @@
-// One number at a time, for the formulas of the stages (base/formulas, pipeline/formulas, raster/formulas): texts without a
-// namespace, which are read here as functions of single numbers, and once more for each instruction set by the lanes.
-// raster/lanes/numbers-inl.h has these names for as many numbers as a processor's vectors hold; no formula knows which it is
-// compiled for.
+// The operations that the formulas of the stages use (base/formulas, pipeline/formulas,
+// raster/formulas), for single numbers. The formula files have no namespace of their own: they are
+// included once here as functions of single numbers, and once more by the lanes for each
+// instruction set. raster/lanes/numbers-inl.h defines the same names for as many numbers as a
+// processor's vectors hold; a formula does not depend on which of the two it is compiled for.
 #pragma once
 
 #include <array>
@@ -24,7 +25,8 @@ using std::sqrt;
 
 // ---- conditions ----
 
-// What may hold for some numbers and not for others: `if` is for what holds for all of them.
+// Use select() for a condition that may hold for some numbers of a vector and not for others; `if`
+// is only for conditions that hold for all or none.
 template <class T>
 inline T select(bool condition, T yes, T no) {
   return condition ? yes : no;
@@ -45,7 +47,7 @@ inline float to_float(std::int32_t i) {
 inline float to_float(std::int64_t i) {
   return float(i);
 }
-// x is an integer.
+// x has to be an integer.
 inline std::int32_t to_integer(float x) {
   return std::int32_t(x);
 }

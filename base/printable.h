@@ -6,7 +6,8 @@
 
 namespace glassbox {
 
-// Control characters become '?', long text is cut between characters: names come from hostile files. UTF-8 stays UTF-8.
+// Control characters become '?', and long text is cut (never inside a character): names in files
+// may be hostile. Valid UTF-8 is kept.
 inline std::string printable(std::string_view text, std::size_t max_length = 80) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   std::size_t end = text.size();
@@ -16,7 +17,7 @@ inline std::string printable(std::string_view text, std::size_t max_length = 80)
   }
   std::string out;
   for (std::size_t i = 0; i < end; ++i) {
-    // U+0080 to U+009F, which terminals obey, too, are C2 80 to C2 9F.
+    // U+0080 to U+009F are control characters for terminals, too; in UTF-8 they are C2 80 to C2 9F.
     const bool second_set = byte(i) == 0xc2 && i + 1 < end && byte(i + 1) < 0xa0;
     if (second_set) ++i;
     out += second_set || byte(i) < 0x20 || byte(i) == 0x7f ? '?' : text[i];

@@ -1,4 +1,5 @@
-// Numbers that look random, for studies, labs and tests: the same on every machine, from a seed.
+// Pseudorandom numbers for studies, labs and tests: the same seed gives the same numbers on every
+// machine.
 #pragma once
 
 #include <cmath>
@@ -6,7 +7,7 @@
 
 namespace glassbox {
 
-// SplitMix64 (Steele, Lea and Flood 2014).
+// The generator SplitMix64 (Steele, Lea and Flood 2014).
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -21,7 +22,8 @@ public:
   // Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return double(bits() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  // As between(), times a power of two of [lowest, highest], each as likely: numbers of many sizes.
+  // between(low, high) times a power of two with an exponent in [lowest, highest], each equally
+  // likely: numbers of many sizes.
   double scaled(double low, double high, int lowest, int highest) {
     const double significand = between(low, high);
     return std::ldexp(significand, int(integer(lowest, highest)));

@@ -1,7 +1,9 @@
-// The vocabulary of error bounds: unit roundoffs, gamma(k), and distances in ulps.
+// The quantities that error bounds are written in: unit roundoff u, gamma(k), and distances in
+// ulps.
 //
-// Every operation rounds its exact result by a factor 1 + d, |d| <= u; k of them in a row by at most 1 + gamma(k)
-// (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 3.1; SPEC 0.2).
+// Every operation multiplies its exact result by a factor 1 + d with |d| <= u; k operations in a
+// row by at most 1 + gamma(k) (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
+// section 3.1).
 #pragma once
 
 #include <bit>
@@ -12,19 +14,20 @@
 
 namespace glassbox {
 
-// u: 2^-24 for float, 2^-53 for double.
+// The unit roundoff u: 2^-24 for float, 2^-53 for double.
 template <class T>
 inline constexpr T unit_roundoff = std::numeric_limits<T>::epsilon() / 2;
 
-// k u / (1 - k u). In double for both, since bounds should not round away.
+// gamma(k) = k u / (1 - k u). It is a double for both types, so that a bound does not itself lose
+// digits.
 template <class T>
 constexpr double gamma(int k) {
   const double ku = double(k) * double(unit_roundoff<T>);
   return ku / (1 - ku);
 }
 
-// The gap between |x| and the next larger number of its format, that is the unit in its last place; the smallest
-// subnormal at 0. Infinity and NaN give NaN.
+// The gap between |x| and the next larger number of its format, which is the unit in its last
+// place; the smallest subnormal at 0. Infinity and NaN give NaN.
 template <class T>
 T ulp(T x) {
   const T a = std::abs(x);
@@ -35,19 +38,20 @@ T ulp(T x) {
   return std::bit_cast<T>(Bits(bits + 1)) - a;
 }
 
-// How many numbers of the format lie between a and b: 0 for equal numbers (-0 and 0 are equal), 1 for neighbours. NaN
-// is as far from everything as can be.
+// How many numbers of the format the step from a to b is: 0 for equal numbers (-0 and 0 are equal),
+// 1 for neighbours. A NaN is as far from every number as the result can express.
 template <class T>
 std::uint64_t ulp_distance(T a, T b) {
   if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<std::uint64_t>::max();
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  // Magnitudes count up from 0, negative numbers from 0 downwards.
+  // Read as integers, magnitudes count up from 0; negative numbers count downwards from 0.
   const std::uint64_t ma = std::bit_cast<Bits>(std::abs(a)), mb = std::bit_cast<Bits>(std::abs(b));
   if (std::signbit(a) != std::signbit(b)) return ma + mb;
   return ma > mb ? ma - mb : mb - ma;
 }
 
-// |value - exact| in ulps of the exact value, for a reference of higher precision that converts to double.
+// |value - exact| in ulps of the exact value, for a reference of higher precision that converts to
+// double.
 template <class Exact>
 double error_in_ulps(double value, const Exact& exact) {
   return std::abs(double((Exact(value) - exact) / Exact(ulp(double(exact)))));

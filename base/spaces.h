@@ -1,10 +1,11 @@
-// The spaces of the viewing pipeline as types, so that only products that make sense compile:
+// The spaces of the viewing pipeline as types, so that only meaningful products compile:
 //
 //   Transform<Clip, Object> clip_from_object = clip_from_eye * eye_from_world * world_from_object;
 //   Point<Clip> p_clip = clip_from_object * p_object;
 //
-// Column vectors, target-from-source names, composition right to left. The components are plain members, which
-// debuggers show and stages read; GLM is one call away (to_glm, and the constructors from glm::vec).
+// Vectors are columns, names are target-from-source, and products are read from right to left. The
+// components are plain members, which debuggers show and stages read directly; to_glm and the
+// constructors from glm::vec convert to and from GLM.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -18,7 +19,8 @@ namespace glassbox {
 struct Object {};  // as modelled
 struct World {};   // right-handed; cameras and lights live here
 struct Eye {};     // x right, y up, the camera looks down -z
-struct Clip {};    // homogeneous; w is the distance along the gaze (1 for parallel projections)
+// Homogeneous; w is the distance along the direction of view (1 for parallel projections).
+struct Clip {};
 struct Ndc {};     // x, y in [-1, 1], y up, z in [0, 1]
 struct Screen {};  // pixels from the top left, y down; (i, j) has its centre at (i + 1/2, j + 1/2)
 
@@ -34,7 +36,8 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// A position in clip space is homogeneous: (x, y, z, w) and its positive multiples are the same place.
+// A position in clip space is homogeneous: (x, y, z, w) and its positive multiples are the same
+// place.
 template <class T>
 struct Point<Clip, T> {
   using scalar = T;
@@ -58,7 +61,8 @@ struct Vector {
   friend bool operator==(const Vector&, const Vector&) = default;
 };
 
-// A direction perpendicular to a surface. It transforms by the cofactor matrix, not like a Vector.
+// A direction perpendicular to a surface. It is transformed by the cofactor matrix, not like a
+// Vector.
 template <class Space, class T = float>
 struct Normal {
   using scalar = T;
@@ -112,7 +116,7 @@ Vector<S, T> operator*(const Vector<S, T>& v, T s) {
   return {v.x * s, v.y * s, v.z * s};
 }
 
-// (a.x b.x + a.y b.y) + a.z b.z, in this order.
+// (a.x b.x + a.y b.y) + a.z b.z, summed in this order.
 template <class S, class T>
 T dot(const Vector<S, T>& a, const Vector<S, T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -126,8 +130,8 @@ Vector<S, T> cross(const Vector<S, T>& a, const Vector<S, T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// A 4x4 matrix that carries Source coordinates to Target coordinates. Matrices are composed in double and rounded
-// to float once, where a stage applies them.
+// A 4x4 matrix that takes Source coordinates to Target coordinates. Matrices are composed in double
+// and rounded to float once, where a stage applies them.
 template <class Target, class Source, class T = double>
 struct Transform {
   glm::mat<4, 4, T> columns{T(1)};  // columns[column][row], as GLM and OpenGL store them
@@ -140,7 +144,8 @@ struct Transform {
   friend bool operator==(const Transform&, const Transform&) = default;
 };
 
-// Row times column, summed from left to right: the one written order (DESIGN 3).
+// Row times column, summed from left to right: this order is fixed, so that the result is the same
+// everywhere.
 template <class A, class B, class C, class T>
 Transform<A, C, T> operator*(const Transform<A, B, T>& a_from_b,
                              const Transform<B, C, T>& b_from_c) {
@@ -163,7 +168,7 @@ T transform_row(const Transform<Target, Source, T>& m, int row, const Point<Sour
   return transform_row(m, row, p.x, p.y, p.z);
 }
 
-// Between affine spaces the last row is (0, 0, 0, 1) and is not read.
+// Between affine spaces the last row is (0, 0, 0, 1), so it is not read.
 template <class Target, class Source, class T>
 Point<Target, T> operator*(const Transform<Target, Source, T>& m, const Point<Source, T>& p) {
   return {transform_row(m, 0, p), transform_row(m, 1, p), transform_row(m, 2, p)};
@@ -182,7 +187,7 @@ Vector<Target, T> operator*(const Transform<Target, Source, T>& m, const Vector<
           m.at(2, 0) * v.x + m.at(2, 1) * v.y + m.at(2, 2) * v.z};
 }
 
-// The one rounding of a composed matrix to the precision of the stages.
+// Rounds a composed matrix to the precision of the stages: the only rounding to float.
 template <class Target, class Source>
 Transform<Target, Source, float> round_to_float(const Transform<Target, Source, double>& m) {
   return Transform<Target, Source, float>(glm::mat<4, 4, float>(m.columns));

@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-// Blanks are what isspace() of C takes for one.
+// Blanks are the characters for which C's isspace() is true.
 inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n\v\f";
   const auto first = text.find_first_not_of(kBlanks);

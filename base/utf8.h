@@ -1,4 +1,4 @@
-// UTF-8 from files, which may be anything.
+// Characters of UTF-8 text from files, which may be invalid.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,9 @@
 
 namespace glassbox {
 
-// The first character of `text`, which then begins behind it; none, and nothing taken, where `text` is empty or does
-// not begin with valid UTF-8 (overlong forms and surrogates are not valid: Unicode 15, table 3-7).
+// Removes the first character from the front of `text` and returns it. Returns none, and removes
+// nothing, if `text` is empty or does not begin with valid UTF-8 (overlong forms and surrogates are
+// not valid: Unicode 15, table 3-7).
 inline std::optional<char32_t> take_character(std::string_view& text) {
   if (text.empty()) return std::nullopt;
   const auto byte = [&](std::size_t i) { return char32_t(static_cast<unsigned char>(text[i])); };
@@ -38,7 +39,7 @@ inline bool is_utf8(std::string_view text) {
   return text.empty();
 }
 
-// Latin-1 (ISO 8859-1) numbers its characters as Unicode does.
+// Latin-1 (ISO 8859-1) uses the same character numbers as Unicode.
 inline std::string utf8_of_latin1(std::string_view text) {
   std::string out;
   out.reserve(text.size());

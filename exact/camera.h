@@ -1,4 +1,4 @@
-// Cameras in 50 digits.
+// The camera's matrix in 50 digits.
 #pragma once
 
 #include <glassbox/base/spaces.h>
@@ -19,7 +19,8 @@ inline DecimalVector normalised(const DecimalVector& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-// UVN (S4-02), of the very numbers given. `up` must not lie along the gaze.
+// The UVN matrix (S4-02) of exactly the numbers given. `up` must not be parallel to the direction
+// of view.
 inline Matrix4<Decimal> look_at(const Point<World, double>& eye, const Point<World, double>& target,
                                 const Vector<World, double>& up) {
   const auto at = [](const Point<World, double>& p) {
@@ -36,7 +37,8 @@ inline Matrix4<Decimal> look_at(const Point<World, double>& eye, const Point<Wor
   return m;
 }
 
-// The angle between two directions, right to 50 digits near 0 and pi too.
+// The angle between two directions in radians, computed with 50 digits, so that it is accurate near
+// 0 and pi too.
 inline double angle(const DecimalVector& a, const DecimalVector& b) {
   const DecimalVector across = cross(a, b);
   return double(atan2(sqrt(dot(across, across)), dot(a, b)));

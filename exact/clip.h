@@ -1,4 +1,4 @@
-// Clip space in exact arithmetic: the oracle for clipping.
+// Clipping in exact arithmetic: the reference for the clipper's results.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ ExactPolygon<N> clip(ExactPolygon<N> polygon, std::span<const ClipPlane> planes)
   return polygon;
 }
 
-// Twice the signed area after the divide. All w are non-zero.
+// Twice the signed area after the division by w. No w may be zero.
 template <class N>
 N twice_ndc_area(const ExactPolygon<N>& polygon) {
   N sum = 0;

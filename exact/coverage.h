@@ -1,4 +1,5 @@
-// Which pixels a snapped triangle covers, in any integers that are wide enough: 2 (25 + 25) bits and a sign.
+// Which pixels a snapped triangle covers, in any integers that are wide enough: 2 (25 + 25) bits
+// and a sign.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ namespace glassbox::exact {
 
 using SnappedTriangle = std::array<SnappedVertex, 3>;
 
-// floor(256 v + 1/2): in double both operations are exact for every float below 2^16 pixels.
+// The vertex in subpixels: floor(256 v + 1/2). In double both operations are exact for every float
+// below 2^16 pixels.
 inline SnappedVertex snapped(const ScreenVertex& vertex) {
   const auto subpixels = [](float pixels) {
     return std::int32_t(std::floor(double(pixels) * kSubpixels + 0.5));
@@ -23,8 +25,9 @@ inline SnappedTriangle snapped(const std::array<ScreenVertex, 3>& t) {
   return {snapped(t[0]), snapped(t[1]), snapped(t[2])};
 }
 
-// Which way three points run on a screen whose y points down, the sign of their area: 1 clockwise, which is a back; -1 counter-clockwise;
-// 0 along a line or in a point. N holds the products of their differences.
+// The direction in which three points turn on a screen whose y points down, which is the sign of
+// their area: 1 is clockwise, a back face; -1 is counter-clockwise; 0 means on one line or in one
+// point. N has to hold the products of their differences.
 template <class N, class P>
 int turn(const P& a, const P& b, const P& c) {
   const N one = (N(b.x) - N(a.x)) * (N(c.y) - N(a.y)),
@@ -36,7 +39,7 @@ int turn(const SnappedTriangle& t) {
   return turn<N>(t[0], t[1], t[2]);
 }
 
-// (b - a) x (p - a) for the centre of pixel (x, y).
+// (b - a) x (p - a), where p is the centre of pixel (x, y).
 template <class N>
 N cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x, std::int64_t y) {
   const N px = N(x) * N(kSubpixels) + N(kPixelCentre) - N(a.x);
@@ -44,8 +47,9 @@ N cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x, std::
   return (N(b.x) - N(a.x)) * py - (N(b.y) - N(a.y)) * px;
 }
 
-// The top-left rule said differently: the sample is moved by (e, e^2), e infinitely small, to the right and down; then
-// it lies on no edge, and is inside where it lies on the same side of all three. No orientation, no edge classes.
+// The top-left rule in another form: the sample is moved right and down by (e, e^2), where e is
+// infinitely small. Then it is on no edge, and it is inside if it is on the same side of all three.
+// This needs neither an orientation nor classes of edges.
 template <class N>
 bool covers(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
   int sides[3];

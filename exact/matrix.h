@@ -1,4 +1,4 @@
-// Vectors and 4x4 matrices of exact numbers; any type with + and * will do.
+// Vectors and 4x4 matrices of exact numbers, or of any type with + and *.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ Vector4<N> operator*(const Matrix4<N>& m, const Vector4<N>& v) {
   return product;
 }
 
-// The very numbers of a matrix of doubles or floats.
+// Exactly the numbers of a matrix of doubles or floats.
 template <class N, class Target, class Source, class T>
 Matrix4<N> exactly(const Transform<Target, Source, T>& m) {
   Matrix4<N> exact;
@@ -63,8 +63,8 @@ Vector4<N> exactly(const Point<Clip, T>& p) {
   return {N(double(p.x)), N(double(p.y)), N(double(p.z)), N(double(p.w))};
 }
 
-// A rotation by the quaternion (a, b, c, d) of small integers: all entries are integers over a^2 + b^2 + c^2 + d^2 (SPEC
-// C.9).
+// A rotation by the quaternion (a, b, c, d) of small integers. All entries are integers divided by
+// a^2 + b^2 + c^2 + d^2, so they are exact.
 struct PythagoreanRotation {
   std::int64_t denominator = 1;
   std::array<std::array<std::int64_t, 3>, 3> numerator{};  // [row][column]

@@ -51,7 +51,8 @@ Number<Kind> wrapped(const Inside<Kind>& value) {
   return number;
 }
 
-// Decimal's operations answer what has no answer by infinity or NaN; the interface promises that none gets out.
+// Operations on Decimal return infinity or NaN where there is no result; this throws, so that
+// neither leaves the class.
 template <class Kind>
 void require_finite(const Number<Kind>& number) {
   if constexpr (std::is_same_v<Kind, DecimalKind>) {

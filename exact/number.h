@@ -1,11 +1,13 @@
-// Arithmetic without rounding, or with so little that it does not matter: what right answers are computed in.
+// Arithmetic without rounding, or with so little that it does not matter. Reference results are
+// computed in it.
 //
-//   Integer    128 bits, exact; throws rather than wraps round           whatever follows the snap
-//   Rational   exact, of any size                                        floats and doubles, + - * /
-//   Decimal    50 digits and more, correctly rounded                     roots, angles; long products
+//   Integer    128 bits, exact; throws on overflow      everything after the snap
+//   Rational   exact, of any size                       floats and doubles, + - * /
+//   Decimal    50 digits or more, correctly rounded     roots, angles; long products
 //
-// One interface over two kinds of library types: Boost.Multiprecision's integers and rationals, and its binary floats. The
-// library stays behind it (number.cpp), so that a case that uses the oracle does not take ten times as long to compile.
+// The class Number wraps two kinds of library types: Boost.Multiprecision's integers and rationals,
+// and its binary floats. Only number.cpp includes the library, because a test that included it
+// would take ten times as long to compile.
 #pragma once
 
 #include <compare>
@@ -20,15 +22,16 @@ struct IntegerKind {};
 struct RationalKind {};
 struct DecimalKind {};
 
-// A value like any other number. Every operation that has no answer throws std::domain_error, std::range_error or
-// std::overflow_error: an infinity or NaN that goes in, a fraction into Integer, a division by zero, an overflow of Integer.
+// Can be used like a built-in number. An operation that has no result throws std::domain_error,
+// std::range_error or std::overflow_error: for an infinity or NaN as input, a fraction for Integer,
+// a division by zero, an overflow of Integer.
 template <class Kind>
 class Number {
 public:
   Number() : Number(std::int64_t(0)) {}
   Number(std::integral auto value) : Number(std::int64_t(value)) {}
   Number(std::int64_t value);
-  // The very number, every bit of it.
+  // Exactly this number, with every bit of it.
   explicit Number(double value);
   Number(const Number& other);
   Number& operator=(const Number& other);
@@ -37,7 +40,7 @@ public:
   Number& operator+=(const Number& other);
   Number& operator-=(const Number& other);
   Number& operator*=(const Number& other);
-  Number& operator/=(const Number& other);  // Integer: towards zero
+  Number& operator/=(const Number& other);  // for Integer the quotient is rounded towards zero
 
   // -1, 0 or 1.
   int sign() const;
@@ -56,7 +59,7 @@ public:
     return a.compare(b) <=> 0;
   }
 
-  // The library's number lives here. Only number.cpp looks inside.
+  // The library's number is stored here. Only number.cpp looks inside.
   void* storage() { return storage_; }
   const void* storage() const { return storage_; }
 
@@ -70,7 +73,7 @@ using Integer = Number<IntegerKind>;
 using Rational = Number<RationalKind>;
 using Decimal = Number<DecimalKind>;
 
-// From the narrower kind to the wider one; the second is rounded to Decimal's digits.
+// Conversions to a wider kind; the second is rounded to Decimal's digits.
 Rational rational_from(const Integer& a);
 Decimal decimal_from(const Rational& a);
 

@@ -1,8 +1,8 @@
-// Axes of charts: each has the place of a value on it, and what Chart.js is told of it.
+// Axes of charts: each gives the position of a value on it, and the options for Chart.js.
 
 const tickNumber = (value) => value >= 1e-3 && value < 1e5 ? String(Number(value.toPrecision(1))) : value.toExponential(0).replace("+", "");
 
-// Powers of ten, at most eight of them; where there are less than two, twice and five times them too.
+// At most eight powers of ten; if there are fewer than two, also their multiples by two and five.
 function marks(low, high) {
   const first = Math.ceil(low), last = Math.floor(high), step = Math.ceil((last - first + 1) / 8), chosen = [];
   for (let power = first; power <= last; power += step) chosen.push(power);
@@ -11,7 +11,8 @@ function marks(low, high) {
   return chosen.filter((power) => power >= low && power <= high);
 }
 
-// Powers of ten: 0 stands below the least value, what is no number above the greatest. One value alone has a decade around it.
+// A logarithmic axis: 0 is placed below the least value, and infinite values or NaN above the
+// greatest. A single value has a decade around it.
 function logarithmicAxis(values) {
   const powers = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
   let low = powers.length ? Math.min(...powers) : -1, high = powers.length ? Math.max(...powers) : 0;
@@ -40,10 +41,11 @@ function linearAxis(values) {
 
 const axisFor = (values, logarithmic) => logarithmic && values.every((value) => !(value < 0)) ? logarithmicAxis(values) : linearAxis(values);
 
-// An axis under its title.
+// The axis with a title.
 const titled = ({options}, text) => ({...options, title: {display: true, text}});
 
-// Beside an axis, on the other side of the chart: dashed lines at some of its values, each with its name.
+// A second axis on the other side of the chart: dashed lines at some of its values, each with its
+// name.
 function references({place, options: {type, min, max}}, position, color, lines) {
   return {
     type, min, max, position, offset: false,

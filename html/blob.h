@@ -1,4 +1,4 @@
-// Data in an HTML page: bytes as text, and JSON that can stand in a script element.
+// Data in an HTML page: bytes as text, and JSON that can be put into a script element.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace glassbox {
 
-// Four digits for every three bytes, "=" at the end where some are missing: as data URIs take it.
+// Four characters for every three bytes, padded with "=" at the end, as data URIs need them.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-// One zlib stream in base64. html/inflate.js is the way back.
+// The bytes as one zlib stream in base64. html/inflate.js decodes it.
 Result<std::string> packed_text(std::span<const std::uint8_t> bytes);
 
 // <script type="application/octet-stream" id=ID>TEXT</script> and a line's end.
 std::string data_block(std::string_view id, std::string_view text);
 
-// <script type="application/json" id=ID> with JSON in ASCII and without "<", which only strings have. Bytes that are not
-// UTF-8 become U+FFFD.
+// <script type="application/json" id=ID> with JSON in ASCII. "<", which can occur in strings only,
+// is escaped. Bytes that are not UTF-8 become U+FFFD.
 std::string json_block(std::string_view id, const nlohmann::ordered_json& json);
 
 }  // namespace glassbox

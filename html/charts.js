@@ -1,6 +1,8 @@
-// Charts by Chart.js in the colours of the page, drawn again when these change, and for paper, which is white.
+// Charts by Chart.js in the colours of the page. They are drawn again when these change, and for
+// paper, which is white.
 
-// The colours that Okabe and Ito chose for all kinds of colour vision, in an order that suits the page's brightness.
+// Colours by Okabe and Ito, which people with any kind of colour vision can tell apart, in an order
+// that suits the page's brightness.
 const themes = {
   light: {text: "#171b22", quiet: "#566071", grid: "#dfe2e8", bad: "#b3261e",
     series: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]},
@@ -10,15 +12,15 @@ const themes = {
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const drawings = [];
 
-// The place of a chart on the page. `label` says what it shows to those who do not see it; `describe` gives Chart.js what it
-// draws in a theme.
+// A place for a chart on the page. `label` describes it for people who cannot see it; `describe`
+// returns the chart for Chart.js in a theme.
 function chart(label, describe) {
   const canvas = element("canvas", {role: "img", ariaLabel: label});
   drawings.push({canvas, describe});
   return element("div", {className: "plot"}, canvas);
 }
 
-// All charts. Their places must be on the page.
+// Draws all charts. Their places must be on the page already.
 function drawCharts(theme = dark.matches ? themes.dark : themes.light) {
   const {fontFamily: family, fontSize} = getComputedStyle(document.body);
   Chart.defaults.set({
@@ -39,7 +41,8 @@ addEventListener("beforeprint", () => {
 });
 addEventListener("afterprint", () => drawCharts());
 
-// Points and lines between two axes. `told` gives the lines that stand beside a point under the mouse.
+// Points and lines between two axes. `told` returns the lines of text shown for a point under the
+// mouse.
 function pointChart({x, y, lines, datasets, legend = {display: false}, told}) {
   return {
     type: "scatter", data: {datasets},

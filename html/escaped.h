@@ -1,12 +1,13 @@
-// Text of any bytes in HTML, SVG or XML.
+// Escapes text with any bytes for HTML, SVG or XML.
 #pragma once
 
 #include <string>
 
 namespace glassbox {
 
-// As text of an element, or of an attribute in double quotes, which "&", "<", ">" and the quotes do not end. What XML cannot
-// hold becomes U+FFFD: bytes that are not UTF-8, U+FFFE, U+FFFF, and control characters but tab, line feed and carriage return.
+// The text as contents of an element, or of an attribute in double quotes: "&", "<", ">" and quotes
+// are escaped. Bytes and characters that XML cannot hold become U+FFFD: bytes that are not UTF-8,
+// U+FFFE, U+FFFF, and control characters except tab, line feed and carriage return.
 std::string escaped(const std::string& text);
 
 }  // namespace glassbox

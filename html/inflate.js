@@ -1,4 +1,4 @@
-// From the data blocks of a page to bytes, and from floats to text.
+// Unpacks the data blocks of a page to bytes, and writes floats as text.
 
 function bytesOfBase64(text) {
   const binary = atob(text);
@@ -12,12 +12,13 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Every row but the first is stored as its difference from the row above, byte by byte.
+// Undoes row differences: every row except the first is stored as its difference from the row
+// above, byte by byte.
 function undoRowDifferences(bytes, stride) {
   for (let i = stride; i < bytes.length; i++) bytes[i] += bytes[i - stride];
 }
 
-// The shortest decimal that reads back as the same 32-bit float.
+// The shortest decimal number that gives the same 32-bit float when it is read.
 function floatText(value) {
   if (Number.isNaN(value)) return "NaN";
   if (!Number.isFinite(value)) return value > 0 ? "+∞" : "−∞";

@@ -1,6 +1,7 @@
-// The picture that was left out changes places with the one that is made in its stead.
+// Shows the left-out picture and the one drawn in its place alternately.
 
-// flicker: {name, picture, drawn}, or nothing; what it is drawn from: "the voxels".
+// `flicker` is {name, picture, drawn}, or nothing. `source` says what it is drawn from: "the
+// voxels".
 function setUpLeftOut(flicker, source) {
   byId("left-out-part").hidden = !flicker;
   if (!flicker) return;
@@ -17,7 +18,7 @@ function setUpLeftOut(flicker, source) {
     button.setAttribute("aria-pressed", String(!timer));
     button.textContent = timer ? "Flicker" : "Hold";
     if (timer) clearInterval(timer);
-    // Twice a second: slow enough for everybody's eyes.
+    // Twice a second, which is slow enough to be safe for everybody.
     timer = timer ? 0 : setInterval(change, 500);
   });
   show();

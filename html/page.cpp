@@ -7,7 +7,7 @@
 namespace glassbox {
 namespace {
 
-// What the page may do, and no more.
+// The Content-Security-Policy: it allows only what the page needs.
 std::string policy_of(const PageParts& parts) {
   std::string policy = "default-src 'none'; img-src data:; ";
   if (!parts.script_hash.empty())

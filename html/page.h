@@ -1,4 +1,5 @@
-// A page of HTML that needs nothing else: one file, which fetches nothing and runs no script but its own.
+// Assembles an HTML page that consists of one file, fetches nothing, and runs no script but its
+// own.
 #pragma once
 
 #include <span>
@@ -7,15 +8,16 @@
 
 namespace glassbox {
 
-// What html/embed.cmake embeds of a page: kNamePage in "name_page.h".
+// The parts of a page that html/embed.cmake embeds as kNamePage in "name_page.h".
 struct PageParts {
   std::string_view body, style, style_hash;
   std::span<const std::string_view> script;  // one text in pieces
-  std::string_view script_hash;              // none where the page has no script
+  std::string_view script_hash;              // empty if the page has no script
 };
 
-// The page: its body begins with that of the parts, and `content` is markup that follows. `title` is text. Its
-// Content-Security-Policy allows the style and the script of these hashes, and pictures that are in the page.
+// Assembles the page. Its body begins with the body of the parts; `content` is markup that follows
+// it. `title` is plain text. The page's Content-Security-Policy allows only the style and the
+// script with these hashes, and pictures that are inside the page.
 std::string assemble_page(const PageParts& parts, const std::string& title,
                           std::string_view content);
 

@@ -1,7 +1,8 @@
-// Where a pixel of a picture lands on the screen, and what is drawn over pictures.
+// The positions of a picture's pixels on the screen, and what is drawn over pictures.
 //
-// A pane is a rectangle of the canvas in device pixels. All panes share `view`: the point of the picture at the centre of a
-// pane, and the scale in CSS pixels a picture pixel. The page's own `state` has its panes and its cursor, the pixel chosen.
+// A pane is a rectangle of the canvas in device pixels. All panes share `view`: the picture's point
+// at the centre of a pane, and the scale in CSS pixels per picture pixel. The page's own `state`
+// has its panes and its cursor, the chosen pixel.
 
 const canvas = document.getElementById("view");
 const context = canvas.getContext("2d");
@@ -9,13 +10,14 @@ const context = canvas.getContext("2d");
 const scales = [1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96];
 const view = {x: 0, y: 0, scale: 1};
 
-// Device pixels a picture pixel: whole from 1 upwards, so that all pixels are of one size.
+// The size of a picture pixel in device pixels. From 1 upwards it is a whole number, so that all
+// pixels have the same size.
 function cellSize() {
   const size = view.scale * devicePixelRatio;
   return size < 1 ? size : Math.round(size);
 }
 
-// Left and top of picture pixel (0, 0) in the pane.
+// The left and top of picture pixel (0, 0) in the pane.
 function originOf(pane) {
   const cell = cellSize();
   return {
@@ -24,13 +26,13 @@ function originOf(pane) {
   };
 }
 
-// The picture's point under a point of the pane.
+// The point of the picture under a point of the pane.
 function pointUnder(pane, x, y) {
   const origin = originOf(pane), cell = cellSize();
   return {x: (x - origin.x) / cell, y: (y - origin.y) / cell};
 }
 
-// The pane under a mouse event, with the point in it in device pixels.
+// The pane under a mouse event, and the event's point in it, in device pixels.
 function paneUnder(event) {
   const box = canvas.getBoundingClientRect();
   const x = (event.clientX - box.left) * devicePixelRatio, y = (event.clientY - box.top) * devicePixelRatio;
@@ -39,14 +41,15 @@ function paneUnder(event) {
   return pane && {pane, x, y};
 }
 
-// The scale one step up or down among `usable` ones; below them, that at which the whole picture fits.
+// The next scale up or down among `usable` ones; below the smallest, the scale at which the whole
+// picture fits.
 function scaleBeside(steps, usable = scales) {
   const up = usable.find((scale) => scale > view.scale * 1.001);
   const down = usable.findLast((scale) => scale < view.scale * 0.999);
   return (steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale;
 }
 
-// Boxes for `count` panes, in as many columns as show the picture largest.
+// Boxes for `count` panes, in the number of columns that shows the picture largest.
 function paneBoxes(count, size) {
   const gap = Math.round(8 * devicePixelRatio), strip = stripHeight();
   const inColumns = (columns) => {
@@ -65,7 +68,7 @@ function paneBoxes(count, size) {
   }));
 }
 
-// The box of pixels of which something is on the pane.
+// The box of pixels that are at least partly visible in the pane.
 function visiblePixels(pane, origin, cell, picture) {
   return {
     left: clamp(Math.floor((pane.x - origin.x) / cell), 0, picture.width),
@@ -83,7 +86,7 @@ function drawGrid(seen, origin, cell) {
   for (let y = top; y <= bottom; y += cell) context.fillRect(left, y, right - left, 1);
 }
 
-// A light line between dark ones is seen on every colour.
+// A light line between dark ones is visible on every colour.
 function outline(x, y, width, height, colour) {
   const unit = Math.max(1, Math.round(devicePixelRatio));
   context.lineWidth = 3 * unit;

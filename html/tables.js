@@ -1,6 +1,7 @@
-// Tables and lists of terms.
+// Makes tables and lists of terms.
 
-// `kinds` has a class for each column: "number", "words" or "". `mark` gives a row's.
+// Makes a table. `kinds` has a class for each column: "number", "words" or "". `mark` returns a
+// row's class.
 function table(heads, kinds, rows, mark = () => "") {
   const cell = (tag, text, i) => element(tag, {className: kinds[i], ...(tag === "th" ? {scope: "col"} : {})},
     ...(text instanceof Node ? [text] : [String(text)]));
@@ -8,5 +9,5 @@ function table(heads, kinds, rows, mark = () => "") {
     element("tbody", {}, ...rows.map((row, at) => element("tr", {className: mark(at)}, ...row.map((text, i) => cell("td", text, i))))));
 }
 
-// A term and its text in turn, without those that have none.
+// Terms and their texts alternately, without terms that have no text.
 const terms = (pairs) => pairs.filter(([, text]) => text).flatMap(([term, text]) => [element("dt", {}, term), element("dd", {}, text)]);

@@ -1,16 +1,17 @@
-// A shape on the canvas #shape that the mouse, the wheel and the keys turn, and on which a click picks.
+// A shape on the canvas #shape that is turned with the mouse, the wheel and the keys, and on which
+// a click picks a point.
 
 const shape = byId("shape"), shapeContext = shape.getContext("2d");
 const turn = {around: .6, above: .35, nearer: 1};
 
-// The rows of the turn of the world: to the right, up, towards the eye.
+// The rows of the rotation of the world: to the right, up, towards the eye.
 function turnedWorld() {
   const [ca, sa, ce, se] = [Math.cos(turn.around), Math.sin(turn.around), Math.cos(turn.above), Math.sin(turn.above)];
   return [[ca, 0, -sa], [-sa * se, ce, -ca * se], [sa * ce, se, ca * ce]];
 }
 
-// draw(): the canvas anew. pickAt(index): a click on this pixel, line by line. mostNear: how many times nearer one may come. The function
-// that it gives draws with the next frame.
+// `draw` draws the canvas anew. `pickAt` is called with the index (line by line) of a clicked
+// pixel. `mostNear` is the largest zoom factor. Returns a function that draws with the next frame.
 function setUpTurning({draw, pickAt, mostNear}) {
   let isWaiting = false, last = null, moved = 0;
   const redraw = () => {
@@ -53,6 +54,6 @@ function setUpTurning({draw, pickAt, mostNear}) {
     event.preventDefault();
   });
   addEventListener("resize", redraw);
-  draw(); // at once: a click may come before the next frame
+  draw(); // at once, because a click may come before the next frame
   return redraw;
 }

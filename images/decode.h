@@ -1,4 +1,4 @@
-// Image files in memory to pixels: PNG, JPEG, BMP and TGA, from files that are hostile until proved otherwise.
+// Decodes image files in memory: PNG, JPEG, BMP and TGA. The files may be hostile.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,16 @@
 
 namespace glassbox {
 
-// What an image may ask for. The default of 2^26 pixels decodes into 256 MiB at most.
+// The largest image that is decoded. The default of 2^26 pixels decodes into 256 MiB at most.
 struct DecodeLimits {
   std::uint64_t max_pixels = std::uint64_t(1) << 26;
   std::uint32_t max_side = 16384;  // px
 };
 
-// The pixels of an image file, as stored: grey becomes r = g = b, a missing alpha becomes 255, and 16 bits a channel
-// become the nearest 8. The header is checked against the limits and against the number of bytes that follow it (a
-// file too short for the size it claims is refused) before anything is allocated in proportion to it.
+// Returns the pixels of an image file, as stored: grey becomes r = g = b, a missing alpha becomes
+// 255, and 16 bits a channel are rounded to the nearest 8-bit value. Before anything is allocated
+// in proportion to the header's size, the size is checked against the limits and against the number
+// of bytes that follow (a file too short for the size that it claims is refused).
 Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = {});
 
@@ -27,8 +28,8 @@ struct ImageSize {
   std::uint32_t width = 0, height = 0;  // px
 };
 
-// What the header of such a file says. Nothing is decoded, and what follows the header is not looked at where the size can
-// be told without.
+// Returns the size that the header of such a file states. Nothing is decoded, and the bytes after
+// the header are not read where the size can be found without them.
 std::optional<ImageSize> find_image_size(std::span<const std::byte> bytes);
 
 }  // namespace glassbox

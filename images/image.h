@@ -1,4 +1,4 @@
-// Rows of pixels, top row first.
+// Images: rows of pixels, top row first.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,14 @@
 
 namespace glassbox {
 
-// Eight bits a channel, as stored in files: sRGB-encoded colour (unless rendered with --transfer none), alpha linear.
+// Eight bits a channel, as stored in files: sRGB-encoded colour (unless rendered with --transfer
+// none), alpha linear.
 struct Rgba8 {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
   friend bool operator==(const Rgba8&, const Rgba8&) = default;
 };
 
-// Three floats, for PFM files.
+// A pixel of three floats, for PFM files.
 struct Rgb32f {
   float r = 0, g = 0, b = 0;
   friend bool operator==(const Rgb32f&, const Rgb32f&) = default;
@@ -24,8 +25,9 @@ template <class Pixel>
 struct Image {
   int width = 0;   // px
   int height = 0;  // px
-  // width * height, row by row from the top. Rows whose width is a multiple of a line of the cache begin at one, so that a tile's can be
-  // written as whole lines.
+  // width * height pixels, row by row from the top. The data begin at the start of a cache line,
+  // and so does every row whose width is a multiple of a cache line, so that the rows of a tile can
+  // be written as whole lines.
   LineVector<Pixel> pixels;
 
   Image() = default;

@@ -1,4 +1,4 @@
-// What every decoder asks before it allocates pixels.
+// The size check that every decoder makes before it allocates pixels.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace glassbox {
 
-// Refuses sizes of zero, above the limits, or of more pixels than `bytes` bytes can hold at `pixels_per_byte`.
+// Refuses sizes of zero, sizes above the limits, and more pixels than `bytes` bytes can hold at
+// `pixels_per_byte`.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::uint64_t bytes,
                               std::uint64_t pixels_per_byte, const DecodeLimits& limits);
 

@@ -1,4 +1,4 @@
-// Where a picture may be larger than the memory: an error instead of an exception.
+// For pictures that may be larger than the memory: an error instead of an exception.
 #pragma once
 
 #include <new>
@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// What `make` returns, a Result.
+// Returns the Result of `make`, or an error if `make` runs out of memory.
 template <class Make>
 auto unless_out_of_memory(Make make, const char* cause = "needs more memory than there is",
                           const char* remedy = "free some memory or scale it down")

@@ -1,4 +1,4 @@
-// Pixels without the alpha that says nothing.
+// Packs pixels without their alpha where every alpha is 255.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline bool is_opaque(const Image<Rgba8>& image) {
                      [](const Rgba8& pixel) { return pixel.a == 255; });
 }
 
-// Three (RGB) or four (RGBA) bytes a pixel, one after the other.
+// Writes three (RGB) or four (RGBA) bytes per pixel, one after the other.
 inline void pack_channels(std::span<const Rgba8> pixels, int channels, std::uint8_t* out) {
   for (const Rgba8& pixel : pixels) {
     *out++ = pixel.r;

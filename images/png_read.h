@@ -1,4 +1,4 @@
-// The PNG part of decode.h and stored_image.h.
+// The PNG reader of decode.h and stored_image.h.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ std::string_view text_of(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// What stands before the first zero byte; `rest` then begins behind that.
+// Returns the text before the first zero byte; `rest` then begins after that byte.
 std::optional<std::string_view> take_word(std::string_view& rest) {
   const std::size_t end = rest.find('\0');
   if (end == std::string_view::npos) return std::nullopt;
@@ -47,14 +47,15 @@ std::optional<std::string_view> take_keyword(std::string_view& rest) {
   return keyword;
 }
 
-// 11.3.3.2: keyword, 0, text.
+// PNG (third edition) 11.3.3.2: keyword, 0, text.
 std::optional<TextEntry> entry_of_text(std::string_view data) {
   const auto keyword = take_keyword(data);
   if (!keyword || !is_text(data)) return std::nullopt;
   return TextEntry{utf8_of_latin1(*keyword), utf8_of_latin1(data)};
 }
 
-// 11.3.3.4: keyword, 0, compressed or not, method, language, 0, translated keyword, 0, text.
+// PNG (third edition) 11.3.3.4: keyword, 0, compressed or not, method, language, 0, translated
+// keyword, 0, text.
 std::optional<TextEntry> entry_of_itxt(std::string_view data) {
   const auto keyword = take_keyword(data);
   if (!keyword || data.size() < 2 || data[0] != 0) return std::nullopt;

@@ -19,12 +19,14 @@
 namespace glassbox {
 namespace {
 
-// Fixed, so that the same picture gives the same bytes: rendered pictures have runs and slopes, which the filter Up
-// turns into runs; a fast level of zlib finds those.
+// Fixed values, so that the same picture gives the same bytes. Rendered pictures have constant runs
+// and smooth gradients; the filter Up turns the gradients into runs, and a fast level of zlib
+// compresses those.
 constexpr std::uint8_t kFilterUp = 2;
 constexpr int kCompressionLevel = 2;
-// Rows are compressed in bands of about as many bytes, each by itself and so side by side on whatever threads there are: where
-// they begin depends on the picture alone. A band finds nothing in the one before it, for which pictures pay little (docs/performance.md).
+// Rows are compressed in bands of about this many bytes, each independently, so that all available
+// threads can work in parallel. Where a band begins depends on the picture alone. A band cannot
+// refer to the one before it, which makes pictures only slightly larger (docs/performance.md).
 constexpr std::size_t kBandBytes = std::size_t{1} << 18;
 
 struct Sink {
@@ -46,8 +48,8 @@ void append(png_structp png, png_bytep data, png_size_t size) {
 
 void flush(png_structp) {}
 
-// libpng's errors leave by longjmp to write_png. Between there and here are only libpng's own C frames and append
-// above, which has nothing left to destroy when it calls.
+// libpng reports errors by longjmp to write_png. Between the two there are only libpng's own C
+// frames and append above, which has nothing left to destroy when it calls.
 [[noreturn]] void on_write_error(png_structp png, png_const_charp message) {
   auto* sink = static_cast<Sink*>(png_get_error_ptr(png));
   std::strncpy(sink->message, message, sizeof sink->message - 1);
@@ -61,7 +63,7 @@ struct Layout {
   int bits_per_channel = 8;
 };
 
-// Writes the samples of row y, 16 bits with the upper byte first.
+// Writes the samples of row y; 16-bit samples with the upper byte first.
 using PackRow = std::function<void(int y, std::uint8_t* out)>;
 
 std::size_t row_bytes(const Layout& layout) {
@@ -71,7 +73,8 @@ std::size_t row_bytes(const Layout& layout) {
 
 // ---- the rows, compressed ----
 
-// Rows first .. last - 1, each less the one above it, byte by byte, behind a byte that says so.
+// Returns rows first .. last - 1, each minus the row above it, byte by byte, after a byte that
+// names the filter.
 std::vector<std::uint8_t> filtered_rows(const Layout& layout, const PackRow& pack, int first,
                                         int last) {
   const std::size_t bytes = row_bytes(layout);
@@ -89,7 +92,8 @@ std::vector<std::uint8_t> filtered_rows(const Layout& layout, const PackRow& pac
   return filtered;
 }
 
-// A part of a zlib stream: deflate blocks that end at a byte, and what the checksum needs.
+// A part of a zlib stream: deflate blocks that end at a byte boundary, and the values that the
+// checksum needs.
 struct Band {
   std::vector<std::uint8_t> deflated;
   uLong adler = 0;
@@ -109,7 +113,8 @@ public:
   Deflater& operator=(const Deflater&) = delete;
   ~Deflater() { deflateEnd(&z_); }
 
-  // With Z_FINISH the end of a stream, with Z_SYNC_FLUSH whole bytes. Nobody says how long that is: it comes by and by.
+  // Z_FINISH ends the stream, Z_SYNC_FLUSH ends at a whole byte. The length of the output is not
+  // known in advance, so it is collected in parts.
   std::vector<std::uint8_t> deflate_all(std::span<const std::uint8_t> bytes, int flush) {
     z_.next_in = const_cast<Bytef*>(bytes.data());
     z_.avail_in = uInt(bytes.size());
@@ -121,7 +126,7 @@ public:
       if (deflate(&z_, flush) == Z_STREAM_ERROR) throw std::bad_alloc();
       deflated.insert(deflated.end(), part.begin(), part.end() - z_.avail_out);
     } while (z_.avail_out == 0);
-    deflated.shrink_to_fit();  // bands wait for each other
+    deflated.shrink_to_fit();  // all bands are kept until the last is done
     return deflated;
   }
 
@@ -137,7 +142,7 @@ Band compressed(const std::vector<std::uint8_t>& bytes, bool is_last) {
   return band;
 }
 
-// The whole stream, in pieces.
+// The whole zlib stream, in pieces.
 std::vector<Band> compressed_rows(const Layout& layout, const PackRow& pack) {
   const auto rows = int(
       std::clamp<std::size_t>(kBandBytes / (row_bytes(layout) + 1), 1, std::size_t(layout.height)));
@@ -146,7 +151,8 @@ std::vector<Band> compressed_rows(const Layout& layout, const PackRow& pack) {
     const int first = int(i) * rows, last = std::min(first + rows, layout.height);
     bands[i] = compressed(filtered_rows(layout, pack, first, last), last == layout.height);
   });
-  // RFC 1950: deflate with a window of 32 KiB, a fast level; behind the blocks the checksum of all.
+  // The zlib header (RFC 1950): deflate with a window of 32 KiB, a fast level. After the blocks
+  // comes the checksum of all data.
   constexpr std::array<std::uint8_t, 2> kHeader = {0x78, 0x5e};
   std::vector<std::uint8_t>& front = bands.front().deflated;
   front.insert(front.begin(), kHeader.begin(), kHeader.end());
@@ -166,7 +172,7 @@ int colour_type(int channels) {
   return kTypes[channels - 1];
 }
 
-// False after an error, whose message is in the sink.
+// Returns false after an error; the message is in the sink.
 bool write_png(png_structp png, png_infop info, const Layout& layout,
                const std::vector<Band>& bands, std::vector<png_text>& text) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -218,7 +224,7 @@ Result<void> check_text(const TextEntry& entry) {
   return {};
 }
 
-// tEXt (Latin-1) where the text is ASCII, else iTXt (UTF-8); never compressed.
+// Uses tEXt (Latin-1) where the text is ASCII, otherwise iTXt (UTF-8); never compressed.
 png_text png_text_of(const TextEntry& entry) {
   const auto& [keyword, text] = entry;
   const bool ascii = std::all_of(text.begin(), text.end(),

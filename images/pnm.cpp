@@ -28,19 +28,19 @@ std::string size_line(int width, int height) {
   return std::to_string(width) + " " + std::to_string(height) + "\n";
 }
 
-// Floats of a file: little-endian where `little`.
+// Copies the floats of a file, which are little-endian if `little` is true.
 void copy_floats(const std::byte* from, bool little, std::byte* to, std::size_t count) {
   if (little == (std::endian::native == std::endian::little)) {
     std::memcpy(to, from, count * sizeof(float));
     return;
   }
-  // As bytes, so that no NaN passes through a register that would change it.
+  // Copied as bytes, so that no NaN passes through a register that would change it.
   for (std::size_t i = 0; i < count; ++i, from += 4, to += 4) {
     for (int k = 0; k < 4; ++k) to[k] = from[3 - k];
   }
 }
 
-// Floats in memory, rows top-down, to a file with its rows bottom-up.
+// Encodes floats in memory, rows top-down, to a file with its rows bottom-up.
 std::vector<std::byte> encode_floats(int width, int height, int channels, const void* samples) {
   const std::string header =
       (channels == 1 ? "Pf\n" : "PF\n") + size_line(width, height) + "-1.0\n";
@@ -102,16 +102,16 @@ Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits)
     return bad_header();
   }
   header.last = word();
-  // Exactly one separator stands before the samples, which may look like white space themselves.
+  // Exactly one separator is before the samples, whose bytes may look like white space themselves.
   if (header.last.empty() || !is_space(character())) return bad_header();
   header.size = at + 1;
-  // At least a byte a pixel; sample_bytes_of knows how many.
+  // At least one byte a pixel; sample_bytes_of checks the exact number.
   const auto fits = check_image_size(header.width, header.height, bytes.size(), 1, limits);
   if (!fits) return tl::unexpected<Error>(fits.error());
   return header;
 }
 
-// The bytes after the header, when there are enough of them.
+// Returns the bytes after the header, if there are enough of them.
 Result<const std::byte*> samples_of(const NetpbmHeader& header, Bytes bytes,
                                     std::uint64_t pixel_bytes) {
   const std::uint64_t needed = header.width * header.height * pixel_bytes;
@@ -175,7 +175,7 @@ Result<Image<Pixel>> decode_pfm_as(const char* magic, Bytes bytes, const DecodeL
 
 struct PnmFile {
   int width = 0, height = 0, channels = 0;
-  std::uint32_t largest = 0;  // the sample that stands for full
+  std::uint32_t largest = 0;  // the sample value of full intensity
   const std::byte* samples = nullptr;
 };
 
@@ -198,7 +198,8 @@ Result<PnmFile> open_pnm(Bytes bytes, const DecodeLimits& limits) {
   return PnmFile{int(header->width), int(header->height), channels, largest, *samples};
 }
 
-// The samples of a file one by one, as the nearest of 0 ... the largest Sample.
+// Reads the samples of a file one by one, scaled and rounded to the range from 0 to the largest
+// Sample.
 template <std::unsigned_integral Sample>
 class SampleReader {
 public:

@@ -1,4 +1,4 @@
-// The PPM, PGM and PFM part of read.h and stored_image.h.
+// The PPM, PGM and PFM reader of read.h and stored_image.h.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@ tl::unexpected<Error> file_error(const std::string& path, std::string cause, std
   return tl::unexpected<Error>(Error{path, {}, std::move(cause), std::move(remedy)});
 }
 
-// Reads a file, decodes it and names it in the error.
+// Reads and decodes a file; an error names the file.
 template <class Picture>
 Result<Picture> read_as(const std::string& path, const DecodeLimits& limits,
                         Result<Picture> (*decode)(std::span<const std::byte>, const DecodeLimits&),
@@ -37,8 +37,9 @@ Result<Image<Rgba8>> decode_bytes(std::span<const std::byte> bytes, const Decode
   return is_pnm(bytes) ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
 }
 
-// The longest file of an image within the limits: the widest pixel is three floats, and a sixteenth and a MiB more hold
-// headers, filter bytes, text, and what deflate adds to noise.
+// The length of the longest file of an image within the limits. The widest pixel is three floats; a
+// sixteenth and one MiB more leave room for headers, filter bytes, text, and the bytes that deflate
+// adds to noise.
 std::uint64_t longest_file(const DecodeLimits& limits) {
   constexpr std::uint64_t kMostPixels = std::uint64_t(1) << 32;  // keeps the product small
   const std::uint64_t samples = std::min(limits.max_pixels, kMostPixels) * sizeof(Rgb32f);
@@ -63,7 +64,7 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
                       "use a smaller file or raise the limit");
   };
   if (S_ISREG(status.st_mode) && std::uint64_t(status.st_size) > max_bytes) return too_long();
-  // In growing pieces, because a pipe has no size and a size may lie.
+  // Read in growing pieces, because a pipe has no size and a reported size may be wrong.
   std::vector<std::byte> bytes;
   std::size_t piece = S_ISREG(status.st_mode) ? std::size_t(status.st_size) + 1 : 65536;
   for (;;) {

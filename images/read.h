@@ -1,4 +1,4 @@
-// Image files to pixels.
+// Reads image files to pixels.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@
 
 namespace glassbox {
 
-// All bytes of a file of at most `max_bytes`.
+// Returns all bytes of a file of at most `max_bytes`.
 Result<std::vector<std::byte>> read_file(const std::string& path,
                                          std::uint64_t max_bytes = std::uint64_t(1) << 30);
 
-// PNG, JPEG, BMP, TGA or binary PPM/PGM, recognised by the content.
+// Reads PNG, JPEG, BMP, TGA or binary PPM/PGM, recognised by the content.
 Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits = {});
 
-// Binary PPM or PGM (P6, P5) with up to 16 bits a channel.
+// Decodes binary PPM or PGM (P6, P5) with up to 16 bits a channel.
 Result<Image<Rgba8>> decode_pnm(std::span<const std::byte> bytes, const DecodeLimits& limits = {});
 
-// PFM of either byte order; read_pfm takes one channel, read_pfm_rgb three.
+// Decodes PFM of either byte order; read_pfm takes one channel, read_pfm_rgb three.
 Result<Image<float>> decode_pfm(std::span<const std::byte> bytes, const DecodeLimits& limits = {});
 Result<Image<Rgb32f>> decode_pfm_rgb(std::span<const std::byte> bytes,
                                      const DecodeLimits& limits = {});

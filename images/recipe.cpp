@@ -31,7 +31,7 @@ bool is_version(std::string_view text) {
          });
 }
 
-// No argument of a program has a zero byte in it.
+// Program arguments cannot contain a zero byte.
 bool is_word(std::string_view text) {
   return text.size() <= kMaxWordBytes && text.find('\0') == std::string_view::npos && is_utf8(text);
 }
@@ -42,7 +42,7 @@ bool is_sound(const Recipe& recipe) {
          std::all_of(recipe.options.begin(), recipe.options.end(), is_word);
 }
 
-// The only text with this keyword.
+// Returns the text with this keyword if there is exactly one.
 const std::string* find(std::span<const TextEntry> text, std::string_view keyword) {
   const auto has_keyword = [&](const TextEntry& entry) { return entry.first == keyword; };
   const auto found = std::find_if(text.begin(), text.end(), has_keyword);
@@ -52,7 +52,7 @@ const std::string* find(std::span<const TextEntry> text, std::string_view keywor
 
 std::optional<std::vector<std::string>> words_of(const std::string& text) {
   if (text.size() > kMaxTextBytes) return std::nullopt;
-  const Json list = Json::parse(text, nullptr, false);  // discarded where it is no JSON
+  const Json list = Json::parse(text, nullptr, false);  // is_discarded() if it is not JSON
   if (!list.is_array() || list.size() > kMaxWords) return std::nullopt;
   std::vector<std::string> words;
   for (const Json& word : list) {
@@ -62,8 +62,9 @@ std::optional<std::vector<std::string>> words_of(const std::string& text) {
   return words;
 }
 
-// Characters that make a line look like another one: C0 and C1 controls, line and paragraph separators, and those that
-// turn the direction of writing (Unicode technical report 36, 2.7).
+// Characters that can make a line look like a different one: C0 and C1 controls, line and paragraph
+// separators, and characters that change the direction of writing (Unicode technical report 36,
+// 2.7).
 bool deceives(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || c == 0x200e || c == 0x200f ||
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
@@ -71,7 +72,7 @@ bool deceives(char32_t c) {
 
 bool needs_quotes(std::string_view word) {
   constexpr std::string_view kPlain = "_-./:,+@=";
-  // zsh replaces a leading = by the path of a program.
+  // zsh replaces a word with a leading = by the path of a program.
   return word.empty() || word.front() == '=' || std::any_of(word.begin(), word.end(), [&](char c) {
            return !is_letter_or_digit(c) && kPlain.find(c) == std::string_view::npos;
          });

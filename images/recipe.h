@@ -1,4 +1,4 @@
-// How glassbox made a picture, kept in the picture's PNG text.
+// How glassbox made a picture, stored in the picture's PNG text.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-// `glassbox render SCENE OPTIONS...` of this version made the picture.
+// The picture was made by `glassbox render SCENE OPTIONS...` of this version.
 struct Recipe {
   std::string scene;  // as given on the command line
   std::vector<std::string> options;
@@ -19,18 +19,19 @@ struct Recipe {
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
-// The entries "Software" ("glassbox 0.1.0"), "glassbox scene" and "glassbox options" (a JSON array of words). None where
-// a reader would not get the recipe back: a word that is not UTF-8 or longer than 4096 bytes, more than 200 options or
-// 64 KiB of them, a version of other characters than letters, digits and ".+-".
+// Returns the entries "Software" ("glassbox 0.1.0"), "glassbox scene" and "glassbox options" (a
+// JSON array of words). Returns none where a reader could not restore the recipe: for a word that
+// is not UTF-8 or longer than 4096 bytes, for more than 200 options or 64 KiB of them, or for a
+// version with other characters than letters, digits and ".+-".
 std::vector<TextEntry> to_text(const Recipe& recipe);
 
-// None where an entry is missing, there twice, or not as to_text writes it. The words are the file's, which may be
-// hostile: they are nothing to run, and shell_quoted makes them fit to be shown.
+// Returns nothing where an entry is missing, present twice, or not as to_text writes it. The words
+// come from the file and may be hostile: do not run them; use shell_quoted to display them.
 std::optional<Recipe> recipe_of(std::span<const TextEntry> text);
 
-// The word as a POSIX shell reads it back, in single quotes where it needs them. None for a word that would not look
-// like what it is: with control characters, separators of lines or marks that turn the direction of writing, or not
-// UTF-8.
+// Returns the word in a form that a POSIX shell reads back, in single quotes where it needs them.
+// Returns nothing for a word that would not look like what it is: one with control characters, line
+// separators or characters that change the direction of writing, or one that is not UTF-8.
 std::optional<std::string> shell_quoted(std::string_view word);
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
-// Between stored bytes and light: the sRGB transfer function (IEC 61966-2-1) by exact table, and plain bytes.
+// Converts between stored bytes and light: the sRGB transfer function (IEC 61966-2-1) by exact
+// tables, and plain bytes.
 #pragma once
 
 #include <array>
@@ -10,16 +11,17 @@
 
 namespace glassbox {
 
-// The light of an sRGB byte: the float nearest to the true value, in [0, 1].
+// The linear light of an sRGB byte: the float nearest to the true value, in [0, 1].
 inline float decode_srgb(std::uint8_t byte) {
   return kLinearOfSrgb[byte];
 }
 
 namespace srgb_detail {
 
-// Floats fall into buckets by their exponent and first 7 bits of mantissa: no bucket holds more than one threshold
-// (67 codes in the densest octave, [1/2, 1), spread over 128 buckets with at most 0.66 each), so the code of a bucket's
-// lowest float and one comparison decide. Below 2^-13 the code is 0.
+// Floats are sorted into buckets by their exponent and first 7 bits of mantissa. No bucket holds
+// more than one threshold (67 codes in the densest octave, [1/2, 1), spread over 128 buckets with
+// at most 0.66 each), so the code of a bucket's lowest float and one comparison give the result.
+// Below 2^-13 the code is 0.
 inline constexpr int kBucketShift = 23 - 7;
 inline constexpr std::uint32_t kFirstBucket =
     std::bit_cast<std::uint32_t>(0x1p-13f) >> kBucketShift;
@@ -38,10 +40,10 @@ inline constexpr auto kCodeOfBucket = [] {
 
 }  // namespace srgb_detail
 
-// The sRGB byte nearest to 255 times the transfer function of `linear`, exactly. Below 0 and NaN give 0, above 1 gives
-// 255.
+// The sRGB byte nearest to 255 times the transfer function of `linear`, exactly. Values below 0 and
+// NaN give 0, values above 1 give 255.
 inline std::uint8_t encode_srgb(float linear) {
-  if (!(linear >= kSrgbThreshold[1])) return 0;  // NaN ends here too
+  if (!(linear >= kSrgbThreshold[1])) return 0;  // also NaN
   if (linear >= kSrgbThreshold[255]) return 255;
   const std::uint32_t bucket = std::bit_cast<std::uint32_t>(linear) >> srgb_detail::kBucketShift;
   const std::uint32_t code = srgb_detail::kCodeOfBucket[bucket - srgb_detail::kFirstBucket];
@@ -53,8 +55,9 @@ inline float decode_unorm8(std::uint8_t byte) {
   return float(byte) / 255.0f;
 }
 
-// floor(255 value + 1/2), exactly: 255 value has 32 bits, so the double product is exact, and so is the sum wherever it
-// could reach the next integer. Below 0 and NaN give 0, above 1 gives 255.
+// floor(255 value + 1/2), exactly: 255 value has 32 bits, so the double product is exact, and so is
+// the sum wherever it could reach the next integer. Values below 0 and NaN give 0, values above 1
+// give 255.
 inline std::uint8_t encode_unorm8(float value) {
   if (!(value > 0.0f)) return 0;
   if (value >= 1.0f) return 255;

@@ -18,10 +18,10 @@ tl::unexpected<Error> cut_off(const char* format) {
   return fail("", std::string("the ") + format + " file is cut off", "save the image again");
 }
 
-// The Huffman tables of one segment. stb writes behind its own where a table has more than 256 codes
-// (github.com/nothings/stb, issue 1289).
+// Checks the Huffman tables of one segment. stb writes past the end of its own arrays where a table
+// has more than 256 codes (github.com/nothings/stb, issue 1289).
 bool has_sound_tables(Bytes segment) {
-  // The kind and number of a table, 16 counts; and what they count at the most.
+  // The kind and number of a table and its 16 counts; and the largest sum of the counts.
   constexpr std::size_t kHeadBytes = 17, kMostCodes = 256;
   while (!segment.empty()) {
     if (segment.size() < kHeadBytes) return false;
@@ -33,7 +33,8 @@ bool has_sound_tables(Bytes segment) {
   return true;
 }
 
-// The bytes before the marker that ends the coded data of a scan: not FF 00, which stands for FF, and no restart.
+// Returns the number of bytes before the marker that ends the coded data of a scan. FF 00 (an
+// escaped FF) and restart markers do not end it.
 std::size_t coded_bytes(Bytes bytes) {
   for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
     const auto next = unsigned(bytes[i + 1]);
@@ -43,7 +44,7 @@ std::size_t coded_bytes(Bytes bytes) {
   return bytes.size();
 }
 
-// Rows of 1, 4 or 8 bits that choose one of so many colours.
+// Whether the pixels of 1, 4 or 8 bits all choose one of the first `colours` colours.
 bool chooses_at_most(Bytes rows, std::uint64_t row_bytes, std::uint64_t width, unsigned bits,
                      std::int64_t colours) {
   if (colours >= std::int64_t(1) << bits) return true;
@@ -57,7 +58,8 @@ bool chooses_at_most(Bytes rows, std::uint64_t row_bytes, std::uint64_t width, u
   return true;
 }
 
-// The bytes of run-length packets that hold so many pixels: a count and one pixel, or a count and as many pixels.
+// Returns the number of bytes of the run-length packets that hold this many pixels. A packet is a
+// count and one pixel, or a count and as many pixels.
 std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pixel_bytes) {
   std::uint64_t at = 0;
   while (pixels > 0 && at < packets.size()) {
@@ -72,7 +74,7 @@ std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pi
 }  // namespace
 
 Result<void> check_jpeg(Bytes bytes) {
-  // An encoder writes about ten; each one costs a pass over the image.
+  // An encoder writes about ten scans; each one costs a pass over the image.
   constexpr int kMaxScans = 500;
   const auto broken = [](const std::string& cause) {
     return fail("", "JPEG with " + cause, "save the image again");
@@ -80,7 +82,8 @@ Result<void> check_jpeg(Bytes bytes) {
   int scans = 0;
   Bytes rest = bytes.subspan(std::min<std::size_t>(bytes.size(), 2));  // start of image
   for (;;) {
-    // Markers are FF and a byte that says which; more FF and padding may come before.
+    // A marker is FF and a byte that gives its kind; additional FF and padding bytes may come
+    // before it.
     while (rest.size() >= 2 && (rest[0] != std::byte{0xff} || rest[1] == std::byte{0xff})) {
       rest = rest.subspan(1);
     }
@@ -88,7 +91,7 @@ Result<void> check_jpeg(Bytes bytes) {
     const auto marker = unsigned(rest[1]);
     constexpr unsigned kEnd = 0xd9, kScan = 0xda, kTables = 0xc4;
     if (marker == kEnd) return {};
-    // Markers without a length, restarts in the wrong place: stb refuses them, too.
+    // Markers without a length, restart markers in the wrong place: stb refuses them too.
     const bool has_length = marker >= 0xc0 && marker != 0xff && !(marker >= 0xd0 && marker <= 0xd8);
     if (!has_length) return broken("a marker that does not belong there");
     if (rest.size() < 4) return cut_off("JPEG");
@@ -115,7 +118,7 @@ Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const std::uint64_t pixels_at = number_at(bytes, 10, 4);
   if (pixels_at + row_bytes * height > bytes.size()) return cut_off("BMP");
   if (bits == 1 || bits == 4 || bits == 8) {
-    // As stb counts; of a palette of OS/2 it loses the last four.
+    // Counted as stb does; for an OS/2 palette it loses the last four colours.
     const std::int64_t palette_bytes =
         std::int64_t(pixels_at) - std::int64_t(kFileHeaderBytes + (os2 ? 24 : info_bytes));
     const Bytes rows = bytes.subspan(pixels_at, row_bytes * height);
@@ -134,7 +137,8 @@ Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const std::uint64_t pixel_bytes = (number_at(bytes, 16, 1) + 7) / 8;
   const std::uint64_t palette_bytes =
       has_palette ? number_at(bytes, 5, 2) * ((number_at(bytes, 7, 1) + 7) / 8) : 0;
-  // stb takes the number of the palette's first entry for bytes to skip, and every row to run from left to right.
+  // stb treats the number of the palette's first entry as bytes to skip, and takes every row to run
+  // from left to right.
   const bool shifted = has_palette && number_at(bytes, 3, 2) != 0;
   const bool other_order = (number_at(bytes, 17, 1) & 0xd0) != 0;
   if (shifted || other_order) {

@@ -10,9 +10,10 @@
 #include <glassbox/images/image_size.h>
 #include <glassbox/images/stb_check.h>
 
-// A copy of stb_image of our own, of the readers that are used and with memory that starts as zeros: what a broken JPEG
-// leaves out would otherwise be whatever was there before, and differ from run to run. Broken JPEGs also break its
-// assertions, without harm, and overflow sums (so -fwrapv, in CMakeLists.txt).
+// Our own copy of stb_image, with only the readers that are used and with memory that starts as
+// zeros. Otherwise the parts that a broken JPEG leaves out would hold old memory, which differs
+// from run to run. Broken JPEGs also fail its assertions, without harm, and make sums overflow (so
+// -fwrapv, in CMakeLists.txt).
 #define STBI_ASSERT(condition)
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -33,7 +34,7 @@ using Bytes = std::span<const std::byte>;
 
 enum class Kind { kJpeg, kBmp, kTga };
 
-// stb would take FF FF D8 for a JPEG, too, which no TGA starts with.
+// stb would also take FF FF D8, which no TGA starts with, for a JPEG.
 std::optional<Kind> kind_of(Bytes bytes) {
   if (bytes.size() < 2 || bytes.size() > std::size_t(std::numeric_limits<int>::max())) return {};
   const auto first = unsigned(bytes[0]), second = unsigned(bytes[1]);
@@ -54,7 +55,7 @@ tl::unexpected<Error> not_valid(const std::string& why) {
   return fail("", "not a valid JPEG, BMP or TGA image" + why, "save the image again");
 }
 
-// Of a JPEG only after check_jpeg: stb reads its tables for the size.
+// Reads the size. Call check_jpeg first for a JPEG: stb reads the Huffman tables to find the size.
 Result<Pixels> read_size(Bytes bytes) {
   Pixels pixels;
   const bool known =
@@ -63,11 +64,11 @@ Result<Pixels> read_size(Bytes bytes) {
   if (!known || pixels.width < 0 || pixels.height == std::numeric_limits<int>::min()) {
     return not_valid("");
   }
-  pixels.height = std::abs(pixels.height);  // BMP: below zero where the top row comes first
+  pixels.height = std::abs(pixels.height);  // BMP: negative where the top row comes first
   return pixels;
 }
 
-// The size, after everything that stb does not check itself.
+// Reads the size and makes all checks that stb does not make itself.
 Result<Pixels> check(Kind kind, Bytes bytes, const DecodeLimits& limits) {
   if (kind == Kind::kJpeg) {
     const auto sound = check_jpeg(bytes);
@@ -76,9 +77,9 @@ Result<Pixels> check(Kind kind, Bytes bytes, const DecodeLimits& limits) {
   auto pixels = read_size(bytes);
   if (!pixels) return pixels;
   const auto width = std::uint64_t(pixels->width), height = std::uint64_t(pixels->height);
-  // A JPEG spends at least a bit on each 8 x 8 block of each component, of which one has at least a quarter of the
-  // image's resolution along each axis: 512 * 4 pixels a byte. BMP and TGA are checked exactly below (a packet of TGA
-  // holds at most 128 pixels).
+  // A JPEG spends at least one bit on each 8 x 8 block of each component, one of which has at least
+  // a quarter of the image's resolution along each axis: 512 * 4 pixels a byte. BMP and TGA are
+  // checked exactly below (a packet of TGA holds at most 128 pixels).
   Result<void> sound = check_image_size(width, height, bytes.size(), 2048, limits);
   if (sound && kind == Kind::kBmp) sound = check_bmp(bytes, width, height);
   if (sound && kind == Kind::kTga) sound = check_tga(bytes, width, height);
@@ -86,7 +87,7 @@ Result<Pixels> check(Kind kind, Bytes bytes, const DecodeLimits& limits) {
   return pixels;
 }
 
-// With `channels` a pixel, or as many as the file has where that is 0.
+// Decodes with `channels` channels a pixel, or with those of the file where `channels` is 0.
 Result<Pixels> decode(Bytes bytes, int channels, const DecodeLimits& limits) {
   const auto kind = kind_of(bytes);
   if (!kind) return not_valid("");

@@ -1,4 +1,4 @@
-// An image exactly as its file stores it: for comparing, where nothing may be rounded on the way in.
+// An image exactly as its file stores it: for comparisons, where reading must not round anything.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@
 
 namespace glassbox {
 
-// Samples of pixel (x, y) start at channels * (y * width + x): row by row from the top, the channels of a pixel together.
+// The samples of pixel (x, y) start at channels * (y * width + x): row by row from the top, the
+// channels of a pixel together.
 struct StoredImage {
   int width = 0;     // px
   int height = 0;    // px
@@ -25,33 +26,34 @@ struct StoredImage {
   friend bool operator==(const StoredImage&, const StoredImage&) = default;
 };
 
-// "8 bits", "16 bits", "32-bit floats".
+// Returns "8 bits", "16 bits" or "32-bit floats".
 std::string format_name(const StoredImage& image);
-// "grey", "grey and alpha", "RGB", "RGBA".
+// Returns "grey", "grey and alpha", "RGB" or "RGBA".
 std::string channel_names(const StoredImage& image);
 
-// What a file's header says of it.
+// The properties that a file's header states.
 struct StoredHeader {
   int width = 0, height = 0;  // px
-  int channels = 0;           // as of a StoredImage
+  int channels = 0;           // as in StoredImage
 };
 
 // 2^28 pixels: 16384 x 16384.
 inline constexpr DecodeLimits kCompareLimits{.max_pixels = std::uint64_t(1) << 28};
 
-// PNG, JPEG, BMP, TGA, PPM, PGM or PFM, recognised by the content. Palettes and 1, 2 or 4 bits become the 8-bit colours
-// or greys that they stand for, tRNS becomes alpha; a PPM or PGM whose largest value is neither 255 nor 65535 becomes the
-// nearest 8 or 16 bits. Nothing else is converted. Errors as of decode_image.
+// Reads PNG, JPEG, BMP, TGA, PPM, PGM or PFM, recognised by the content. Palettes and 1, 2 or 4
+// bits become the 8-bit colours or greys that they encode, tRNS becomes alpha; the samples of a PPM
+// or PGM whose largest value is neither 255 nor 65535 become the nearest 8-bit or 16-bit values.
+// Nothing else is converted. Errors as in decode_image.
 Result<StoredImage> decode_stored(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = kCompareLimits);
 Result<StoredImage> read_stored(const std::string& path,
                                 const DecodeLimits& limits = kCompareLimits);
 
-// The same errors, but for those that only decoding finds; nothing is decoded.
+// Gives the same errors, except those that only decoding finds; nothing is decoded.
 Result<StoredHeader> stored_header(std::span<const std::byte> bytes,
                                    const DecodeLimits& limits = kCompareLimits);
 
-// The image as encode_png and encode_pfm store it: RGB where every alpha is 255, else RGBA.
+// The image as encode_png and encode_pfm store it: RGB where every alpha is 255, otherwise RGBA.
 StoredImage as_stored(const Image<Rgba8>& image);
 StoredImage as_stored(const Image<float>& image);
 StoredImage as_stored(const Image<Rgb32f>& image);

@@ -5,7 +5,7 @@
 namespace glassbox {
 namespace {
 
-// ".PNG" and ".png" alike; empty where the file name has none.
+// The extension in lower case: the same for ".PNG" and ".png"; empty where the file name has none.
 std::string lower_case_extension(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   const std::size_t slash = path.rfind('/');

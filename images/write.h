@@ -1,4 +1,4 @@
-// Pixels to image files: PNG for 8 and 16 bits a channel, PPM for 8, PFM for floats.
+// Writes pixels to image files: PNG for 8 and 16 bits a channel, PPM for 8, PFM for floats.
 #pragma once
 
 #include <cstddef>
@@ -13,33 +13,35 @@
 
 namespace glassbox {
 
-// A keyword (1 to 79 printable ASCII characters) and a UTF-8 text, kept with the picture.
+// A keyword (1 to 79 printable ASCII characters) and a UTF-8 text, stored with the picture.
 using TextEntry = std::pair<std::string, std::string>;
 
-// PNG, 8 bits a channel: RGB where every alpha is 255, else RGBA. The same pixels and text always give the same bytes
-// with one version of zlib.
+// Encodes PNG, 8 bits a channel: RGB where every alpha is 255, otherwise RGBA. With one version of
+// zlib, the same pixels and text always give the same bytes.
 Result<std::vector<std::byte>> encode_png(const Image<Rgba8>& image,
                                           std::span<const TextEntry> text = {});
 
-// PNG of the samples as they are, 8 or 16 bits, grey to RGBA. Floats are an error: encode_pfm writes them.
+// Encodes PNG with the samples as they are, 8 or 16 bits, grey to RGBA. Floats are an error: use
+// encode_pfm.
 Result<std::vector<std::byte>> encode_png(const StoredImage& image,
                                           std::span<const TextEntry> text = {});
 
-// Binary PPM (P6). It has no alpha: the colours are written as they are.
+// Encodes binary PPM (P6). It has no alpha: the colours are written as they are.
 std::vector<std::byte> encode_ppm(const Image<Rgba8>& image);
 
-// PFM: 32-bit little-endian floats ("-1.0"), one channel ("Pf") or three ("PF"), rows bottom-up as the format says.
+// Encodes PFM: 32-bit little-endian floats ("-1.0"), one channel ("Pf") or three ("PF"), rows
+// bottom-up as the format requires.
 std::vector<std::byte> encode_pfm(const Image<float>& image);
 std::vector<std::byte> encode_pfm(const Image<Rgb32f>& image);
 // An error unless the samples are floats of one channel or three.
 Result<std::vector<std::byte>> encode_pfm(const StoredImage& image);
 
-// Encodes as the extension of `path` says (.png, .ppm) and writes the file, wholly or not at all. PPM has no room for
-// `text`.
+// Encodes in the format of the extension of `path` (.png, .ppm) and writes the file, completely or
+// not at all. PPM cannot store `text`.
 Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
                          std::span<const TextEntry> text = {});
 
-// Whether write_image knows the extension: worth asking before a long run.
+// Whether write_image supports the extension: useful to check before a long run.
 Result<void> check_image_path(const std::string& path);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// The boxes around what is drawn.
+// Bounding boxes of what is drawn.
 #pragma once
 
 #include <glassbox/base/box.h>
@@ -6,8 +6,8 @@
 
 namespace glassbox {
 
-// Calls `visit` with the position of every corner that faces, lines and points name; positions that nothing draws do
-// not count.
+// Calls `visit` with the position of every corner of the mesh's faces, lines and points. Positions
+// that are not drawn are not visited.
 template <class Visit>
 void for_each_drawn_position(const Mesh& mesh, Visit visit) {
   for (const Corner& corner : mesh.corners) visit(mesh.positions[corner.position]);
@@ -17,14 +17,14 @@ void for_each_drawn_position(const Mesh& mesh, Visit visit) {
   for (const Corner& corner : mesh.points) visit(mesh.positions[corner.position]);
 }
 
-// Empty where nothing is drawn.
+// The box of the mesh; empty where nothing is drawn.
 inline Box<Object> bounds(const Mesh& mesh) {
   Box<Object> box;
   for_each_drawn_position(mesh, [&](const Point<Object>& p) { box.include(p); });
   return box;
 }
 
-// The same for all instances of a scene, in the world.
+// The same for all instances of a scene, in world space.
 template <class Visit>
 void for_each_drawn_position(const Scene& scene, Visit visit) {
   for (const Instance& instance : scene.instances) {
@@ -35,7 +35,8 @@ void for_each_drawn_position(const Scene& scene, Visit visit) {
   }
 }
 
-// Every position is carried to the world: the box of an object's turned box would be larger than what is drawn.
+// The box of all positions in world space. Every position is transformed, because the box of an
+// object's rotated box would be larger.
 inline Box<World> bounds(const Scene& scene) {
   Box<World> box;
   for_each_drawn_position(scene, [&](const Point<World, double>& p) { box.include(p); });

@@ -35,8 +35,8 @@ void check_planarity(const Mesh& mesh, MeshReport& report) {
   }
 }
 
-// The vertices of every face from its lowest one on, in the direction in which the second is the lower neighbour: equal
-// for two faces that differ in starting corner or winding only.
+// The vertices of every face, starting with its lowest one, in the direction in which the second is
+// the lower neighbour: equal for two faces that differ only in starting corner or winding.
 class FaceRings {
 public:
   FaceRings(const Mesh& mesh, const std::vector<std::uint32_t>& vertex_of_position) : mesh_(mesh) {

@@ -1,4 +1,4 @@
-// What a mesh consists of and what is wrong with it: the findings that `glassbox info` prints.
+// The contents of a mesh and its faults: the findings that `glassbox info` prints.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace glassbox {
 
 struct MeshReport {
   std::uint32_t positions = 0;
-  std::uint32_t vertices = 0;  // places where faces meet, positions at the same place counted once
+  std::uint32_t vertices = 0;  // used by faces; positions at the same place are counted once
   std::uint32_t faces = 0;
-  std::uint32_t triangles = 0;  // that are drawn
+  std::uint32_t triangles = 0;  // the triangles that are drawn
   std::uint32_t lines = 0;
   std::uint32_t points = 0;
   Box<Object> bounds;
@@ -31,17 +31,19 @@ struct MeshReport {
   bool closed = false;
   std::optional<std::uint32_t> genus;  // where the mesh is a closed oriented surface
 
-  // Faces.
-  std::uint32_t degenerate_faces = 0;      // without area, dropped
-  std::uint32_t degenerate_triangles = 0;  // without area, dropped from faces that are kept
+  // Faults of faces.
+  std::uint32_t degenerate_faces = 0;  // dropped because they have no area
+  // Dropped from faces that are kept, because they have no area.
+  std::uint32_t degenerate_triangles = 0;
   std::uint32_t self_intersecting_faces = 0;
-  // The same vertices as an earlier face, in the same or the opposite direction.
+  // Faces with the same vertices as an earlier face, in the same or the opposite direction.
   std::uint32_t duplicate_faces = 0;
   std::uint32_t non_planar_faces = 0;
   double worst_planarity_deviation = 0;  // object units
   std::uint32_t worst_planarity_face = kNone;
 
-  // Nothing that a modeller would want to know of. Open edges are not a fault by themselves.
+  // Whether there is no fault that a modeller should know about. Open edges are not a fault by
+  // themselves.
   bool clean() const {
     return non_manifold_edges == 0 && inconsistent_edges == 0 && pinched_vertices == 0 &&
            unused_positions == 0 && degenerate_faces == 0 && degenerate_triangles == 0 &&
@@ -49,9 +51,10 @@ struct MeshReport {
   }
 };
 
-// A face counts as bent when a corner is further from its mean plane than storing flat corners in floats can move it:
-// 2^-22 of the largest coordinate of the face (half an ulp in each of three coordinates is below 2^-23 of it for the
-// corner; the mean plane can move as far the other way).
+// A face counts as non-planar when a corner is further from its mean plane than rounding a flat
+// face's corners to float can move it: 2^-22 of the largest coordinate of the face (half an ulp in
+// each of three coordinates is below 2^-23 of it for the corner; the mean plane can move as far in
+// the other direction).
 MeshReport check(const Mesh& mesh);
 
 }  // namespace glassbox

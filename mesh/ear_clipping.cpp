@@ -8,9 +8,10 @@
 namespace glassbox {
 namespace {
 
-// Finds the blocking corners near a triangle without looking at all of them: a grid of about as many cells as there are
-// entries. The cell of a coordinate never decreases as the coordinate grows (subtraction, multiplication and floor are
-// monotone, rounding included), so that whatever lies in a triangle lies in the cells of its box.
+// Finds the blocking corners near a triangle without testing all of them: a grid of about as many
+// cells as there are entries. The cell index of a coordinate never decreases as the coordinate
+// grows (subtraction, multiplication and floor are monotone, rounding included), so every point in
+// a triangle is in one of the cells of the triangle's box.
 class Grid {
 public:
   Grid(std::span<const FlatPoint> points, std::size_t entries) {
@@ -35,7 +36,7 @@ public:
            std::uint64_t(row(high.y) - row(low.y) + 1);
   }
 
-  // Visits what lies in the box's cells until `visit` returns true; says whether it did.
+  // Visits the points in the box's cells until `visit` returns true; returns whether it did.
   template <class Visit>
   bool any_in_box(const FlatPoint& low, const FlatPoint& high, Visit visit) {
     const int left = column(low.x), right = column(high.x);
@@ -114,13 +115,13 @@ public:
 private:
   struct Question {
     std::uint32_t corner;
-    std::uint32_t ticket;  // void once the corner has a later one
+    std::uint32_t ticket;  // invalid once the corner has a later ticket
   };
 
   void ask_later(std::uint32_t corner) { questions_.push_back({corner, ++ticket_[corner]}); }
 
-  // The next corner in the queue that is an ear. One that is not is asked again only after a neighbour has changed: of
-  // a simple outline nothing else can make it an ear.
+  // The next corner in the queue that is an ear. A corner that is not an ear is tested again only
+  // after a neighbour has changed: in a simple outline nothing else can make it an ear.
   std::optional<std::uint32_t> next_ear() {
     while (asked_ < questions_.size() && budget_ > 0) {
       const Question question = questions_[asked_++];
@@ -148,7 +149,8 @@ private:
     return std::nullopt;
   }
 
-  // The lowest corner of the ring; corners only ever go, so that it need not be searched from 0 again.
+  // The lowest remaining corner of the ring. Corners are only ever removed, so the search need not
+  // start from 0 again.
   std::uint32_t first_left() {
     while (gone_[first_left_]) ++first_left_;
     return first_left_;
@@ -158,8 +160,9 @@ private:
     return orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
   }
 
-  // Only corners that do not turn left can lie deepest in a triangle. Those at the place of one of its own corners touch
-  // it from outside as far as this test can tell, and do not count.
+  // Only corners that do not turn left can be the deepest point inside a triangle. Corners at the
+  // same place as one of the triangle's own corners touch it from outside as far as this test can
+  // tell, and do not count.
   bool blocked(std::uint32_t corner, Inside inside) {
     const FlatPoint &a = points_[previous_[corner]], &b = points_[corner],
                     &c = points_[next_[corner]];
@@ -197,7 +200,7 @@ private:
     grid_.insert(points_[corner], corner);
   }
 
-  // The last triangle, or all that is left of an outline that crosses itself.
+  // Cuts the last triangle, or all that is left of an outline that crosses itself.
   bool cut_fan() {
     const std::uint32_t first = first_left();
     bool none_clockwise = true;
@@ -215,7 +218,7 @@ private:
   std::span<const FlatPoint> points_;
   const std::function<void(const std::array<std::uint32_t, 3>&)>& cut_;
   std::uint32_t left_;   // points still in the ring
-  std::int64_t budget_;  // cells and corners that may still be looked at
+  std::int64_t budget_;  // cells and corners that may still be tested
   std::vector<std::uint32_t> previous_, next_;
   std::vector<int> turn_;
   std::vector<bool> in_grid_, gone_;

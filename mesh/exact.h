@@ -1,4 +1,4 @@
-// Decisions about floats in a plane that rounding must not make.
+// Decisions about floats in a plane that must not depend on rounding.
 #pragma once
 
 #include <glassbox/base/expansion.h>
@@ -16,10 +16,10 @@ inline int orientation(const FlatPoint& a, const FlatPoint& b, const FlatPoint& 
   return sign_of_orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
 }
 
-// The exact sum of any number of products of two floats. Each product is a double exactly: 48 significant bits, and an
-// exponent within double's range. Their sum has bits from 2^-298 (the square of the smallest float) to 2^(256 + 33)
-// (2^33 of the largest products), and each of its terms takes two of these 587 places at least, which bounds their
-// number.
+// The exact sum of any number of products of two floats. Each product is exact in double: 48
+// significant bits, and an exponent within double's range. The sum has bits from 2^-298 (the square
+// of the smallest float) to 2^(256 + 33) (2^33 of the largest products). Each of its terms takes at
+// least two of these 587 bit positions, which bounds the number of terms.
 class ExactSum {
 public:
   void add(double product) { terms_.add(product); }
@@ -27,7 +27,7 @@ public:
   void subtract_product(float a, float b) { add(-(double(a) * double(b))); }
 
   int sign() const { return terms_.sign(); }
-  // To a few units in the last place, with the right sign.
+  // The sum rounded to a few units in the last place, with the correct sign.
   double approximation() const { return terms_.estimate(); }
 
 private:

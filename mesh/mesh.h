@@ -1,4 +1,4 @@
-// What is drawn: tables of vertices and the faces that index them (S3-01, S4-17, S4-18).
+// Meshes: tables of vertices, and the faces that index them (S3-01, S4-17, S4-18).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct TexCoord {
   friend bool operator==(const TexCoord&, const TexCoord&) = default;
 };
 
-// Linear light, not premultiplied.
+// A colour in linear light; the alpha is not premultiplied.
 struct Rgba {
   float r = 1, g = 1, b = 1, a = 1;
   friend bool operator==(const Rgba&, const Rgba&) = default;
@@ -23,7 +23,7 @@ struct Rgba {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-// One corner of a face: an index into each table, kNone where the mesh has no such attribute there.
+// One corner of a face: an index into each table, kNone where the corner has no such attribute.
 struct Corner {
   std::uint32_t position = kNone;
   std::uint32_t normal = kNone;
@@ -32,15 +32,16 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-// A polygon: corners[first] .. corners[first + count - 1] of its mesh, counter-clockwise seen from outside.
+// A polygon: corners[first] .. corners[first + count - 1] of its mesh, counter-clockwise seen from
+// outside.
 struct Face {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   friend bool operator==(const Face&, const Face&) = default;
 };
 
-// One set of tables drawn with one material. Loaders guarantee that every index is in range (or kNone where allowed)
-// and every number finite, so that later stages need not check.
+// One set of tables drawn with one material. Loaders guarantee that every index is in range (or
+// kNone where allowed) and every number finite, so that later stages need not check.
 struct Mesh {
   std::string name;
   std::vector<Point<Object>> positions;

@@ -1,7 +1,9 @@
-// Normals of polygons that need be neither triangles nor quite flat (S4-15, S4-16; SPEC B.4).
+// Normals of polygons that may have any number of corners and need not be quite flat (S4-15, S4-16;
+// B.4).
 //
-// Newell's sums take every corner into account and are right for concave and slightly bent polygons; the cross product
-// at one corner is what a first course shows, and fails where that corner is reflex (C-23) or nearly straight (C-21).
+// Newell's sums use every corner and are correct for concave and slightly non-planar polygons. The
+// cross product at one corner, as taught in a first course, fails where that corner is reflex
+// (C-23) or nearly straight (C-21).
 #pragma once
 
 #include <cmath>
@@ -15,13 +17,15 @@
 
 namespace glassbox {
 
-// Twice the vector area of a closed polygon, right-handed: counter-clockwise seen from the side it points to. Exact
-// arithmetic gives exactly zero for bow-ties and for collinear corners (C-24).
+// Twice the vector area of a closed polygon, right-handed: the polygon is counter-clockwise seen
+// from the side to which the vector points. Exact arithmetic gives exactly zero for bow-ties and
+// for collinear corners (C-24).
 //
-// The slide (S4.33) sums (y_i - y_n)(z_i + z_n) over the raw coordinates, which loses the polygon of unit size that
-// stands 10^6 away: the sums z_i + z_n are large and cancel only at the end. Measured from the first corner they are as
-// small as the polygon, and the result is the same in exact arithmetic because the sum of all edges is zero (C-22).
-// Running error: |delta m| <= gamma_(N+3) * sum |difference| |sum|.
+// The slide (S4.33) sums (y_i - y_n)(z_i + z_n) over the raw coordinates. For a polygon of unit
+// size at the distance 10^6 this loses all precision: the sums z_i + z_n are large and cancel only
+// at the end. Measured from the first corner they are as small as the polygon, and the result is
+// the same in exact arithmetic because the sum of all edges is zero (C-22). Running error bound:
+// |delta m| <= gamma_(N+3) * sum |difference| |sum|.
 template <class T>
 Vector<Object, T> newell_vector(std::span<const Point<Object, T>> polygon) {
   Vector<Object, T> m(T(0), T(0), T(0));
@@ -40,38 +44,43 @@ Vector<Object, T> newell_vector(std::span<const Point<Object, T>> polygon) {
 
 // (V2 - V1) x (V3 - V2): twice the vector area of the triangle V1, V2, V3, with Newell's sign.
 //
-// Two traps for polygons of more corners: V2 may be reflex, then the sign is wrong; the corners may be nearly
-// collinear, then noise of size s in the positions turns the normal by about s / (bend). A third is the slide's own
-// (S4.32): it writes (V1 - V2) x (V3 - V2), which points the other way (SPEC E11, C-31).
+// There are two traps for polygons with more corners. V2 may be reflex; then the sign is wrong. The
+// corners may be nearly collinear; then noise of size s in the positions turns the normal by about
+// s / (bend). A third is in the slide itself (S4.32): it writes (V1 - V2) x (V3 - V2), which points
+// the other way (E11, C-31).
 template <class T>
 Vector<Object, T> three_point_normal(const Point<Object, T>& v1, const Point<Object, T>& v2,
                                      const Point<Object, T>& v3) {
   return cross(v2 - v1, v3 - v2);
 }
 
-// The angle between two vectors, in [0, pi]; 0 if one of them is zero (S4-14). The arccosine of the slide's normalised
-// dot product loses half the digits near 0 and pi, where the cosine is flat; the arctangent of |a x b| / (a . b) is
-// right to a few ulps everywhere.
+// The angle between two vectors, in [0, pi]; 0 if one of them is zero (S4-14). The arccosine of the
+// slide's normalised dot product loses half the digits near 0 and pi, where the cosine is flat; the
+// arctangent of |a x b| / (a . b) is correct to a few ulps everywhere.
 template <class Space>
 double angle_between(const Vector<Space, double>& a, const Vector<Space, double>& b) {
   const Vector<Space, double> across = cross(a, b);
   return arctan2(std::sqrt(dot(across, across)), dot(a, b));
 }
 
-// Unit length, computed in double and rounded once; absent where the vector is zero or not finite.
+// The vector scaled to unit length, computed in double and rounded once; absent where it is zero or
+// not finite.
 std::optional<Normal<Object>> unit_normal(const Vector<Object, double>& v);
 
-// Newell's vector of a face in double: differences of floats are exact there unless they are 2^29 apart in size.
+// Newell's vector of a face in double: differences of floats are exact there unless their sizes
+// differ by a factor of 2^29.
 Vector<Object, double> newell_vector(const Mesh& mesh, const Face& face);
 
 // The unit Newell normal; absent where the face has no area.
 std::optional<Normal<Object>> face_normal(const Mesh& mesh, const Face& face);
 
-// Half the length of the Newell vector: the area of a flat face, the area of the shadow on the mean plane of a bent one.
+// Half the length of the Newell vector: the area of a flat face; for a non-planar face, the area of
+// its projection onto the mean plane.
 double face_area(const Mesh& mesh, const Face& face);
 
-// The largest distance (object units) of a corner from the mean plane: through the mean of the corners, across the
-// Newell normal. Zero for triangles and for faces without area.
+// The largest distance (object units) of a corner from the mean plane, which goes through the mean
+// of the corners, perpendicular to the Newell normal. Zero for triangles and for faces without
+// area.
 double planarity_deviation(const Mesh& mesh, const Face& face);
 
 }  // namespace glassbox

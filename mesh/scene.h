@@ -43,10 +43,11 @@ struct Material {
   std::array<float, 3> specular{0, 0, 0};
   int shininess = 16;  // exponent, 1 .. 1024
   AlphaMode alpha_mode = AlphaMode::kOpaque;
-  float alpha_cutoff = 0.5f;  // kMask: kept where alpha >= cutoff
+  float alpha_cutoff = 0.5f;  // kMask: visible where alpha >= cutoff
   bool double_sided = false;
   bool unlit = false;
-  // Light of its own, in the units of what it reflects: added to it, times the texture. Unlit materials have none.
+  // The emitted light, in the units of the reflected light, to which it is added after
+  // multiplication by the texture. Unlit materials have none.
   std::array<float, 3> emission{0, 0, 0};
   std::optional<std::uint32_t> emission_texture;  // index into Scene::textures
 };
@@ -60,13 +61,14 @@ inline bool emits_light(const Material& material) {
 
 struct Node {
   std::string name;
-  // Index into Scene::nodes, always smaller than the node's own; kNone for a root, whose parent is the world.
+  // Index into Scene::nodes, always smaller than the node's own index; kNone for a root, whose
+  // parent is the world.
   std::uint32_t parent = kNone;
   Transform<World, Object> parent_from_node;
-  Transform<World, Object> world_from_node;  // the product down from the root
+  Transform<World, Object> world_from_node;  // the product of the transforms from the root down
 };
 
-// A mesh where it stands. Instances are drawn, and their triangles numbered, in the order of this list.
+// A mesh at a node. Instances are drawn, and their triangles numbered, in the order of this list.
 struct Instance {
   std::uint32_t mesh = 0;  // index into Scene::meshes
   std::uint32_t node = 0;  // index into Scene::nodes
@@ -74,19 +76,21 @@ struct Instance {
 
 // ---- cameras ----
 
-// Full vertical angle; far may be absent (infinite). The aspect ratio is the viewport's.
+// A perspective lens with a full vertical angle; far may be absent (infinite). The aspect ratio is
+// the viewport's.
 struct PerspectiveLens {
   double fovy_radians = 0.785398163397448309616;
   double near = 0.1;
   std::optional<double> far;
 };
-// Half the vertical extent of the view in world units; the horizontal one follows from the viewport's aspect ratio.
+// A parallel lens with half the vertical extent of the view in world units; the horizontal extent
+// follows from the viewport's aspect ratio.
 struct OrthographicLens {
   double half_height = 1;
   double near = 0;
   double far = 1;
 };
-// The window's edges on the near plane, in world units, as glFrustum takes them.
+// The window's edges on the near plane, in world units, as for glFrustum.
 struct FrustumLens {
   double left = -1, right = 1, bottom = -1, top = 1;
   double near = 1;
@@ -109,8 +113,8 @@ struct Light {
   LightKind kind = LightKind::kDirectional;
   std::array<float, 3> color{1, 1, 1};                  // linear
   double intensity = 1;                                 // lux (directional), candela (point, spot)
-  std::optional<double> range;                          // world units; beyond it nothing arrives
-  double inner_cone_radians = 0;                        // spot: full intensity within
+  std::optional<double> range;                          // world units; no light beyond it
+  double inner_cone_radians = 0;                        // spot: full intensity inside
   double outer_cone_radians = 0.785398163397448309616;  // spot: nothing outside
   Point<World, double> position;                        // point, spot
   Vector<World, double> direction;  // the way the light travels, unit length; directional, spot
@@ -129,7 +133,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Camera> cameras;
   std::vector<Light> lights;            // none: a default headlight
-  std::vector<std::string> extensions;  // named by the file
+  std::vector<std::string> extensions;  // that the file names
   std::vector<std::string> warnings;    // what was ignored or repaired, one sentence each
 };
 

@@ -1,4 +1,4 @@
-// How textures are filtered in place of what their samplers say: approximations with names.
+// Texture filters that replace those of the samplers: named approximations.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace glassbox {
 
-// In OpenGL's words: NEAREST; LINEAR; LINEAR, minified LINEAR_MIPMAP_NEAREST; LINEAR, minified LINEAR_MIPMAP_LINEAR.
+// In OpenGL's terms: NEAREST; LINEAR; LINEAR, minified LINEAR_MIPMAP_NEAREST; LINEAR, minified
+// LINEAR_MIPMAP_LINEAR.
 enum class TextureFilter : std::uint8_t { kNearest, kBilinear, kBilinearLevels, kTrilinear };
 
 constexpr std::string_view name_of(TextureFilter filter) {
@@ -26,7 +27,7 @@ constexpr Sampler with_filter(const Sampler& sampler, TextureFilter filter) {
   return {sampler.wrap_u, sampler.wrap_v, texels, texels, levels};
 }
 
-// The scene whose textures are all filtered so.
+// The scene with this filter for all its textures.
 inline Scene with_filter(Scene scene, TextureFilter filter) {
   for (Texture& texture : scene.textures) texture.sampler = with_filter(texture.sampler, filter);
   return scene;

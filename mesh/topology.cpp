@@ -7,7 +7,7 @@
 namespace glassbox {
 namespace {
 
-// Sets that only ever merge; the root is the lowest member.
+// Sets that can only be merged; the root is the lowest member.
 class DisjointSets {
 public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -50,11 +50,11 @@ std::vector<std::uint32_t> weld_positions(const Mesh& mesh, Weld weld) {
   return vertex;
 }
 
-// A use with its edge, before they are gathered.
+// A use together with its edge, before the uses are grouped by edge.
 struct Passage {
   std::uint32_t low, high;
   EdgeUse use;
-  std::uint32_t end_corner;  // the corner the passage ends at
+  std::uint32_t end_corner;  // the corner at which the passage ends
 };
 
 class Finder {
@@ -89,7 +89,8 @@ private:
       if (ring_.empty() || vertex(ring_.back()) != vertex(c)) ring_.push_back(c);
     }
     while (ring_.size() > 1 && vertex(ring_.front()) == vertex(ring_.back())) ring_.pop_back();
-    // A ring without equal neighbours has at least three distinct vertices if it is odd or holds a third one.
+    // A ring without equal neighbours has at least three distinct vertices if its length is odd or
+    // it contains a third vertex.
     const auto is_third = [&](std::uint32_t c) {
       return vertex(c) != vertex(ring_[0]) && vertex(c) != vertex(ring_[1]);
     };
@@ -123,7 +124,7 @@ private:
     }
   }
 
-  // Two faces that share an edge are neighbours in the fans around both its ends.
+  // Two faces that share an edge are neighbours in the fans around both ends of the edge.
   void join_fans(const Passage& a, const Passage& b) {
     const bool same_direction = a.use.ascending == b.use.ascending;
     result_.inconsistent_edges += same_direction;
@@ -165,8 +166,8 @@ private:
 
   const Mesh& mesh_;
   Topology result_;
-  std::vector<std::uint32_t> ring_;  // corners of the face in hand, repeated neighbours left out
-  std::vector<std::uint32_t> ring_corners_;  // of all faces that take part
+  std::vector<std::uint32_t> ring_;  // corners of the current face without repeated neighbours
+  std::vector<std::uint32_t> ring_corners_;  // of all faces that are not ignored
   std::vector<std::uint32_t> taking_part_;
   std::vector<Passage> passages_;
   DisjointSets same_fan_;   // of corners

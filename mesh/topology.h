@@ -1,5 +1,5 @@
-// Who is next to whom: adjacency derived from the face table, which by itself holds "still no topology information"
-// (S4-17).
+// Adjacency: which faces, edges and vertices are neighbours. It is derived from the face table,
+// which by itself holds "still no topology information" (S4-17).
 #pragma once
 
 #include <array>
@@ -11,14 +11,15 @@
 
 namespace glassbox {
 
-// kByIndex: corners meet where they name the same position. kByPlace: also where two positions are the same numbers
-// (0 and -0 included), as in glTF, which repeats a position for each normal or texture coordinate it has.
+// kByIndex: corners meet where they have the same position index. kByPlace: also where two
+// positions have the same coordinates (0 and -0 are equal), as in glTF, which repeats a position
+// for each of its normals or texture coordinates.
 enum class Weld { kByIndex, kByPlace };
 
-// One face's passage along an edge.
+// The passage of one face along an edge.
 struct EdgeUse {
   std::uint32_t face = 0;
-  std::uint32_t corner = 0;  // into Mesh::corners: the one the passage starts from
+  std::uint32_t corner = 0;  // into Mesh::corners: the corner at which the passage starts
   bool ascending = true;     // from the edge's `low` vertex to its `high` one
   friend bool operator==(const EdgeUse&, const EdgeUse&) = default;
 };
@@ -33,36 +34,38 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
-// A vertex is a position after welding, named by the lowest index of its positions. Repeated neighbours within a face
-// count once; faces with fewer than three distinct vertices have no edges and take no part.
+// A vertex is a position after welding, identified by the lowest index of its positions. Repeated
+// neighbours within a face count once; faces with fewer than three distinct vertices have no edges
+// and are ignored.
 struct Topology {
   std::vector<std::uint32_t> vertex_of_position;
   std::vector<Edge> edges;    // sorted by (low, high)
   std::vector<EdgeUse> uses;  // edge by edge, in the order of the faces
 
-  std::uint32_t vertices = 0;            // of the faces that take part
-  std::uint32_t faces = 0;               // that take part
-  std::uint32_t boundary_edges = 0;      // one face only
-  std::uint32_t non_manifold_edges = 0;  // more than two
-  // Two faces that pass in the same direction: one of them is wound the other way.
+  std::uint32_t vertices = 0;            // of the faces that are not ignored
+  std::uint32_t faces = 0;               // that are not ignored
+  std::uint32_t boundary_edges = 0;      // edges of one face only
+  std::uint32_t non_manifold_edges = 0;  // edges of more than two faces
+  // Edges along which two faces pass in the same direction: the two faces have opposite windings.
   std::uint32_t inconsistent_edges = 0;
   // Vertices whose faces do not form one fan or one half fan: surfaces that touch in a point.
   std::uint32_t pinched_vertices = 0;
-  std::uint32_t unused_positions = 0;  // named by no face, line or point
-  std::uint32_t components = 0;        // of faces connected across edges
+  std::uint32_t unused_positions = 0;  // used by no face, line or point
+  std::uint32_t components = 0;        // sets of faces connected across edges
 
-  // Every edge has two faces (and there are faces).
+  // Whether every edge has two faces (and there are faces).
   bool closed() const { return faces > 0 && boundary_edges == 0 && non_manifold_edges == 0; }
   // V - E + F.
   std::int64_t euler_characteristic() const {
     return std::int64_t(vertices) - std::int64_t(edges.size()) + std::int64_t(faces);
   }
-  // The handles of all components together, from V - E + F = 2 (components - genus) (S3-01). Absent unless the mesh is
-  // a closed surface, wound consistently and nowhere pinched.
+  // The number of handles of all components together, from V - E + F = 2 (components - genus)
+  // (S3-01). Absent unless the mesh is a closed surface, wound consistently and without pinched
+  // vertices.
   std::optional<std::uint32_t> genus() const;
 };
 
-// O(n log n) in the number of corners.
+// Takes O(n log n) in the number of corners.
 Topology find_topology(const Mesh& mesh, Weld weld = Weld::kByIndex);
 
 }  // namespace glassbox

@@ -15,13 +15,14 @@ using Positions = std::vector<Point<Object>>;
 
 enum class Axis { kX, kY, kZ };
 
-// The coordinate axis along which a polygon shows the largest area, and on which side it is counter-clockwise.
+// The coordinate axis along which a polygon shows the largest area, and the side from which it is
+// counter-clockwise.
 struct Facing {
   Axis axis = Axis::kZ;
   int sign = 0;  // 0: no area at all
 };
 
-// Seen from the positive end of an axis, right-handed.
+// The point projected along an axis, seen from the axis' positive end, right-handed.
 FlatPoint seen_along(Axis axis, const Point<Object>& p) {
   switch (axis) {
     case Axis::kX:
@@ -33,7 +34,8 @@ FlatPoint seen_along(Axis axis, const Point<Object>& p) {
   }
 }
 
-// Seen from the side on which the polygon is counter-clockwise: the mirror image if that is the negative end.
+// The point projected so that the polygon is counter-clockwise: mirrored if it is counter-clockwise
+// from the negative end.
 FlatPoint seen_from_front(const Facing& facing, const Point<Object>& p) {
   const FlatPoint flat = seen_along(facing.axis, p);
   return facing.sign > 0 ? flat : FlatPoint{flat.y, flat.x};
@@ -51,8 +53,8 @@ double exact_area(const Positions& outline, Axis axis) {
   return area.approximation();
 }
 
-// The same by Newell's sums from the first corner on, and a bound of its error (SPEC C, generic bound 6; one more unit
-// for the rounding of the bound itself).
+// The same by Newell's sums from the first corner on, and a bound of the error (docs/references.md,
+// bound 6; one more unit for the rounding of the bound itself).
 struct BoundedArea {
   double value = 0;
   double error = 0;
@@ -96,7 +98,7 @@ Facing facing_of(const Positions& outline) {
   return best;
 }
 
-// Exactly collinear in space: without area along all three axes.
+// Whether the points are exactly collinear in space: without area along all three axes.
 bool without_area(const Point<Object>& a, const Point<Object>& b, const Point<Object>& c) {
   for (const Axis axis : {Axis::kZ, Axis::kX, Axis::kY}) {
     if (orientation(seen_along(axis, a), seen_along(axis, b), seen_along(axis, c)) != 0)
@@ -125,12 +127,13 @@ void add_squared_distance(ExactSum& sum, const Point<Object>& a, const Point<Obj
   add_square(a.z, b.z);
 }
 
-// Whether the diagonal from corner 1 is strictly shorter than the one from corner 0, exactly: a tie must be a tie on
-// every machine and wherever the quad stands.
+// Whether the diagonal from corner 1 is strictly shorter than the one from corner 0, exactly: a tie
+// must be a tie on every machine and at every position of the quad.
 bool second_diagonal_is_shorter(const Positions& quad) {
   const double from_0 = squared_distance(quad[0], quad[2]);
   const double from_1 = squared_distance(quad[1], quad[3]);
-  // Each square carries a relative error of at most 3 u of its difference and the sums 2 u more: 2^-49 covers both.
+  // Each square has a relative error of at most 3 u from its difference, and the sums add 2 u:
+  // 2^-49 covers both.
   if (std::abs(from_0 - from_1) > 0x1p-49 * (from_0 + from_1)) return from_1 < from_0;
   ExactSum difference;
   add_squared_distance(difference, quad[1], quad[3], 1);
@@ -140,11 +143,11 @@ bool second_diagonal_is_shorter(const Positions& quad) {
 
 struct QuadCut {
   bool from_corner_1 = false;
-  bool proper = true;  // no triangle turns against the outline
+  bool proper = true;  // no triangle has the opposite winding
 };
 
-// How well a diagonal cuts: 2 where both triangles turn with the outline, 1 where one has no area, 0 where one turns
-// against it.
+// The quality of a diagonal: 2 where both triangles have the winding of the outline, 1 where one
+// has no area, 0 where one has the opposite winding.
 int quality(int turn_a, int turn_b) {
   if (turn_a < 0 || turn_b < 0) return 0;
   return turn_a > 0 && turn_b > 0 ? 2 : 1;
@@ -222,7 +225,7 @@ private:
         .proper;
   }
 
-  // Takes the next number; keeps the triangle if it has an area.
+  // Takes the next number for the triangle; keeps the triangle if it has an area.
   void emit(const std::array<std::uint32_t, 3>& corners) {
     if (without_area(outline_[corners[0]], outline_[corners[1]], outline_[corners[2]])) {
       ++result_.degenerate_triangles;
@@ -243,7 +246,7 @@ private:
   std::uint32_t face_ = 0;
   std::uint32_t first_number_ = 0;
   std::uint32_t number_ = 0;
-  Positions outline_;            // of the face in hand
+  Positions outline_;            // of the current face
   std::vector<FlatPoint> flat_;  // the same, seen from the front
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRoundoff = unit_roundoff<double>;
 
-// A 3x3 matrix by rows, the way the formulas are written.
+// A 3x3 matrix indexed by rows, as the formulas are written.
 struct Rows {
   double at[3][3] = {};
 };
@@ -36,13 +36,13 @@ glm::dmat3 glm_of(const Rows& rows) {
   return m;
 }
 
-// Cofactor (i, j): indices run cyclically, which gives the signs by itself.
+// Cofactor (i, j). The indices are cyclic, so the sign is already correct.
 double cofactor(const Rows& m, int i, int j) {
   const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
   return m.at[r][c] * m.at[s][d] - m.at[r][d] * m.at[s][c];
 }
 
-// The same without signs: what the rounding of the cofactor is measured against.
+// The same with all terms positive: the size that the cofactor's rounding error is relative to.
 double permanent_minor(const Rows& m, int i, int j) {
   const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
   return std::abs(m.at[r][c] * m.at[s][d]) + std::abs(m.at[r][d] * m.at[s][c]);
@@ -66,8 +66,9 @@ Rows times_power_of_two(const Rows& m, int exponent) {
   return scaled;
 }
 
-// Cofactors over determinant, or nothing where the determinant is lost in its rounding. The matrix is scaled by a power
-// of two first, so that the products neither overflow nor vanish.
+// Cofactors divided by the determinant, or nothing where the determinant is not larger than its
+// rounding error. The matrix is scaled by a power of two first, so that the products neither
+// overflow nor vanish.
 std::optional<Rows> inverse3(const Rows& matrix) {
   const double largest = largest_entry(matrix);
   if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
@@ -121,8 +122,9 @@ glm::dmat4 affine_matrix(const Rows& linear, const glm::dvec3& translation) {
   return m;
 }
 
-// Rodrigues: a a^T + cos (I - a a^T) + sin [a]x. 1 - cos is written as sin^2/(1 + cos) where the subtraction cancels,
-// and a diagonal entry as a_i^2 + cos (a_j^2 + a_k^2), which is exactly 1 on the axis and exactly cos across it.
+// Rodrigues' formula: a a^T + cos (I - a a^T) + sin [a]x. 1 - cos is written as sin^2/(1 + cos)
+// where the subtraction cancels, and a diagonal entry as a_i^2 + cos (a_j^2 + a_k^2), which is
+// exactly 1 on the axis and exactly cos perpendicular to it.
 Rows rodrigues(const glm::dvec3& a, const SinCos& angle) {
   const double s = angle.sin, c = angle.cos;
   const double one_minus_c = c > 0 ? s * s / (1 + c) : 1 - c;
@@ -189,8 +191,8 @@ AxisAngle axis_angle_of(const glm::dmat4& rotation) {
     if (const auto axis = unit3(sine_axis)) result.axis = *axis;
     return result;
   }
-  // (R + R^T)/2 - cos I = (1 - cos) a a^T: every column is a multiple of the axis, that of the largest diagonal entry
-  // the longest.
+  // (R + R^T)/2 - cos I = (1 - cos) a a^T: every column is a multiple of the axis, and the column
+  // of the largest diagonal entry is the longest.
   int column = 0;
   for (int i = 1; i < 3; ++i) {
     if (m.at[i][i] > m.at[column][column]) column = i;
@@ -212,14 +214,15 @@ double orthogonality_error(const glm::dmat3& matrix) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const double error = std::abs(gram.at[i][j] - (i == j ? 1 : 0));
-      if (!(error <= worst)) worst = error;  // NaN stays
+      if (!(error <= worst)) worst = error;  // NaN is kept
       if (std::isnan(worst)) return worst;
     }
   }
   return worst;
 }
 
-// Newton's iteration for the polar factor, X <- (X + X^-T)/2 (Higham 1986): each step squares the distance.
+// Newton's iteration for the polar factor, X <- (X + X^-T)/2 (Higham 1986): each step squares the
+// distance.
 Result<NearestRotation> nearest_rotation(const glm::dmat3& matrix) {
   constexpr int kMaxSteps = 60;  // a singular value of 2^-50 is doubled in each step at first
   const auto none = fail(

@@ -1,8 +1,11 @@
-// Maps between affine spaces: translate, rotate, scale, shear, and the ways back (S3-02, S3-04 .. S3-06).
+// Maps between affine spaces: translation, rotation, scale and shear, and their inverses (S3-02,
+// S3-04 .. S3-06).
 //
-// All are made in double, have the last row (0, 0, 0, 1), contain no -0, and read as target from source:
+// All matrices are made in double, have the last row (0, 0, 0, 1) and contain no -0. Their names
+// read as target from source:
 //
-//   world_from_object = translate<World, Object>({3, 0, 0}) * *rotate_degrees<Object>({0, 1, 0}, 30);
+//   world_from_object =
+//       translate<World, Object>({3, 0, 0}) * *rotate_degrees<Object>({0, 1, 0}, 30);
 #pragma once
 
 #include <array>
@@ -43,8 +46,8 @@ Transform<Target, Source> scale(double x, double y, double z) {
 
 enum class Axis { kX = 0, kY = 1, kZ = 2 };
 
-// Adds factor * (coordinate `by`) to the coordinate `changed`: shear(kX, kY, 1) leans towards +x with height. The axes
-// must differ.
+// Adds factor * (coordinate `by`) to the coordinate `changed`: shear(kX, kY, 1) moves a point
+// towards +x by its height y. The two axes must differ.
 template <class Target, class Source = Target>
 Transform<Target, Source> shear(Axis changed, Axis by, double factor) {
   Transform<Target, Source> m;
@@ -52,9 +55,10 @@ Transform<Target, Source> shear(Axis changed, Axis by, double factor) {
   return m;
 }
 
-// Counter-clockwise when the axis points at the viewer (Rodrigues). The axis may have any length; zero, NaN and
-// infinite ones are errors, and so are angles beyond kMaxDegrees. Entries are within 8 u of a rotation's; axes along
-// x, y, z and multiples of 90 degrees are exact.
+// A rotation, counter-clockwise when the axis points at the viewer (Rodrigues' formula). The axis
+// may have any length. A zero, NaN or infinite axis is an error, and so is an angle beyond
+// kMaxDegrees. The entries are within 8 u of the exact rotation's; they are exact for axes along x,
+// y or z with multiples of 90 degrees.
 template <class Target, class Source = Target>
 Result<Transform<Target, Source>> rotate_degrees(const Vector<Source, double>& axis,
                                                  double degrees) {
@@ -65,15 +69,16 @@ Result<Transform<Target, Source>> rotate_degrees(const Vector<Source, double>& a
 
 // ---- inverses ----
 
-// For rotations with translation: R^T, -R^T t. Nothing is checked; what is not rigid comes out wrong.
+// The inverse of a rotation followed by a translation: R^T, -R^T t. Nothing is checked: for a
+// matrix that is not rigid the result is wrong.
 template <class Target, class Source>
 Transform<Source, Target> inverse_rigid(const Transform<Target, Source>& m) {
   return Transform<Source, Target>(affine::inverse_rigid(m.columns));
 }
 
-// For any invertible affine map, by cofactors. An error if the map flattens space so far that the sign of its
-// determinant is not known (|det| <= 16 u times the sum of the determinant's terms without their signs), or is not
-// finite.
+// The inverse of any invertible affine map, by cofactors. An error if the matrix is not finite, or
+// if the map flattens space so much that the sign of its determinant is not known (|det| <= 16 u
+// times the sum of the absolute values of the determinant's terms).
 template <class Target, class Source>
 Result<Transform<Source, Target>> inverse_affine(const Transform<Target, Source>& m) {
   return affine::inverse(m.columns).map(
@@ -87,18 +92,20 @@ struct AxisAngle {
   double radians = 0;        // 0 .. pi
 };
 
-// Which rotation is this (S3-06)? The axis from R - R^T, the angle from atan2(sine, cosine), which keeps its digits
-// near 0 where an arccosine loses half of them (C-04); beyond 90 degrees the axis comes from R + R^T, which is
-// well-conditioned up to and at 180 degrees (C-05; there both directions of the axis are right). The identity gives
-// the z axis. Only the upper 3x3 is read, and it must be a rotation.
+// The axis and the angle of a rotation (S3-06). The axis comes from R - R^T. The angle is
+// atan2(sine, cosine), which stays accurate near 0, where an arccosine loses half of the digits
+// (C-04). Beyond 90 degrees the axis comes from R + R^T, which is well-conditioned up to and at 180
+// degrees (C-05; at 180 degrees both directions of the axis are correct). The identity gives the z
+// axis. Only the upper 3x3 is read, and it must be a rotation.
 AxisAngle axis_angle_of(const glm::dmat4& rotation);
 template <class Target, class Source>
 AxisAngle axis_angle_of(const Transform<Target, Source>& rotation) {
   return axis_angle_of(rotation.columns);
 }
 
-// The rotation nearest to a matrix (its polar factor), and how far away that was: drift from repeated products (C-11)
-// or data with few digits (C-12). An error if there is none near: a reflection, or a matrix without full rank.
+// The rotation nearest to a matrix (its polar factor), and its distance from the matrix. It repairs
+// drift from repeated products (C-11) and data with few digits (C-12). An error if no rotation is
+// near: for a reflection, or a matrix without full rank.
 struct NearestRotation {
   glm::dmat3 rotation{1};
   double moved = 0;  // largest change of an entry
@@ -110,19 +117,21 @@ double orthogonality_error(const glm::dmat3& matrix);
 
 // ---- affine maps from correspondences (S3-05) ----
 
-// `condition`: how much a relative error of the given points is magnified in the map (1-norm of the source's edge matrix
-// times that of its inverse). It grows like 1/sin of the smallest angle between the edges.
+// An affine map that was found from corresponding points. `condition` says how much a relative
+// error of the given points is magnified in the map: the 1-norm of the source's edge matrix times
+// that of its inverse. It grows like 1/sin of the smallest angle between the edges.
 struct AffineFit {
   glm::dmat4 matrix{1};
   double condition = 1;
 };
 
-// The map of the plane that carries three points to three others; z stays. Six equations, six unknowns. An error if the
-// source points lie on a line.
+// The map of the plane that carries three points to three others; z is unchanged. Six equations
+// determine six unknowns. An error if the source points are on one line.
 Result<AffineFit> affine_from_three_points(const std::array<glm::dvec2, 3>& source,
                                            const std::array<glm::dvec2, 3>& target);
 
-// The map of space that carries four points to four others. An error if the source points lie in a plane.
+// The map of space that carries four points to four others. An error if the source points are in
+// one plane.
 Result<AffineFit> affine_from_four_points(const std::array<glm::dvec3, 4>& source,
                                           const std::array<glm::dvec3, 4>& target);
 

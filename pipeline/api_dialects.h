@@ -1,5 +1,6 @@
-// What the graphics interfaces take for granted: which clip coordinates are visible, and where they come out in the window.
-// Which way the eye looks is not among them: that is a matter of the view and projection matrices (SPEC 0.2).
+// The conventions that differ between graphics interfaces: which clip coordinates are visible, and
+// where they appear in the window. The direction in which the eye looks is not one of them: it
+// depends on the view and projection matrices only.
 #pragma once
 
 #include <array>
@@ -13,26 +14,28 @@
 namespace glassbox {
 
 struct ApiDialect {
-  const char* name = "";        // as an option's value: "opengl"
-  const char* title = "";       // as a person writes it: "OpenGL"
+  const char* name = "";        // the value of a command line option: "opengl"
+  const char* title = "";       // the name as people write it: "OpenGL"
   bool z_from_minus_w = false;  // visible: -w <= z <= w; otherwise 0 <= z <= w
   DepthRange depth = DepthRange::kStandard;
   bool ndc_y_down = false;   // y = -1 of NDC is the top of the picture
   bool window_y_up = false;  // window coordinates count from the lower left corner
 };
 
-// OpenGL, Direct3D, Vulkan, Metal, WebGPU, reversed depth (in Direct3D's window), and Glassbox itself.
+// OpenGL, Direct3D, Vulkan, Metal, WebGPU, reversed depth (with Direct3D's window), and Glassbox
+// itself.
 std::span<const ApiDialect> api_dialects();
-const ApiDialect* find_dialect(std::string_view name);  // nullptr: there is none
+const ApiDialect* find_dialect(std::string_view name);  // nullptr: there is no dialect of that name
 
-// near, far, left, right, bottom, top. With y down, "bottom" and "top" are those of the picture.
+// The planes near, far, left, right, bottom, top, in this order. With y down, "bottom" and "top"
+// are those of the picture.
 std::array<ClipPlane, 6> clip_planes(const ApiDialect& dialect);
 
-// The window's rectangle as the dialect counts it, made ready for to_screen: y grows downwards there, so a dialect whose
-// window and NDC agree about y has top and bottom exchanged.
+// The window's rectangle, ready for to_screen. There y grows downwards, so top and bottom are
+// exchanged for a dialect whose window and NDC have y in the same direction.
 Viewport window_rectangle(const ApiDialect& dialect, float x, float y, float width, float height);
 
-// The depth of NDC as the depth buffer holds it, in [0, 1].
+// The depth that the depth buffer stores for an NDC depth, in [0, 1].
 inline double window_depth(const ApiDialect& dialect, double ndc_z) {
   return dialect.z_from_minus_w ? (ndc_z + 1) / 2 : ndc_z;
 }

@@ -8,12 +8,13 @@ namespace glassbox {
 
 namespace {
 
-// Rodrigues about k = v x (-z) = (-vy, vx, 0), with |k| the sine and -vz the cosine of the angle, so that no angle is ever
-// computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The cross product with an axis is exact.
+// Rodrigues' formula about k = v x (-z) = (-vy, vx, 0), where |k| is the sine and -vz the cosine of
+// the angle, so that the angle itself is never computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The
+// cross product with an axis is exact.
 Transform<World, World> gaze_to_minus_z(const Vector<World, double>& v) {
   const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
   if (sine_squared == 0)
-    // About y, by 180 degrees or not at all.
+    // A rotation about y, by 180 degrees or by 0.
     return scale<World>(c < 0 ? -1 : 1, 1, c < 0 ? -1 : 1);
   const double factor = rodrigues_factor(c, sine_squared);
   const double kx = -v.y, ky = v.x;

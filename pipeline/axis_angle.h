@@ -1,24 +1,27 @@
-// A view as the slides build it up: move the eye to the origin, turn the gaze to -z, roll until up is up (S3-16).
+// The view matrix built as in the slides: move the eye to the origin, turn the gaze to -z, then
+// roll until `up` is upright (S3-16).
 #pragma once
 
 #include <glassbox/base/spaces.h>
 
 namespace glassbox {
 
-// (1 - cosine)/sine^2 of Rodrigues' formula, without cancellation for either sign of the cosine; sine_squared > 0.
+// The factor (1 - cosine)/sine^2 of Rodrigues' formula, without cancellation for either sign of the
+// cosine; sine_squared > 0.
 inline double rodrigues_factor(double cosine, double sine_squared) {
   return cosine > 0 ? 1 / (1 + cosine) : (1 - cosine) / sine_squared;
 }
 
-// The view is rolled * turned * moved.
+// The three factors of a view: the view is rolled * turned * moved.
 struct AxisAngleFactors {
   Transform<World, World> moved;  // T(-eye)
   // R(a, theta) about a = gaze x (-z), whose length is the sine of theta.
   Transform<World, World> turned;
-  Transform<Eye, World> rolled;  // R_z(roll): up into the upper half of the yz plane
+  Transform<Eye, World> rolled;  // R_z(roll): turns up into the upper half of the yz plane
 };
 
-// `gaze` and `up` are unit vectors that do not lie along one line. A gaze along +z, where a is 0/0, turns about y (E8, C-05).
+// `gaze` and `up` are unit vectors that are not on one line. For a gaze along +z, a would be 0/0;
+// the turn is then about y (E8, C-05).
 AxisAngleFactors axis_angle_factors(const Point<World, double>& eye,
                                     const Vector<World, double>& gaze,
                                     const Vector<World, double>& up);

@@ -15,7 +15,8 @@ Facing facing_of(double value) {
   return value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
-// m relative to the first corner, and the same sums with every term taken positive: |error of m| <= gamma * size.
+// m relative to the first corner, and the same sums with all terms positive: |error of m| <= gamma
+// * size.
 struct NewellWithSize {
   Vector<Object, double> m;
   Vector<Object, double> size;
@@ -46,8 +47,9 @@ NewellWithSize newell_with_size(std::span<const Point<Object>> polygon) {
 
 using Difference = Expansion<2>;
 
-// a sum of n fan triangles, n < 2^32, has its bits between 2^-550 and 2^520: floats and coordinates of valid viewers
-// have none below 2^-149 and 2^-252, and none above 2^128 and 2^201. Terms do not share bits, so this is room enough.
+// A sum of n fan triangles, n < 2^32, has its bits between 2^-550 and 2^520: floats and coordinates
+// of valid viewers have none below 2^-149 and 2^-252, and none above 2^128 and 2^201. Terms do not
+// share bits, so this capacity is enough.
 using FanSum = Expansion<1100>;
 
 int exact_sign(std::span<const Point<Object>> polygon, const ObjectViewer& viewer) {
@@ -76,10 +78,10 @@ int exact_sign(std::span<const Point<Object>> polygon, const ObjectViewer& viewe
   return sum.sign();
 }
 
-// The 3x3 linear part of rows i, j, k, and what Cramer's rule needs of it.
+// The 3x3 linear part of rows i, j, k, and the quantities that Cramer's rule needs.
 struct Linear {
   std::array<std::array<double, 3>, 3> adjugate;       // adjugate * matrix = determinant * identity
-  std::array<std::array<double, 3>, 3> adjugate_size;  // the same with every term taken positive
+  std::array<std::array<double, 3>, 3> adjugate_size;  // the same with all terms positive
   double determinant;
   double determinant_size;
 };
@@ -107,7 +109,8 @@ Linear linear_part(const Transform<Target, Object>& t, int row0, int row1, int r
 }
 
 bool is_singular_within_rounding(const Linear& linear) {
-  // 2 roundings in an adjugate's term, then a product and two sums. Not "<=": NaN is singular too.
+  // 2 roundings in a term of the adjugate, then a product and two sums. Not "<=": NaN counts as
+  // singular too.
   return !(std::abs(linear.determinant) > 2 * gamma<double>(5) * linear.determinant_size);
 }
 
@@ -134,8 +137,9 @@ std::optional<ObjectViewer> viewer_in_object_space(const Transform<Eye, Object>&
       size += linear.adjugate_size[i][k] * std::abs(right[k]);
     }
     solution[i] = sum / linear.determinant;
-    // Numerator: 2 roundings in the adjugate, one in `right`, one product, three sums. Denominator: 5 on its size, at
-    // most half of it away (is_singular_within_rounding), which doubles both. One division. 2^-200 for the zeros.
+    // Numerator: 2 roundings in the adjugate, one in `right`, one product, three sums. Denominator:
+    // 5 roundings relative to its size; at most half of it is lost (is_singular_within_rounding),
+    // which doubles both terms. One division. 2^-200 for coordinates set to zero.
     const double determinant = std::abs(linear.determinant);
     error[i] =
         2 * gamma<double>(8) * size / determinant +
@@ -163,9 +167,9 @@ BackFaceTest test_back_face(std::span<const Point<Object>> polygon, const Object
           ? Vector<Object, double>(double(p.x) - v.x, double(p.y) - v.y, double(p.z) - v.z)
           : v;
   test.value = dot(newell.m, sight);
-  // Per term of m: two roundings from the corners' differences, two from their difference and sum, one product, at most
-  // N sums; then one for the sight, one product, two sums. The sizes and this bound are rounded as often, which a
-  // second gamma covers: N + 9 becomes N + 12.
+  // Per term of m: two roundings from the corners' differences, two from their difference and sum,
+  // one product, at most N sums; then one for the sight, one product, two sums. The sizes and this
+  // bound have as many roundings, which a second gamma covers: N + 9 becomes N + 12.
   const double size = newell.size.x * std::abs(sight.x) + newell.size.y * std::abs(sight.y) +
                       newell.size.z * std::abs(sight.z);
   test.bound = double(polygon.size() + 12) * unit_roundoff<double> * size;
@@ -187,7 +191,7 @@ double snapping_margin(const Transform<Clip, Object>& clip_from_object, const Ob
   if (viewer.perspective) {
     const Linear linear = linear_part(clip_from_object, 0, 1, 3);
     if (is_singular_within_rounding(linear)) return std::numeric_limits<double>::infinity();
-    // A bound from below: the computed determinant less its error.
+    // A lower bound: the computed determinant minus its error.
     scale = std::abs(linear.determinant) - gamma<double>(5) * linear.determinant_size;
   } else {
     const Vector<Object, double> x(clip_from_object.at(0, 0), clip_from_object.at(0, 1),
@@ -199,7 +203,7 @@ double snapping_margin(const Transform<Clip, Object>& clip_from_object, const Ob
     scale = std::sqrt(dot(area, area) / dot(g, g)) * (1 - 0x1p-40);
   }
   const double w = viewer.perspective ? largest_w : 1;
-  // A few roundings in this very expression.
+  // The last factor covers the few roundings in this expression itself.
   const double margin = area_change * (w * w * w) / (half_pixels * scale) * (1 + 0x1p-40);
   return margin >= 0 ? margin : std::numeric_limits<double>::infinity();
 }

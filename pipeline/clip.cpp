@@ -20,25 +20,26 @@ float round_to_float(double x) {
   return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
 
-// Makes the plane's own coordinate what the plane says it is, given the others as rounded.
+// Sets the plane's own coordinate so that the point is on the plane, given the other coordinates as
+// rounded.
 void put_on_plane(const ClipPlane& plane, Point<Clip>& p) {
   const int coordinates = int(plane.a != 0) + int(plane.b != 0) + int(plane.c != 0);
   const auto solve = [](double others, double coefficient) {
     return round_to_float(-others / coefficient + 0.0);  // + 0.0: never -0
   };
   if (coordinates == 0 && plane.d != 0) p.w = solve(plane.e, plane.d);
-  if (coordinates != 1) return;  // a slanted plane: the rounded crossing is as good as any
+  if (coordinates != 1) return;  // slanted plane: the rounded crossing is kept as it is
   const double others = plane.d * double(p.w) + plane.e;
   if (plane.a != 0) p.x = solve(others, plane.a);
   if (plane.b != 0) p.y = solve(others, plane.b);
   if (plane.c != 0) p.z = solve(others, plane.c);
 }
 
-// Where the edge from p to q crosses the plane; their distances have opposite signs. Swapping the ends swaps the terms
-// of sums, and nothing else.
+// The point where the edge from p to q crosses the plane; their distances have opposite signs.
+// Swapping the ends only swaps the terms of sums, which changes no bit.
 //
-// Nothing overflows: coordinates are below 2^128, distances below 2^200 * 2^130. A result between two floats rounds to
-// one of them or between them.
+// Nothing overflows: coordinates are below 2^128, distances below 2^200 * 2^130. A result between
+// two floats rounds to one of them or to a float between them.
 ClipVertex crossing(const ClipPlane& plane, const ClipVertex& p, double p_distance,
                     const ClipVertex& q, double q_distance) {
   const double p_size = std::abs(p_distance), q_size = std::abs(q_distance);
@@ -60,10 +61,11 @@ ClipVertex crossing(const ClipPlane& plane, const ClipVertex& p, double p_distan
 
 using Distances = decltype(ClipStep::distances);
 
-// In exact arithmetic the vertices outside a plane follow each other, because the polygon is convex and flat. Earlier
-// crossings were rounded, so a polygon that all but lies in the plane may dip through it twice. Then the deepest dip is
-// cut off, and the vertices of the others, which are outside by no more than rounding, count as on the plane. So each
-// plane adds one vertex at most, and kMaxClipVertices are enough for any input.
+// In exact arithmetic the vertices outside a plane are consecutive, because the polygon is convex
+// and flat. Earlier crossings were rounded, so a polygon that is nearly in the plane may cross
+// below it twice. Then only the deepest dip is cut off, and the vertices of the other dips, which
+// are outside by no more than rounding, count as on the plane. So each plane adds one vertex at
+// most, and kMaxClipVertices are enough for any input.
 void keep_deepest_dip(Distances& distances, int count) {
   const auto at = [&](int i) -> double& { return distances[std::size_t((i + count) % count)]; };
   int deepest = 0;
@@ -82,7 +84,7 @@ void append(ClipPolygon& polygon, const ClipVertex& vertex) {
   polygon.vertices[std::size_t(polygon.count++)] = vertex;
 }
 
-// One plane's work on a polygon.
+// Clips a polygon by one plane.
 ClipStep clip_by_plane(const ClipPolygon& polygon, const ClipPlane& plane) {
   ClipStep step;
   bool any_outside = false;
@@ -109,7 +111,8 @@ ClipStep clip_by_plane(const ClipPolygon& polygon, const ClipPlane& plane) {
   return step;
 }
 
-// Drops vertices at the position of the one before them, and polygons of less than a triangle.
+// Removes vertices that have the position of the one before them, and polygons of less than a
+// triangle.
 ClipPolygon without_repetitions(const ClipPolygon& polygon) {
   ClipPolygon tidy;
   for (int i = 0; i < polygon.count; ++i) {
@@ -157,7 +160,7 @@ std::array<ClipPlane, 4> guard_band_planes(const Viewport& viewport) {
 
 std::array<ClipPlane, kMaxClipPlanes> render_planes(const View& view) {
   const std::array<ClipPlane, 6> frustum = frustum_planes(view.depth_range);
-  // A float, so that w can be equal to it, and not subnormal, so that 1/w is finite.
+  // A float, so that w can be equal to it; not subnormal, so that 1/w is finite.
   const double smallest_w =
       std::max(double(std::numeric_limits<float>::min()),
                double(round_to_float(view.perspective ? view.near / 2 : 0.5)));
@@ -208,7 +211,8 @@ bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& 
 PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
                                const Transform<Clip, Object, float>& clip_from_object) {
   const std::array<double, 4> coefficients{plane.a, plane.b, plane.c, plane.d};
-  // Four roundings of the float transform; a dozen in double here and in over(), and a few in the error itself.
+  // Four roundings of the float transform; a dozen in double here and in over(), and a few in the
+  // error bound itself.
   constexpr double kShare = gamma<float>(4) * (1 + 0x1p-40) + gamma<double>(20);
   std::array<double, 4> slope{}, error{};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -243,7 +247,8 @@ ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes) {
   if (box.empty()) return ClipVerdict::kReject;
-  if (may_overflow(box, clip_from_object)) return ClipVerdict::kClip;  // look at each vertex
+  // So each vertex has to be tested.
+  if (may_overflow(box, clip_from_object)) return ClipVerdict::kClip;
   bool inside_all = true;
   for (const ClipPlane& plane : planes) {
     const auto [least, greatest] = PlaneOverBoxes(plane, clip_from_object).over(box);

@@ -1,12 +1,14 @@
-// Clipping in homogeneous clip space, before the divide (S3-11, S3-13; Blinn and Newell 1978; Sutherland and Hodgman
-// 1974): points behind the eye would otherwise be mapped to the front.
+// Clipping in homogeneous clip space, before the divide (S3-11, S3-13; Blinn and Newell 1978;
+// Sutherland and Hodgman 1974). Without it the divide would map points behind the eye to the front.
 //
-// One clipper serves all: `render` passes render_planes(), which keep what leaves the screen until the guard band and so
-// do not move the triangle's edges; labs and studies pass the six planes of the frustum.
+// There is one clipper for all uses. `render` passes render_planes(): triangles that leave the
+// screen are kept up to the guard band, so their edges do not move. Labs and studies pass the six
+// planes of the frustum.
 //
-// Watertight by construction. A crossing of an edge A-B with a plane depends on A and B alone, not on their order: it is
-// (A |dB| + B |dA|) / (|dA| + |dB|) per coordinate in double, rounded once to float. Two triangles that share an edge cut
-// it at the same bits, again and again through all planes (C-38, SPEC B.1).
+// The clipper is watertight by construction. The point where an edge A-B crosses a plane depends on
+// A and B alone, not on their order: it is (A |dB| + B |dA|) / (|dA| + |dB|) per coordinate in
+// double, rounded once to float. Two triangles that share an edge get the same bits for the
+// crossing, for each plane in turn (C-38, B.1).
 #pragma once
 
 #include <array>
@@ -22,59 +24,67 @@
 
 namespace glassbox {
 
-// The half-space a x + b y + c z + d w + e >= 0 of clip space. With e = 0 it does not ask how (x, y, z, w) is scaled;
-// the eye plane, w >= e, does, because w is a distance along the gaze.
+// The half-space a x + b y + c z + d w + e >= 0 of clip space. With e = 0 the result does not
+// depend on the scale of (x, y, z, w). For the eye plane, w >= e, it does, because w is a distance
+// along the gaze.
 struct ClipPlane {
   double a = 0, b = 0, c = 0, d = 0, e = 0;
   const char* name = "";
 };
 
-// 0 <= z <= w, -w <= x <= w, -w <= y <= w, in the order near, far, left, right, bottom, top. kReversed swaps near and far
-// and leaves the half-spaces alone.
+// The half-spaces 0 <= z <= w, -w <= x <= w, -w <= y <= w, in the order near, far, left, right,
+// bottom, top. kReversed swaps near and far; the half-spaces are the same.
 std::array<ClipPlane, 6> frustum_planes(DepthRange depth_range = DepthRange::kStandard);
 
-// z >= -w: the near plane of the OpenGL dialect (SPEC E16). Its far plane is the same, z <= w.
+// z >= -w: the near plane of the OpenGL dialect (E16). Its far plane is z <= w, as here.
 ClipPlane opengl_near_plane();
 
-// |screen x - centre| <= kGuardBandPx and likewise y, that is 2^16 w -+ W x >= 0 for a viewport W px wide. Wider than
-// any viewport that the program accepts, and narrow enough for the integers of raster/ (SPEC B.2).
+// The four planes |screen x - centre| <= kGuardBandPx and likewise y, that is 2^16 w -+ W x >= 0
+// for a viewport W px wide. The guard band is wider than any viewport that the program accepts, and
+// narrow enough for the integers of raster/ (B.2).
 inline constexpr double kGuardBandPx = 32768;
 std::array<ClipPlane, 4> guard_band_planes(const Viewport& viewport);
 
-// What `render` clips by, in this order: near; eye (w >= near/2 for perspective, 1/2 for parallel views); far; guard band.
+// The planes that `render` clips by, in this order: near; eye (w >= near/2 for perspective, 1/2 for
+// parallel views); far; guard band.
 //
-// The eye plane repeats what the near plane says in exact arithmetic. With rounded matrices it does not follow: z and w
-// are rounded separately, and a large offset may give z >= 0 where w <= 0. After clipping w >= near/2 holds always, so
-// that nothing divides by zero (C-33).
+// In exact arithmetic the eye plane follows from the near plane. With rounded matrices it does not:
+// z and w are rounded separately, and a large offset may give z >= 0 where w <= 0. After clipping w
+// >= near/2 always holds, so that nothing divides by zero (C-33).
 //
-// An infinite far plane of the standard range is z = w itself, where every distant point lies by rounding, on either
-// side. So that plane is left out there, and z <= 2 w stands in for it: it cuts nothing but noise and keeps z/w finite. A
-// depth of slightly more than 1 is possible then.
+// For an infinite far plane of the standard range the far plane is z = w itself, and rounding puts
+// every distant point on one side of it or the other. So z <= 2 w is used instead: it cuts only
+// rounding noise and keeps z/w finite. A depth of slightly more than 1 is possible then.
 std::array<ClipPlane, kMaxClipPlanes> render_planes(const View& view);
 
-// Where they stand in it; the four of the guard band follow.
+// The indices of these planes in the array; the four of the guard band follow.
 inline constexpr std::size_t kNearPlane = 0, kEyePlane = 1, kFarPlane = 2;
 
-// a x + b y + c z + d w + e in double. The sign is exact, 0 only on the plane, for coefficients that are zero or 2^-200 ..
-// 2^200 in size (base/expansion.h); the value is right to a few ulps of its largest term.
+// a x + b y + c z + d w + e in double. The sign is exact, and 0 only on the plane, for coefficients
+// that are zero or of size 2^-200 .. 2^200 (base/expansion.h). The value is correct to a few ulps
+// of its largest term.
 double signed_distance(const ClipPlane& plane, const Point<Clip>& position);
 
-// Bit i for planes[i] (at most 31): outside, distance < 0. kNotFinite, with all the other bits, where a coordinate is
-// infinite or NaN, so that such a vertex is never accepted.
+// Bit i is set where the point is outside planes[i] (distance < 0; at most 31 planes). kNotFinite
+// is set, with all other bits, where a coordinate is infinite or NaN, so that such a vertex is
+// never accepted.
 inline constexpr Outcode kNotFinite = 0x80000000u;
 Outcode outcode(const Point<Clip>& position, std::span<const ClipPlane> planes);
 
-// Accept: all vertices are inside all planes, and clipping would change nothing (C-42). Reject: all are outside one
-// plane, or one of them is not finite.
+// kAccept: all vertices are inside all planes, so clipping would change nothing (C-42). kReject:
+// all are outside one plane, or one of them is not finite.
 enum class ClipVerdict { kReject, kAccept, kClip };
 ClipVerdict trivial_verdict(std::span<const Outcode> outcodes);
 
-// Whether some coordinate of a vertex in the box may be too large for a float, or near it.
+// Whether some clip coordinate of a vertex in the box may overflow the range of float, or come near
+// to it.
 bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& clip_from_object);
 
-// What signed_distance() is over boxes of object space, without transforming their contents: of every vertex in the box, transformed in
-// float by transform_row's order of operations, provided that no coordinate overflows. The extremes of a linear function over a box are
-// at its corners; the rounding of the float transform, gamma_4 |M||x| (SPEC C, generic bound 1), is taken into account.
+// The range of signed_distance() over boxes of object space, without transforming their contents.
+// It holds for every vertex in the box, transformed in float in the order of operations of
+// transform_row, provided that no coordinate overflows. A linear function over a box has its
+// extremes at the corners; the rounding of the float transform, gamma_4 |M||x| (docs/references.md,
+// bound 1), is included.
 class PlaneOverBoxes {
 public:
   PlaneOverBoxes(const ClipPlane& plane, const Transform<Clip, Object, float>& clip_from_object);
@@ -83,41 +93,45 @@ public:
     double least = 0, greatest = 0;
   };
   Distances over(const Box<Object>& box) const;
-  // The same by the box's centre and half its size.
+  // The same for a box given by its centre and half its size.
   Distances over(const Point<Object, double>& centre, const Vector<Object, double>& half) const;
 
 private:
-  // slope . p + offset, and what it may be off by: error . |p| + error_offset.
+  // The distance is slope . p + offset, with an error of at most error . |p| + error_offset.
   Vector<Object, double> slope_, error_;
   double offset_ = 0, error_offset_ = 0;
 };
 
-// The same as trivial_verdict for everything inside a box of object space, without transforming its contents: kAccept means that every
-// vertex in the box has outcode 0, and kReject that for one of the planes every one is outside. An empty box is rejected.
+// Like trivial_verdict for everything inside a box of object space, without transforming its
+// contents. kAccept: every vertex in the box has outcode 0. kReject: for one of the planes every
+// vertex is outside. An empty box is rejected.
 ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes);
 
-// What one plane did to a polygon.
+// The effect of one plane on a polygon.
 struct ClipStep {
-  std::array<double, kMaxClipVertices> distances{};  // of the vertices that came; negative: outside
+  std::array<double, kMaxClipVertices> distances{};  // of the input vertices; negative: outside
   ClipPolygon after;
-  // Where each vertex of `after` comes from: {i, i}, vertex i as it came; {i, j}, the crossing of the edge from i to j.
+  // The origin of each vertex of `after`: {i, i} is input vertex i; {i, j} is the crossing of the
+  // edge from i to j.
   std::array<std::array<int, 2>, kMaxClipVertices> sources{};
 };
 
-// The part of a triangle inside all planes (at most kMaxClipPlanes): a convex polygon of 3 .. 3 + planes vertices in the triangle's
-// order, beginning with its first corner that is kept; or none. A vertex exactly on a plane is inside and is not
-// repeated; vertices whose positions coincide after rounding are merged (C-35). Nothing is kept where less than a
+// Returns the part of a triangle inside all planes (at most kMaxClipPlanes): a convex polygon of 3
+// .. 3 + planes vertices in the triangle's order, beginning with its first corner that is kept, or
+// an empty polygon. A vertex exactly on a plane is inside and is not repeated; vertices whose
+// positions are equal after rounding are merged (C-35). The result is empty where less than a
 // triangle remains, or where a position is not finite.
 //
-// A crossing lies exactly on its plane: with one of a, b, c non-zero, that coordinate is computed from the rounded w (z =
-// 0, z = w, x = -w, x = round(k w), ...), with none of them w is. Its other coordinates lie between those of its ends,
-// and whatever both ends satisfy of x <= w, -w <= x, 0 <= z and so on they satisfy too, since rounding is monotonic. For
-// finite input nothing becomes infinite or NaN.
+// A crossing is exactly on its plane. With one of a, b, c non-zero, that coordinate is computed
+// from the rounded w (z = 0, z = w, x = -w, x = round(k w), ...); with none of them non-zero, w is
+// computed. The other coordinates are between those of the two ends. A condition such as x <= w, -w
+// <= x or 0 <= z that both ends satisfy holds for the crossing too, since rounding is monotonic.
+// For finite input nothing becomes infinite or NaN.
 //
-// `steps`, unless null, is given what each plane did, until one leaves nothing. The last one's polygon may still repeat
-// positions.
+// `steps`, unless null, receives the result of each plane, up to the first that leaves nothing. The
+// last polygon in it may still repeat positions.
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
                           std::span<const ClipPlane> planes,
                           std::vector<ClipStep>* steps = nullptr);
@@ -126,7 +140,8 @@ ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
 int fan_size(const ClipPolygon& polygon);
 std::array<ClipVertex, 3> fan_triangle(const ClipPolygon& polygon, int i);
 
-// The part of a segment inside all planes; none where nothing, or one point of a longer segment, is left.
+// The part of a segment inside all planes. Returns nothing where nothing is left, or only one point
+// of a longer segment.
 std::optional<std::array<ClipVertex, 2>> clip_segment(const std::array<ClipVertex, 2>& segment,
                                                       std::span<const ClipPlane> planes);
 

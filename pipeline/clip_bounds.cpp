@@ -11,7 +11,8 @@ namespace {
 constexpr double kU = unit_roundoff<float>;
 constexpr double kHalfSubnormal = 0x1p-150;
 constexpr double kRoundUp = 1 + 0x1p-40;
-// Three products, a sum and a quotient in double: they matter for the weights, which stay double.
+// Three products, a sum and a quotient in double. They matter for the weights, which stay in
+// double.
 constexpr double kInDouble = 8 * unit_roundoff<double>;
 
 double times(double a, double b) {

@@ -1,11 +1,11 @@
-// The other conventions of the field, each one matrix away from ours (SPEC 0.2, docs/conventions.md).
+// The other common conventions; one matrix converts each of them to ours (docs/conventions.md).
 //
-//   ours                          dialect                                adaptor
-//   Eye: looks down -z            EyeLeft: z grows into the scene        eye_left_from_eye (its own inverse)
-//   Clip: 0 <= z <= w             ClipGl: -w <= z <= w                   clip_gl_from_clip, clip_from_clip_gl
-//   depth 0 near, 1 far           1 near, 0 far                          reverse_depth (its own inverse)
-//   column vectors                row vectors                            row_vector_matrix
-//   column-major storage          row-major storage                      row_major, from_row_major
+//   ours                      dialect                     adaptor
+//   Eye: looks down -z        EyeLeft: z into the scene   eye_left_from_eye (its own inverse)
+//   Clip: 0 <= z <= w         ClipGl: -w <= z <= w        clip_gl_from_clip, clip_from_clip_gl
+//   depth 0 near, 1 far       1 near, 0 far               reverse_depth (its own inverse)
+//   column vectors            row vectors                 row_vector_matrix
+//   column-major storage      row-major storage           row_major, from_row_major
 #pragma once
 
 #include <array>
@@ -14,14 +14,17 @@
 
 namespace glassbox {
 
-// The left-handed eye of S3.24-33 and S4.9-20 (Watt's form): x right, y up, z the distance along the gaze.
+// The left-handed eye of S3.24-33 and S4.9-20 (Watt's form): x right, y up, z the distance along
+// the gaze.
 struct EyeLeft {};
 
-// OpenGL's clip space, z in [-w, w] (S4.21). Matrices into it multiply like all others; a point in it is a glm::dvec4.
+// OpenGL's clip space, z in [-w, w] (S4.21). Matrices into it multiply like all others; a point in
+// it is a glm::dvec4.
 struct ClipGl {};
 
-// S = diag(1, 1, -1, 1). A matrix written for the left-handed eye becomes ours as T * eye_left_from_eye(). Without it
-// everything in front of the camera gets w < 0, and what lies behind is drawn (E12, C-07).
+// S = diag(1, 1, -1, 1). A matrix T written for the left-handed eye becomes ours as T *
+// eye_left_from_eye(). Without this factor everything in front of the camera gets w < 0, and what
+// is behind the camera is drawn (E12, C-07).
 inline Transform<EyeLeft, Eye> eye_left_from_eye() {
   Transform<EyeLeft, Eye> s;
   s.at(2, 2) = -1;
@@ -31,8 +34,9 @@ inline Transform<Eye, EyeLeft> eye_from_eye_left() {
   return Transform<Eye, EyeLeft>(eye_left_from_eye().columns);
 }
 
-// z' = 2z - w, so that depth 0 .. 1 becomes -1 .. 1. The near plane is z >= 0 before and z >= -w after: clipping one
-// dialect's vertices by the other's plane is E16 and C-41.
+// z' = 2z - w, so that depth 0 .. 1 becomes -1 .. 1. The near plane is z >= 0 before and z >= -w
+// after. Clipping the vertices of one dialect by the near plane of the other is the error of E16
+// and C-41.
 inline Transform<ClipGl, Clip> clip_gl_from_clip() {
   Transform<ClipGl, Clip> m;
   m.at(2, 2) = 2;
@@ -53,8 +57,8 @@ constexpr double depth_from_gl_depth(double z_gl) {
   return (z_gl + 1) / 2;
 }
 
-// z' = w - z: depth 1 at the near plane. Correct for any clip matrix, but it cancels: the projections of projection.h
-// write their reversed entries without the subtraction.
+// z' = w - z: depth 1 at the near plane. Correct for any clip matrix, but the subtraction cancels
+// digits: the projections of projection.h write their reversed entries without it.
 inline Transform<Clip, Clip> reverse_depth() {
   Transform<Clip, Clip> m;
   m.at(2, 2) = -1;
@@ -65,10 +69,11 @@ constexpr double reversed_depth(double z) {
   return 1 - z;
 }
 
-// The stereo skew of S0.21, applied in eye space before the projection: x' = x + s (1 - z/f) with z the distance along
-// the gaze, so that points at the distance f stay. The slide's left-handed form has -s/f at [0][2]; looking down -z the
-// sign of that entry turns. `shift` in world units (half the interaxial distance for the left eye, minus it for the
-// right one), `focus` > 0 in world units.
+// The stereo skew of S0.21, applied in eye space before the projection: x' = x + s (1 - z/f) where
+// z is the distance along the gaze, so that points at the distance f do not move. The slide's
+// left-handed form has -s/f at [0][2]; for an eye that looks down -z the sign of that entry is the
+// opposite. `shift` is in world units (half the interaxial distance for the left eye, minus that
+// for the right one); `focus` > 0 in world units.
 inline Transform<EyeLeft, EyeLeft> stereo_skew_left_handed(double shift, double focus) {
   Transform<EyeLeft, EyeLeft> m;
   m.at(0, 2) = -shift / focus;
@@ -83,9 +88,9 @@ inline Transform<Eye, Eye> stereo_skew(double shift, double focus) {
 }
 
 // ---- storage ----
-// Ours multiplies columns, and GLM and OpenGL store column after column: m[4 column + row]. A library of row vectors
-// (v' = v M) that stores row after row has the same sixteen numbers in the same order for the same map, because two
-// transpositions cancel.
+// Our matrices multiply column vectors, and GLM and OpenGL store one column after the other: m[4
+// column + row]. A library of row vectors (v' = v M) that stores one row after the other has the
+// same sixteen numbers in the same order for the same map, because two transpositions cancel.
 
 using Matrix16 = std::array<double, 16>;
 
@@ -124,8 +129,8 @@ Transform<Target, Source> from_row_major(const Matrix16& numbers) {
   return m;
 }
 
-// The matrix M of the same map for row vectors, p' = p M: the transpose. Products of such matrices are written the
-// other way round.
+// The matrix of the same map for row vectors, p' = p M: the transpose. Products of such matrices
+// are written in the opposite order.
 template <class Target, class Source>
 glm::dmat4 row_vector_matrix(const Transform<Target, Source>& m) {
   glm::dmat4 transposed;

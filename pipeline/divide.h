@@ -5,11 +5,13 @@
 
 namespace glassbox {
 
-// x/w, y/w, z/w and 1/w, each rounded once. Multiplying by 1/w would round twice and be wrong by an ulp now and then.
+// x/w, y/w, z/w and 1/w, each rounded once. Multiplying by 1/w would round twice, and the result
+// would sometimes be wrong by an ulp.
 //
-// w = 1, a parallel projection, is left alone: the bits are the same as those of a division, and a plan may leave the
-// stage out. Any w that is not zero will do, negative ones too (vertices that are only looked at, before clipping);
-// after clipping by render_planes() w is at least near/2.
+// For w = 1, a parallel projection, nothing is divided: the bits are the same as those of a
+// division, so this stage may be left out. Any w that is not zero is allowed, negative ones too
+// (for vertices that are inspected before clipping). After clipping by render_planes() w is at
+// least near/2.
 inline NdcVertex divide(const Point<Clip>& clip) {
   if (clip.w == 1) return {{clip.x, clip.y, clip.z}, 1};
   return {{clip.x / clip.w, clip.y / clip.w, clip.z / clip.w}, 1 / clip.w};

@@ -1,4 +1,4 @@
-// The formulas of the pipeline's stages, for one number at a time.
+// The formulas of the pipeline's stages, each for one number or one vertex.
 #pragma once
 
 #include <array>

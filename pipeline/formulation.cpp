@@ -10,7 +10,8 @@
 namespace glassbox {
 namespace {
 
-// What the forms are made from: the near and far plane, and the window on the near plane.
+// The values that the forms are computed from: the near and far plane, and the window on the near
+// plane.
 struct Pyramid {
   double near = 0, far = 0;
   double tan_half_height = 0;  // of the vertical angle
@@ -39,7 +40,7 @@ Pyramid pyramid_of(const FrustumLens& lens) {
           lens.left == -lens.right && lens.bottom == -lens.top};
 }
 
-// The slide's window is a square. A wider one has its x divided by the aspect ratio.
+// The slide's window is a square. For a wider one x is divided by the aspect ratio.
 Result<Transform<Clip, Eye>> from_t_pers(const Pyramid& p) {
   return t_pers(p.near * p.tan_half_height, p.near, p.far)
       .map([&](const Transform<Clip, EyeLeft>& square) {
@@ -103,7 +104,7 @@ Result<View> make_view(const Camera& camera, int width, int height, DepthRange d
     view->clip_from_eye = *made;
   }
   if (formulation.view == ViewForm::kAxisAngle) {
-    // The axes as make_view has repaired them; the eye where the camera has it.
+    // The axes as make_view has repaired them; the eye as the camera gives it.
     Transform<World, Eye> pose = camera.world_from_eye;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column)

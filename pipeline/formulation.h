@@ -1,15 +1,20 @@
-// The slides' ways to the two matrices of a view, beside the program's own: the same maps by other arithmetic.
+// The slides' ways to compute the two matrices of a view, beside the program's own: the same maps
+// by different arithmetic.
 //
-//   eye_from_world   kUvn           [U; V; N] T(-eye), what gluLookAt makes (S4-02, S4-03)
-//                    kAxisAngle     R_z(roll) R(a, theta) T(-eye) (S3-16)
-//   clip_from_eye    kPerspective   by the vertical angle, what gluPerspective makes (S4-12); other lenses as they are
-//                    kFrustum       by the window on the near plane, what glFrustum makes (S3-15)
-//                    kTPers         by the window's half-height on the view plane, which is the near plane (S4-10)
-//                    kAlphaBeta     by half the horizontal angle, and z' = alpha + beta/z (S3-12, S3-14)
+//   eye_from_world  kUvn          [U; V; N] T(-eye), as in gluLookAt (S4-02, S4-03)
+//                   kAxisAngle    R_z(roll) R(a, theta) T(-eye) (S3-16)
+//   clip_from_eye   kPerspective  from the vertical angle, as in gluPerspective (S4-12);
+//                                 other lenses are unchanged
+//                   kFrustum      from the window on the near plane, as in glFrustum (S3-15)
+//                   kTPers        from the window's half-height on the view plane, which is
+//                                 the near plane (S4-10)
+//                   kAlphaBeta    from half the horizontal angle, and z' = alpha + beta/z
+//                                 (S3-12, S3-14)
 //
-// In double, entries of the rotation are within 16 u of each other. So are those of clip_from_eye but for rounding: 12 ulps,
-// and for kAlphaBeta, whose angle is rounded, 4 times fov_condition() of the horizontal angle more. Rounded to float most
-// entries are the same, and the rest are neighbours.
+// In double, the entries of the rotations differ by at most 16 u. The entries of clip_from_eye
+// differ only by rounding: by 12 ulps, and for kAlphaBeta, whose angle is rounded, by 4 times
+// fov_condition() of the horizontal angle more. After rounding to float most entries are equal, and
+// the rest are neighbouring floats.
 #pragma once
 
 #include <optional>
@@ -31,32 +36,35 @@ struct Formulation {
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
 
-// make_view with the matrices made these ways. Errors, besides its own: a projection form other than kPerspective for a
-// parallel lens; kTPers and kAlphaBeta with reversed depth, or with a window that is not centred on the gaze.
+// make_view with its matrices computed in these ways. Errors, besides those of make_view: a
+// projection form other than kPerspective for a parallel lens; kTPers and kAlphaBeta with reversed
+// depth, or with a window that is not centred on the gaze.
 Result<View> make_view(const Camera& camera, int width, int height, DepthRange depth_range,
                        const Formulation& formulation);
 
 // ---- the factors, for whoever wants to look at them ----
 
-// The factors of kAxisAngle. The pose is rigid.
+// The factors of kAxisAngle. The pose must be rigid.
 AxisAngleFactors axis_angle_factors(const Transform<World, Eye>& world_from_eye);
 
-// Between the scale and the box: the viewing pyramid with a right angle at its top, |x|, |y| <= z.
+// The space between the scaling and the box: the viewing pyramid with a right angle at its top,
+// |x|, |y| <= z.
 struct RegularPyramid {};
 
-// S4.18-20: a perspective matrix as what happens to the slides' left-handed eye, one step after the other. The product
-// clip_from_pyramid * moved * scaled * eye_left_from_eye() is clip_from_eye bit for bit.
+// A perspective matrix as a sequence of steps for the slides' left-handed eye (S4.18-20). The
+// product clip_from_pyramid * moved * scaled * eye_left_from_eye() is clip_from_eye bit for bit.
 struct PerspectiveFactors {
-  // diag(d/h, d/h, 1, 1), or with one scale for each of x and y.
+  // diag(d/h, d/h, 1, 1), or different scales for x and y.
   Transform<RegularPyramid, EyeLeft> scaled;
-  // The identity, but for windows beside the gaze, and a pair's eyes.
+  // The identity, except for windows that are not centred on the gaze and for the eyes of a stereo
+  // pair.
   Transform<RegularPyramid, RegularPyramid> moved;
-  // The pyramid to the box: x, y stay, depth and w follow.
+  // Maps the pyramid to the box: x and y stay, depth and w are computed.
   Transform<Clip, RegularPyramid> clip_from_pyramid;
   bool has_moved = false;
 };
 
-// Nothing for matrices that are no perspective of projection.h's form.
+// Returns nothing for matrices that are not a perspective of the form in projection.h.
 std::optional<PerspectiveFactors> perspective_factors(const Transform<Clip, Eye>& clip_from_eye);
 
 }  // namespace glassbox

@@ -15,7 +15,7 @@
 namespace glassbox {
 namespace {
 
-// Half of what float holds is left for the distances around the box.
+// Half of float's exponent range is left for the distances around the box.
 constexpr double kLargestCoordinate = 0x1p100;
 
 Result<void> check_bounds(const Box<World>& bounds) {
@@ -52,7 +52,7 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-// How far along the gaze the box's corners lie.
+// The smallest and the largest distance along the gaze of the box's corners.
 Result<Interval> depths_of(const Transform<World, Eye>& world_from_eye, const Box<World>& bounds) {
   if (const Result<void> ok = check_bounds(bounds); !ok) return tl::unexpected(ok.error());
   const Transform<Eye, World> eye_from_world = inverse_rigid(world_from_eye);
@@ -68,16 +68,16 @@ Result<Interval> depths_of(const Transform<World, Eye>& world_from_eye, const Bo
   return depths;
 }
 
-// 1 % of the box's depth; of its distance where it has none; of 1 at the eye itself.
+// 1 % of the box's depth; of its distance where it has no depth; of 1 at the eye itself.
 double margin_of(const Interval& depths) {
   const double extent = depths.high - depths.low;
   const double distance = std::max(std::abs(depths.low), std::abs(depths.high));
-  const double smallest = distance * 0x1p-20;  // what float can tell apart there, and some
+  const double smallest = distance * 0x1p-20;  // a little more than float's resolution there
   if (extent > smallest) return 0.01 * extent;
   return 0.01 * (distance > 0 ? distance : 1);
 }
 
-// What is wrong with the request, if anything.
+// Reports what is wrong with the request, if anything.
 Result<void> check_request(const Box<World>& bounds, double aspect, const FramingOptions& options) {
   if (const Result<void> ok = check_bounds(bounds); !ok) return ok;
   if (!(aspect > 0) || std::isinf(aspect)) {
@@ -100,8 +100,8 @@ Result<void> check_request(const Box<World>& bounds, double aspect, const Framin
   return {};
 }
 
-// `v` turned as y is turned to the unit vector `up`: Rodrigues about k = y x up, whose length is the sine and up.y the cosine
-// of the angle.
+// `v` rotated as y is rotated to the unit vector `up`: Rodrigues' formula about k = y x up, whose
+// length is the sine and up.y the cosine of the angle.
 Vector<World, double> turned_upright(const Vector<World, double>& v,
                                      const Vector<World, double>& up) {
   const double cosine = up.y;
@@ -120,21 +120,21 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
   const SinCos elevation = sin_cos_degrees(options.elevation_degrees);
   const Vector<World, double> with_y_up{elevation.cos * azimuth.sin, elevation.sin,
                                         elevation.cos * azimuth.cos};
-  // An `up` that is no direction is refused by camera_pose.
+  // camera_pose refuses an `up` without a direction.
   const Vector<World, double> towards_eye =
       turned_upright(with_y_up, unit(options.up).value_or(Vector<World, double>{0, 1, 0}));
   const Result<Transform<World, Eye>> turned_pose =
       camera_pose(Point<World, double>{}, -towards_eye, options.up);
   if (!turned_pose) return tl::unexpected(turned_pose.error());
 
-  // The box of the points along the axes of the eye, whose directions are known before its place.
+  // The box of the points along the axes of the eye; the axes are known before the eye's position.
   const Transform<Eye, World> turned = inverse_rigid(*turned_pose);
   Box<Eye> box;
   for_each_point([&](const Point<World, double>& p) { box.include(turned * p); });
   const Point<Eye, double> center = box.center();
 
-  // From a distance D of the centre, a point that lies x across and z towards the eye is within the picture if
-  // |x| <= (D - z) tan(half the angle); likewise its height.
+  // From a distance D of the centre, a point at x to the side and at z towards the eye is within
+  // the picture if |x| <= (D - z) tan(half the angle); likewise for its height.
   const double up = tan_half_degrees(options.fovy_degrees) / options.margin;
   const double across = aspect * up;
   double distance = 0;
@@ -153,7 +153,7 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
   camera.world_from_eye.at(1, 3) = eye.y;
   camera.world_from_eye.at(2, 3) = eye.z;
 
-  // 1 % of the distance of the nearest and of the farthest point is left over.
+  // Leave 1 % of the distance of the nearest and of the farthest point as a margin.
   const double half_depth = box.high.z - center.z;
   const double far = 1.01 * (distance + half_depth);
   const double near = std::max(0.99 * (distance - half_depth), far / kMaxDepthRatio);
@@ -189,7 +189,7 @@ Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye,
   if (!depths) return tl::unexpected(depths.error());
   const double margin = margin_of(*depths);
   double far = depths->high + margin;
-  // All of it is behind the eye.
+  // The whole box is behind the eye.
   if (!(depths->high > 0)) far = std::max(depths->high - depths->low, margin);
   return NearFar{std::max(depths->low - margin, far / kMaxDepthRatio), far};
 }

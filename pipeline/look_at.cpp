@@ -13,12 +13,12 @@ namespace {
 
 using WorldVector = Vector<World, double>;
 
-// What both constructions start from: unit gaze and unit up that are not along one line.
+// The input of both constructions: unit gaze and unit up that are not on one line.
 struct Directions {
   WorldVector gaze, up;
 };
 
-// The coordinate axis that is farthest from the gaze: always a usable up.
+// The coordinate axis that is most nearly perpendicular to the gaze: always a usable up.
 const char* usable_up(const WorldVector& gaze) {
   const double x = std::abs(gaze.x), y = std::abs(gaze.y), z = std::abs(gaze.z);
   if (y <= x && y <= z) return "0,1,0";
@@ -74,7 +74,7 @@ Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye, const
   const Result<Directions> directions = directions_of(eye, gaze, up);
   if (!directions) return tl::unexpected(directions.error());
   const WorldVector n = -directions->gaze;
-  // Not zero: the sine was checked.
+  // Not zero: the sine has been checked.
   const WorldVector u = unit(cross(directions->up, n)).value_or(WorldVector{});
   const WorldVector v = cross(n, u);
   Transform<World, Eye> pose;

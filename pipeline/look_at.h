@@ -6,32 +6,35 @@
 
 namespace glassbox {
 
-// Below this sine of the angle between `up` and the gaze (0.2 seconds of arc) there is no telling which way is up: the
-// error of the axes is about 2 u/sine (SPEC B.5), and the user cannot have meant it (C-01).
+// If the sine of the angle between `up` and the gaze is below this value (0.2 seconds of arc), the
+// up direction is undetermined: the error of the axes is about 2 u/sine (B.5), and the user cannot
+// have meant it (C-01).
 inline constexpr double kMinUpSine = 0x1p-20;
 
-// Where an eye stands and how its axes lie: N = -gaze/|gaze|, U = up x N/|up x N|, V = N x U are the columns, the eye
-// the origin (S4.6). The vectors may have any length. Errors: a zero, infinite or NaN gaze or up, an eye that is not
-// finite, `up` along the gaze.
+// The position and the axes of an eye: the columns are U = up x N/|up x N|, V = N x U and N =
+// -gaze/|gaze|, and the eye is the origin (S4.6). The vectors may have any length. Errors: a zero,
+// infinite or NaN gaze or up, an eye that is not finite, `up` along the gaze.
 Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye,
                                           const Vector<World, double>& gaze,
                                           const Vector<World, double>& up);
-// The same towards a point; an error if it is the eye (C-02).
+// The same with a gaze towards the point `target`; an error if that is the eye (C-02).
 Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye,
                                           const Point<World, double>& target,
                                           const Vector<World, double>& up);
 
-// UVN, what gluLookAt makes (S4-02, S4-03): [[U, -e.U], [V, -e.V], [N, -e.N], [0 0 0 1]], the inverse of camera_pose.
-// Rotation entries are within (8 + 4/sine) u of the exact ones, `sine` that of the angle between up and gaze; axis-aligned
-// cameras are exact, and there is no -0.
+// The UVN construction, as in gluLookAt (S4-02, S4-03): [[U, -e.U], [V, -e.V], [N, -e.N], [0 0 0
+// 1]], the inverse of camera_pose. The rotation's entries are within (8 + 4/sine) u of the exact
+// ones, where `sine` is that of the angle between up and gaze. Axis-aligned cameras are exact, and
+// there is no -0.
 Result<Transform<Eye, World>> look_at(const Point<World, double>& eye,
                                       const Point<World, double>& target,
                                       const Vector<World, double>& up);
 
-// S3.37: translate by -eye, rotate the gaze onto -z about a = v x (-z), then roll about z until up lies in the upper half
-// of the yz plane: R_z(roll) R(a, theta) T(-eye). (The slide turns the gaze to +z, which mirrors the picture in a
-// right-handed world: E7.) Agrees with look_at within the sum of their errors; a gaze along +z, where a is 0/0, turns
-// about y (E8, C-05).
+// The construction of S3.37: translate by -eye, rotate the gaze onto -z about a = v x (-z), then
+// roll about z until up is in the upper half of the yz plane: R_z(roll) R(a, theta) T(-eye). (The
+// slide turns the gaze to +z, which mirrors the picture in a right-handed world: E7.) The result
+// agrees with look_at within the sum of their errors. For a gaze along +z, where a is 0/0, the
+// rotation is about y (E8, C-05).
 Result<Transform<Eye, World>> look_at_axis_angle(const Point<World, double>& eye,
                                                  const Point<World, double>& target,
                                                  const Vector<World, double>& up);

@@ -1,4 +1,4 @@
-// Normals under a transform: by the matrix of cofactors, which needs no inverse and no division.
+// Transforms normals by the matrix of cofactors, which needs no inverse and no division.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -10,10 +10,11 @@
 
 namespace glassbox {
 
-// The cofactors of the upper 3x3, times the sign of its determinant (so that outward normals stay outward under
-// mirroring, C-17) and a power of two (so that nothing overflows), computed in double and rounded to float once. Where
-// an inverse exists this is a positive multiple of the inverse transpose; where the map flattens space it is still
-// right for the faces that survive (C-18), and 0 for those that do not.
+// The cofactors of the upper 3x3, times the sign of its determinant (so that outward normals stay
+// outward under mirroring, C-17) and a power of two (so that nothing overflows), computed in double
+// and rounded to float once. Where an inverse exists this is a positive multiple of the inverse
+// transpose. Where the map flattens space it is still correct for the faces that keep an area
+// (C-18), and 0 for the others.
 template <class Target, class Source>
 struct NormalTransform {
   glm::mat3 columns{1};  // columns[column][row]
@@ -31,7 +32,7 @@ NormalTransform<Target, Source> normal_transform(const Transform<Target, Source>
   return {glm::mat3(normals::signed_cofactors(glm::dmat3(positions.columns)))};
 }
 
-// Not of unit length. Row times column, from left to right, in float.
+// The result is not of unit length. Each row times the normal, summed from left to right, in float.
 template <class Target, class Source>
 Normal<Target> operator*(const NormalTransform<Target, Source>& m, const Normal<Source>& n) {
   const std::array<float, 3> from{n.x, n.y, n.z};

@@ -1,4 +1,4 @@
-// Numbers for messages: the shortest text that reads back as the same double, in every locale.
+// Numbers in messages: the shortest text that is read back as the same double, in every locale.
 #pragma once
 
 #include <charconv>
@@ -13,7 +13,7 @@ inline std::string number_text(double value) {
   return std::string(text, end.ptr);
 }
 
-// "(1, 2, 3)"
+// Returns a text such as "(1, 2, 3)".
 inline std::string triple_text(double x, double y, double z) {
   std::string text;
   for (double number : {x, y, z}) {

@@ -89,8 +89,8 @@ struct DepthRow {
   double scale = 0, offset = 0;  // z_clip = scale * z_eye + offset
 };
 
-// The offset is the scale times the distance of the plane that gets depth 0, so that scale * z + offset is exactly 0
-// there.
+// The offset is the scale times the distance of the plane that gets depth 0, so that scale * z +
+// offset is exactly 0 there.
 DepthRow perspective_depth(const DepthPlanes& planes) {
   const double n = planes.near, f = planes.far;
   if (std::isinf(f))

@@ -23,7 +23,7 @@ struct NdcAndBound {
   glm::dvec3 position{0}, bound{0};
 };
 
-// to_screen turned round.
+// The inverse of to_screen.
 NdcAndBound ndc_of(const Point<Screen>& screen, const glm::dvec3& bound, const Viewport& viewport) {
   NdcAndBound ndc{{0, 0, screen.z}, {0, 0, bound.z}};
   const auto turn_round = [&](int axis, double pixels, double from, double to) {
@@ -37,7 +37,7 @@ NdcAndBound ndc_of(const Point<Screen>& screen, const glm::dvec3& bound, const V
   return ndc;
 }
 
-// The three equations A p = b, and how far |A| |p| + |b| may be off, for the true p.
+// The three equations A p = b, and the bound of the error of |A| |p| + |b|, for the true p.
 struct Equations {
   glm::dmat3 a{0};
   glm::dvec3 b{0};
@@ -64,7 +64,7 @@ Equations equations_of(const NdcAndBound& ndc, const WayThere& way, const Point<
   return e;
 }
 
-// |A p' - b| and its own roundings.
+// A p' - b| and the rounding errors of computing it.
 double residual(const Equations& e, const glm::dvec3& p, int row) {
   double sum = -e.b[row], size = std::abs(e.b[row]);
   for (int column = 0; column < 3; ++column) {
@@ -87,7 +87,7 @@ double distance_from_inverse(const glm::dmat3& n, const glm::dmat3& a) {
       }
       row_sum += std::abs(sum) + gamma<double>(5) * size;
     }
-    if (!(row_sum < 0.5)) return kInfinity;  // NaN, too: nothing can be said
+    if (!(row_sum < 0.5)) return kInfinity;  // also for NaN: no bound is known
     largest = std::max(largest, row_sum);
   }
   return largest;

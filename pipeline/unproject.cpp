@@ -11,7 +11,7 @@ Result<Point<World, double>> unproject(const View& view, const Point<Screen, dou
   const Transform<Clip, Eye>& m = view.clip_from_eye;
   const double left = view.viewport.left, right = view.viewport.right;
   const double top = view.viewport.top, bottom = view.viewport.bottom;
-  // X = x (right - left)/2 + (right + left)/2, turned round; y likewise, downwards.
+  // The inverse of X = x (right - left)/2 + (right + left)/2; y likewise, downwards.
   const double ndc_x = (2 * screen.x - (right + left)) / (right - left);
   const double ndc_y = (2 * screen.y - (bottom + top)) / (top - bottom);
 

@@ -1,7 +1,8 @@
-// One vertex through every space, with nothing thrown away: each number with its bound, each decision with its distance.
+// Carries one vertex through every space and keeps all results: each number with its error bound,
+// each decision with its distance.
 //
-// The matrices may be anything, so positions keep their w everywhere; the stages themselves (spaces.h, clip.h, divide.h,
-// viewport.h) do the arithmetic, in float.
+// The matrices may be anything, so positions keep their w everywhere. The arithmetic is that of the
+// stages themselves (spaces.h, clip.h, divide.h, viewport.h), in float.
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@ struct ChainMatrices {
   Transform<World, Object, float> world_from_object;
   Transform<Eye, World, float> eye_from_world;
   Transform<Clip, Eye, float> clip_from_eye;
-  // How far each entry may be from what is meant, beyond these floats: 0 where they are what is meant.
+  // The bound of each entry's error, beyond its rounding to float: 0 where these floats are the
+  // intended matrix.
   glm::dmat4 world_from_object_bound{0}, eye_from_world_bound{0}, clip_from_eye_bound{0};
 };
 
@@ -28,7 +30,7 @@ struct ChainMatrices {
 struct TransformStep {
   glm::mat4 matrix{1};
   glm::vec4 before{0, 0, 0, 1}, after{0, 0, 0, 1};
-  glm::dvec4 bound{0};      // of `after`, since the object's coordinates, which count as exact
+  glm::dvec4 bound{0};      // of `after`; it counts the object's coordinates as exact
   glm::dvec4 magnitude{0};  // |matrix| ... |matrices before|| |object|
 };
 
@@ -38,7 +40,8 @@ struct PlaneStep {
   double distance = 0;  // in clip units: negative outside
   double bound = 0;     // of the distance
   bool outside() const { return distance < 0; }
-  // Rounding might have decided it. A coordinate that lies exactly on the plane, without error, is sure.
+  // Whether rounding cannot have decided the side. A coordinate exactly on the plane, without
+  // error, is sure.
   bool sure() const { return distance < 0 ? -distance > bound : distance >= bound; }
 };
 
@@ -53,7 +56,7 @@ struct DivideStep {
 struct ScreenStep {
   ScreenVertex screen;
   glm::dvec3 bound{0};  // pixels, pixels, depth of NDC
-  double depth = 0;     // as the depth buffer of the dialect holds it
+  double depth = 0;     // as the depth buffer of the dialect stores it
   SnapStability snap_x, snap_y;
 };
 
@@ -61,12 +64,12 @@ struct VertexChain {
   glm::vec4 object{0, 0, 0, 1};
   TransformStep to_world, to_eye, to_clip;
   Point<Clip> clip;     // to_clip.after
-  Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as `render` does it
+  Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as in `render`
   std::array<PlaneStep, 6> planes;
   VertexFate fate = VertexFate::kVisible;
-  // kOutside: the plane that it is furthest outside of, as seen after the divide.
+  // For kOutside: the plane that the vertex is furthest outside of, measured after the divide.
   int deciding_plane = -1;
-  std::optional<DivideStep> divide;  // where w is finite and not 0, behind the eye too
+  std::optional<DivideStep> divide;  // where w is finite and not 0, also behind the eye
   std::optional<ScreenStep> screen;
   std::optional<RoundTrip> round_trip;  // of points with w = 1 that are not behind the eye
 };
@@ -74,7 +77,8 @@ struct VertexChain {
 VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const ApiDialect& dialect,
                  const Viewport& viewport);
 
-// Row times column from left to right, the order of transform_row; w is multiplied too, which changes no bit where it is 1.
+// Each row times the vector, summed from left to right, the order of transform_row. w is multiplied
+// too, which changes no bit where it is 1.
 glm::vec4 apply(const glm::mat4& m, const glm::vec4& v);
 
 }  // namespace glassbox

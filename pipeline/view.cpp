@@ -22,7 +22,7 @@ Result<void> check_size(int pixels, const char* which) {
               "give 1 to " + std::to_string(kMaxImageSide) + " pixels each way");
 }
 
-// The camera's pose with its axes perpendicular.
+// The camera's pose, with its axes made perpendicular unit vectors.
 Result<Transform<World, Eye>> rigid_pose(const Transform<World, Eye>& pose) {
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -81,7 +81,7 @@ Result<Projected> project(const OrthographicLens& lens, Pixels size, DepthRange 
     return fail("orthographic height", "half of it is " + number_text(lens.half_height),
                 "give a positive number");
   }
-  // Multiplied first: 240 for 640 x 480 gives exactly 320.
+  // Multiply before dividing: 240 for 640 x 480 gives exactly 320.
   const double half_width = lens.half_height * size.width / size.height;
   return orthographic({-half_width, half_width, -lens.half_height, lens.half_height},
                       {lens.near, lens.far, range})
@@ -94,14 +94,16 @@ Result<Projected> project(const FrustumLens& lens, Pixels, DepthRange range) {
       .map([&](const Transform<Clip, Eye>& m) { return projected(m, lens.near, far, true); });
 }
 
-// Depth is (that entry times z + the next) / w, and |z| is w: a subnormal slope is rounded by less than 2^-149, and so is the depth,
-// which is half of the smallest float. Reversed depth has one where far/near is beyond 2^126 (C-10). But not zero, which would be
-// another matrix: that of an infinite far plane.
+// Depth is (this entry times z + the next) / w, and |z| is w. So a subnormal slope is rounded by
+// less than 2^-149, and the depth too, which is half of the smallest float. Reversed depth has such
+// a slope where far/near is beyond 2^126 (C-10). The slope must not become zero, which would be a
+// different matrix: that of an infinite far plane.
 bool is_slope_of_depth(int row, int column, double entry) {
   return row == 2 && column == 2 && float(entry) != 0 && std::abs(entry) < kFloatMin;
 }
 
-// The stages work in float: a matrix entry, near or far plane that float cannot hold is a silent loss of the picture.
+// The stages work in float: if float cannot hold a matrix entry, near or far plane, the picture is
+// lost without a message.
 Result<void> check_float_range(const Projected& p) {
   const auto fits = [](double value) {
     const double size = std::abs(value);

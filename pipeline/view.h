@@ -1,4 +1,4 @@
-// From a camera, which is data, to the matrices that the stages apply.
+// Converts a camera, which is data, to the matrices that the stages apply.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-// One way of looking at a scene: everything the geometric stages need besides the scene.
+// One way of looking at a scene: all data that the geometric stages need besides the scene.
 struct View {
   Transform<Eye, World> eye_from_world;  // rigid
   Transform<Clip, Eye> clip_from_eye;
@@ -22,17 +22,18 @@ struct View {
   double far = std::numeric_limits<double>::infinity();
 };
 
-// Images have 1 .. kMaxImageSide pixels each way.
+// Images have 1 .. kMaxImageSide pixels in each direction.
 inline constexpr int kMaxImageSide = 16384;
 
-// A pose whose axes are this far from perpendicular unit vectors (entries of R^T R - I) is taken for a rotation with
-// few digits and replaced by the nearest one (C-12); beyond it the pose is refused. Poses within 16 u are used as they
-// are.
+// A pose whose axes deviate from perpendicular unit vectors by at most this much (entries of R^T R
+// - I) is taken for a rotation with few digits and replaced by the nearest rotation (C-12); with a
+// larger deviation the pose is refused. Poses within 16 u are used unchanged.
 inline constexpr double kRigidTolerance = 0x1p-10;
 
-// Checks the camera (near > 0 for perspective, near < far, 0 < fovy < 180 degrees, a rigid pose, all numbers finite)
-// and composes its matrices for an image of `width` x `height` pixels. Errors name the offending value and the
-// remedy. Numbers that would overflow or vanish when the matrix is rounded to float are refused too.
+// Checks the camera (near > 0 for perspective, near < far, 0 < fovy < 180 degrees, a rigid pose,
+// all numbers finite) and composes its matrices for an image of `width` x `height` pixels. Errors
+// name the offending value and the remedy. Numbers that would overflow or vanish when the matrix is
+// rounded to float are refused too.
 Result<View> make_view(const Camera& camera, int width, int height,
                        DepthRange depth_range = DepthRange::kStandard);
 

@@ -1,4 +1,4 @@
-// The last stage: what is written where.
+// The last stage: a fragment's colour is encoded, blended and written to the picture.
 #pragma once
 
 #include <glassbox/base/numbers.h>
@@ -11,7 +11,7 @@ namespace glassbox {
 
 #include <glassbox/raster/formulas/blend.h>
 
-// Channels that are not wanted become 0.
+// Encodes a linear colour as bytes. Channels that are not wanted become 0.
 inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& wanted = {}) {
   Rgba8 stored{0, 0, 0, 0};
   if (wanted.r) stored.r = encode(transfer, linear.r);
@@ -21,7 +21,7 @@ inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& want
   return stored;
 }
 
-// source over stored, in linear light.
+// Blends `source` over the stored colour, in linear light.
 inline Rgba8 blend_over(Transfer transfer, const Rgba& source, const Rgba8& stored,
                         const ColorMask& wanted = {}) {
   return encode(transfer,

@@ -1,4 +1,4 @@
-// The formulas of the stages, for numbers that know how far they may be off (base/bounded.h).
+// The formulas of the stages, for numbers that carry a bound on their own error (base/bounded.h).
 #pragma once
 
 #include <array>

@@ -14,12 +14,13 @@ using bounded::Bounded;
 
 constexpr double kU = unit_roundoff<float>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Logarithms and powers of the C library: right to 2^-40 by far.
+// Covers the errors of the logarithms and powers of the C library, which are accurate to much
+// better than 2^-40.
 constexpr double kRoundUp = 1 + 0x1p-40;
 
 // ---- which texels ----
 
-// Beyond as many texels the whole range of values is as good.
+// If more texels than this are in reach, the whole range of values is used instead.
 constexpr double kMostTexels = 8;
 
 std::int64_t remainder_of(std::int64_t i, std::int64_t period) {
@@ -36,7 +37,7 @@ std::int32_t wrapped_texel(Wrap wrap, std::int64_t i, std::int32_t size) {
   return std::int32_t(j < size ? j : 2 * std::int64_t(size) - 1 - j);
 }
 
-// A coordinate within its period, in double: wrap_coordinate without its roundings.
+// Returns a coordinate within its period, in double: wrap_coordinate() without its rounding errors.
 double wrapped_coordinate(Wrap wrap, double t) {
   switch (wrap) {
     case Wrap::kRepeat:
@@ -77,7 +78,8 @@ struct Range {
   }
 };
 
-// What the numbers within their bounds can reach, of one level after the other.
+// Collects which texel values a sample can reach when its numbers vary within their bounds, one
+// level after the other.
 class Reach {
 public:
   Reach(const MipChain& texture, const Sampler& sampler, const std::array<Bounded, 2>& texcoord)
@@ -101,16 +103,17 @@ public:
     see(level, across, down);
   }
 
-  // kFullTexel for all there is.
+  // kFullTexel if every texel may be reached.
   double contrast() const { return everything_ ? kFullTexel : range_.contrast(); }
-  // Along x and y together, where filters are linear.
+  // The sum of the errors along x and y, in texels, where filters are linear.
   double texels_off() const { return texels_off_; }
-  bool may_choose() const { return may_choose_; }  // another nearest texel
+  bool may_choose() const { return may_choose_; }  // another texel may be the nearest one
   bool is_linear() const { return is_linear_; }
   int coarsest() const { return coarsest_; }
 
 private:
-  // Of one side of a level: texels first .. last before wrapping, and by how many the place may be off.
+  // One side (width or height) of a level: the range of texels first .. last before wrapping, and
+  // how many texels the place may be off.
   struct Side {
     std::int64_t first = 0, last = 0;
     double off = 0;
@@ -145,7 +148,7 @@ private:
 
 // ---- which levels ----
 
-// Where the level of detail lies on the chain, at least and at most.
+// The lower and upper bound of the level of detail's position on the chain.
 struct Position {
   double low = 0, high = 0;
   bool may_be_magnified = false, may_be_minified = false;
@@ -156,10 +159,11 @@ Position position_of(const LevelBounds& level, int last) {
           !(level.low > 0), level.high > 0};
 }
 
-// What position + 1/2 rounds: u of at most 32 levels.
+// The rounding error of position + 1/2: u times at most 32 levels.
 constexpr double kLevelRounding = 0x1p-19;
 
-// Looks at the levels that a minified sample may come from, and says whether one of two may be chosen.
+// Looks at the levels that a minified sample may come from. Returns whether either of two levels
+// may be chosen.
 bool look_at_minified(const MipChain& texture, const Sampler& sampler, const Position& position,
                       Reach& reach) {
   if (sampler.mip == MipFilter::kNone) {
@@ -180,7 +184,7 @@ bool look_at_minified(const MipChain& texture, const Sampler& sampler, const Pos
 
 // ---- the transfer function ----
 
-// IEC 61966-2-1, in bytes.
+// The sRGB encoding of IEC 61966-2-1, in bytes.
 double encoded_bytes(Transfer transfer, double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   if (transfer == Transfer::kNone) return 255 * x;
@@ -203,7 +207,8 @@ LevelBounds level_bounds(float level, const Bounded& squared_texels) {
   LevelBounds bounds{-kInfinity, kInfinity};
   if (size > bound) bounds.low = 0.5 * logarithm_2(size - bound) - own;
   if (size + bound <= std::numeric_limits<double>::max()) {
-    bounds.high = 0.5 * logarithm_2(size + bound) + own;  // of nothing at all: minus infinity
+    // Minus infinity where the footprint has no size at all.
+    bounds.high = 0.5 * logarithm_2(size + bound) + own;
   }
   return {std::min(bounds.low, double(level)), std::max(bounds.high, double(level))};
 }

@@ -1,9 +1,10 @@
-// Some of the four channels of a colour.
+// A selection of the four channels of a colour.
 #pragma once
 
 namespace glassbox {
 
-// Which channels may be written. An anaglyph's left eye writes red, its right eye green and blue (S0-05).
+// The channels that may be written. An anaglyph's left eye writes red, its right eye green and blue
+// (S0-05).
 struct ColorMask {
   bool r = true, g = true, b = true, a = true;
 };

@@ -1,5 +1,6 @@
-// Which pixels a triangle covers: those whose centres lie inside, and those on an edge that it owns. Two triangles that
-// share an edge have it in opposite directions, so exactly one of them owns it: no gaps, no doubles.
+// Which pixels a triangle covers: those whose centres are inside, and those whose centres are on an
+// edge that the triangle owns. Two triangles that share an edge traverse it in opposite directions,
+// so exactly one of them owns it: no gaps, and no pixel twice.
 #pragma once
 
 #include <glassbox/raster/stages.h>
@@ -7,7 +8,8 @@
 
 namespace glassbox {
 
-// Calls visit(Coverage) for every covered pixel within `window`, row by row from the top, left to right.
+// Calls visit(Coverage) for every covered pixel within `window`, row by row from the top, left to
+// right.
 template <class Visit>
 void for_each_covered(const TriangleSetup& triangle, const PixelRect& window, Visit&& visit) {
   const PixelRect box = intersect(triangle.bounds, window);
@@ -23,7 +25,7 @@ void for_each_covered(const TriangleSetup& triangle, const PixelRect& window, Vi
       if (e0.covers(pixel.edges[0]) && e1.covers(pixel.edges[1]) && e2.covers(pixel.edges[2])) {
         visit(pixel);
       }
-      // One pixel to the right. Integers: exact however far it is carried.
+      // Step one pixel to the right. The values are integers, so any number of steps stays exact.
       pixel.edges[0] += e0.a * kSubpixels;
       pixel.edges[1] += e1.a * kSubpixels;
       pixel.edges[2] += e2.a * kSubpixels;

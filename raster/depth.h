@@ -1,4 +1,5 @@
-// Which fragment is in front. Every format keeps its depth as a 32-bit code; the smaller code is nearer.
+// Which fragment is in front. Every format keeps its depth as a 32-bit code; the smaller code is
+// nearer.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,17 @@ namespace glassbox {
 // kFloat32Reversed expects a view with DepthRange::kReversed, where depth 1 is near.
 enum class DepthFormat { kFloat32, kFloat32Reversed, kUnorm24, kUnorm16 };
 
-// What an empty buffer holds: behind every depth there is, the far plane's included. (Clearing to depth 1 would lose
-// what lies exactly on the far plane, and with an infinite far plane whatever rounds to it.)
+// The code of an empty depth buffer. It is behind every possible depth, the far plane's included.
+// (Clearing to depth 1 would lose surfaces exactly on the far plane, and with an infinite far plane
+// everything that rounds to it.)
 inline constexpr std::uint32_t kEmptyDepth = 0xffffffffu;
 
-// The code of depth 1 in a format of whole numbers.
+// The code of depth 1 in a format of unsigned integers.
 inline double unorm_depth_steps(DepthFormat format) {
   return format == DepthFormat::kUnorm24 ? 0xffffff : 0xffff;
 }
 
-// The code of a depth, which is clamped to [0, 1].
+// Returns the code of a depth, which is clamped to [0, 1].
 inline std::uint32_t depth_code(DepthFormat format, float depth) {
   switch (format) {
     case DepthFormat::kFloat32:
@@ -33,7 +35,7 @@ inline std::uint32_t depth_code(DepthFormat format, float depth) {
   return kEmptyDepth;
 }
 
-// Strict, so that of two equal depths the first drawn stays.
+// Strictly smaller, so that of two equal depths the one drawn first stays.
 inline bool in_front(std::uint32_t incoming, std::uint32_t stored) {
   return incoming < stored;
 }

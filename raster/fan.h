@@ -1,4 +1,4 @@
-// From which vertex a clipped polygon is cut into triangles.
+// Chooses the vertex from which a clipped polygon is split into a fan of triangles.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 
 namespace glassbox {
 
-// Twice the signed area; positive when a, b, c run clockwise as seen on the screen (y points down). Exact: the factors
-// have at most 26 bits.
+// Twice the signed area; positive when a, b, c run clockwise as seen on the screen (y points down).
+// Exact, because the factors have at most 26 bits.
 inline std::int64_t double_area(const SnappedVertex& a, const SnappedVertex& b,
                                 const SnappedVertex& c) {
   return double_area<std::int64_t>({a.x, b.x, c.x}, {a.y, b.y, c.y});
 }
 
-// The vertex whose fan (apex, apex + i + 1, apex + i + 2) has no two triangles that turn opposite ways. A convex
-// polygon may be bent inwards a little by the snap; the fan from vertex 0 could then fold back on itself and cover
-// pixels twice. The first vertex that will do, and 0 where none does: that takes a sliver that crosses itself.
+// Returns the first vertex whose fan (apex, apex + i + 1, apex + i + 2) has no two triangles of
+// opposite winding. Snapping may bend a convex polygon inwards a little; the fan from vertex 0
+// could then fold back on itself and cover pixels twice. Returns 0 if there is no such vertex,
+// which happens only for a sliver that crosses itself.
 inline int fan_apex(std::span<const SnappedVertex> polygon) {
   const int count = int(polygon.size());
   const auto vertex = [&](int i) { return polygon[std::size_t(i % count)]; };
@@ -37,7 +38,7 @@ inline int fan_apex(std::span<const SnappedVertex> polygon) {
   return 0;
 }
 
-// Which vertices of a polygon of `count` make triangle i = 0 .. count - 3 of its fan.
+// The vertices of triangle i = 0 .. count - 3 in the fan of a polygon with `count` vertices.
 inline std::array<std::size_t, 3> fan_vertices(int apex, int count, int i) {
   return {std::size_t(apex), std::size_t((apex + i + 1) % count),
           std::size_t((apex + i + 2) % count)};

@@ -1,4 +1,4 @@
-// The formulas of rasterisation, for one number at a time.
+// The formulas of rasterisation, for one number at a time (not vectors).
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Depth and attributes at a pixel centre, from the integer edge functions there: formulas/interpolate.h, with the bounds of their
-// errors.
+// Depth and attributes at a pixel centre, from the integer edge functions there.
+// formulas/interpolate.h has the formulas and the bounds of their errors.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline float depth_from(const std::array<float, 3>& lambda, const std::array<flo
   return interpolate(d0, d1 - d0, d2 - d0, lambda[1], lambda[2]);
 }
 
-// The common part: a fragment from its screen-space weights.
+// The part common to triangles and lines: a fragment from its screen-space weights.
 inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::array<float, 3>& depth,
                               const std::array<float, 3>& inverse_w, bool affine) {
   Fragment fragment;
@@ -39,7 +39,7 @@ inline std::array<float, 3> screen_weights(const TriangleSetup& triangle, const 
   return lambda;
 }
 
-// The depth alone, with the bits that interpolate() gives the whole fragment.
+// The depth alone, bit for bit the depth that interpolate() gives the whole fragment.
 inline float interpolate_depth(const TriangleSetup& triangle, const Coverage& at) {
   return depth_from(screen_weights(triangle, at), triangle.depth);
 }
@@ -52,8 +52,8 @@ inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel
   return fragment;
 }
 
-// A line is a triangle whose vertex 0 has no weight, and the smaller of the two depths. Its attributes follow from the
-// weights with those of the first end in place of vertex 0.
+// A line is treated as a triangle whose vertex 0 has weight 0 and the smaller of the two depths.
+// Its attributes follow from the weights, with the first end's attributes in place of vertex 0's.
 inline Fragment interpolate(const std::array<ScreenVertex, 2>& ends, const LinePixel& pixel) {
   const float share = 1.0f / float(pixel.steps);
   const std::array<float, 3> lambda{0.0f, float(pixel.steps - pixel.step) * share,
@@ -73,7 +73,7 @@ std::array<float, N> interpolate(const std::array<float, N>& a0, const std::arra
   return interpolate(a0, a1, a2, weights[1], weights[2]);
 }
 
-// mix(a0, a1, a2) for each attribute of three vertices.
+// Applies mix(a0, a1, a2) to each attribute of three vertices.
 template <class Attributes, class Mix>
 Attributes combine(const std::array<Attributes, 3>& v, const Mix& mix) {
   return {mix(v[0].normal, v[1].normal, v[2].normal),

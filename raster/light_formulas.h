@@ -1,4 +1,4 @@
-// The formulas of light, for one number at a time.
+// The formulas of light, for one number at a time (not vectors).
 #pragma once
 
 #include <array>

@@ -1,8 +1,10 @@
-// Which pixels a line covers: the diamond-exit rule of OpenGL and Direct3D, decided exactly on integers.
+// Which pixels a line covers: the diamond-exit rule of OpenGL and Direct3D, decided exactly on
+// integers.
 //
-// A pixel is drawn where the line leaves the diamond |x - xc| + |y - yc| < 1/2 around its centre. Lines that go on from
-// one another, to the right say, draw no pixel of their joint twice. Ties are broken as OpenGL does, by thinking of the
-// line as moved by (-e, +e^2) pixels with e infinitely small (y down).
+// A pixel is drawn if the line leaves the diamond |x - xc| + |y - yc| < 1/2 around its centre. Two
+// lines that continue each other, for example to the right, do not draw the pixel of their joint
+// twice. Ties are broken as in OpenGL, as if the line were moved by (-e, +e^2) pixels with e
+// infinitely small (y down).
 #pragma once
 
 #include <algorithm>
@@ -14,15 +16,16 @@
 
 namespace glassbox {
 
-// A pixel of a line, `step` of `steps` of the way from its first end to its second (0 <= step <= steps), measured at
-// the pixel's centre along the longer axis.
+// A pixel of a line. It is at `step` of `steps` of the way from the line's first end to its second
+// (0 <= step <= steps), measured at the pixel's centre along the longer axis.
 struct LinePixel {
   int x = 0, y = 0;
   std::int64_t step = 0, steps = 1;
 };
 
-// Inside the diamond of pixel (x, y), after the move. On its border |x - xc| + |y - yc| = 1/2 the move by -e along x
-// decides: inwards on the right of the centre, outwards elsewhere.
+// Whether p, after the infinitely small move, is inside the diamond of pixel (x, y). On the
+// diamond's border |x - xc| + |y - yc| = 1/2 the move by -e along x decides: inwards on the right
+// of the centre, outwards elsewhere.
 inline bool in_diamond(const SnappedVertex& p, int x, int y) {
   const std::int64_t dx = p.x - (std::int64_t(x) * kSubpixels + kPixelCentre);
   const std::int64_t dy = p.y - (std::int64_t(y) * kSubpixels + kPixelCentre);
@@ -34,8 +37,9 @@ inline std::int64_t floor_divide(std::int64_t n, std::int64_t positive) {
   return n >= 0 ? n / positive : -((-n + positive - 1) / positive);
 }
 
-// A line whose longer axis is called major (x or y) and the other one minor. A line crosses the centre of a diamond, in
-// the sense of passing from one half of it into the other, once for every pixel of the major axis between its ends.
+// A line prepared for drawing. Its longer axis is called major (x or y), the other one minor. For
+// every pixel of the major axis between its ends, the line passes the centre of one diamond, from
+// one half of it into the other.
 struct LineSetup {
   bool x_major = true;
   bool ascending = true;    // from its first end to its second, along the major axis
@@ -46,7 +50,7 @@ struct LineSetup {
 
   std::int64_t steps() const { return high.x - low.x; }
 
-  // How far along the major axis the centre of pixel `major` is from the first end.
+  // The distance of pixel `major`'s centre from the first end along the major axis.
   std::int64_t step_at(int major) const {
     const std::int64_t centre = std::int64_t(major) * kSubpixels + kPixelCentre;
     return std::clamp<std::int64_t>(ascending ? centre - low.x : high.x - centre, 0, steps());
@@ -70,18 +74,20 @@ inline LineSetup setup_line(const SnappedVertex& a, const SnappedVertex& b) {
   line.ascending = line.low.x <= line.high.x;
   if (!line.ascending) std::swap(line.low, line.high);
 
-  // The move along x goes back, so a centre at the low end is passed and one at the high end is not. For a mostly vertical
-  // line it may as well be so: an end exactly at the height of a centre lies inside a diamond, which decides.
+  // The move along x goes to the left, so a centre at the low end is passed and one at the high end
+  // is not. For a mostly vertical line the same choice is harmless: an end exactly at the height of
+  // a centre is inside a diamond, and the diamond test decides.
   line.first = (line.low.x + kPixelCentre - 1) >> kSubpixelBits;
   line.end = (line.high.x + kPixelCentre - 1) >> kSubpixelBits;
 
-  // At the same x, a mostly horizontal line of slope m is moved by m e + e^2: up only if it rises to the right. At the
-  // same y, a mostly vertical one is moved to the left.
+  // At the same x, a mostly horizontal line of slope m is moved by m e + e^2: upwards only if it
+  // rises to the right. At the same y, a mostly vertical one is moved to the left.
   line.border_is_low = !line.x_major || line.high.y < line.low.y;
   return line;
 }
 
-// Calls visit(LinePixel) for the pixels of the line from a to b within `window`, in no particular direction.
+// Calls visit(LinePixel) for the pixels of the line from a to b within `window`, in no particular
+// order.
 template <class Visit>
 void for_each_line_pixel(const SnappedVertex& a, const SnappedVertex& b, const PixelRect& window,
                          Visit&& visit) {
@@ -89,13 +95,13 @@ void for_each_line_pixel(const SnappedVertex& a, const SnappedVertex& b, const P
   if (line.steps() == 0) return;
 
   const auto draw = [&](int x, int y) {
-    if (in_diamond(b, x, y)) return;  // the line ends here: it does not leave
+    if (in_diamond(b, x, y)) return;  // the line ends inside this diamond, so it does not leave it
     if (x < window.x0 || x >= window.x1 || y < window.y0 || y >= window.y1) return;
     visit(LinePixel{x, y, line.step_at(line.x_major ? x : y), line.steps()});
   };
 
-  // A line that starts inside a diamond, but past its centre, leaves it without passing the centre. The moved start can
-  // be inside no diamond but that of its own pixel.
+  // A line that starts inside a diamond, but past its centre, leaves it without passing the centre.
+  // The moved start can be inside no diamond except that of its own pixel.
   const int start_x = (a.x - 1) >> kSubpixelBits;
   const int start_y = a.y >> kSubpixelBits;
   const int start = line.x_major ? start_x : start_y;

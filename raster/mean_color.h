@@ -1,4 +1,4 @@
-// A pixel's colour from those of its samples.
+// A pixel's colour as the mean of its samples' colours.
 #pragma once
 
 #include <span>
@@ -8,13 +8,14 @@
 
 namespace glassbox {
 
-// The mean of 1, 2, 4, 8 or 16 stored colours: of their light with kSrgb, of the bytes themselves with kNone; of alpha always
-// of the bytes.
+// The mean of 1, 2, 4, 8 or 16 stored colours. With kSrgb it is the mean of their light, with kNone
+// the mean of the bytes; alpha is always the mean of the bytes.
 //
 // Bytes: (2 sum + count) / (2 count) rounded down, which is the nearest byte, halves up.
-// Light: decode_srgb gives multiples of 2^-35 (floats of at least 2^-12, but for 0), and 16 of them sum up to at most 16, so
-// 39 bits hold the sum and a double has it exactly, in any order; so is its quotient by a power of two. One rounding to float,
-// by 2^-24 of the value at most, and encode_srgb gives the byte nearest to that. Equal colours have themselves as mean, since
+// Light: decode_srgb gives multiples of 2^-35 (floats of at least 2^-12, or 0), and 16 of them sum
+// to at most 16. So the sum has at most 39 bits and is exact in a double, in any order; so is its
+// quotient by a power of two. It is rounded once, to float, by at most 2^-24 of the value, and
+// encode_srgb gives the byte nearest to that. The mean of equal colours is that colour, because
 // then nothing is rounded.
 inline Rgba8 mean_color(Transfer transfer, std::span<const Rgba8> samples) {
   const unsigned count = unsigned(samples.size());

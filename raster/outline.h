@@ -1,4 +1,5 @@
-// A convex polygon of clip space by itself: the stages from the divide to coverage, one after the other.
+// Draws a single convex polygon of clip space: the stages from the divide to coverage, one after
+// the other.
 #pragma once
 
 #include <span>
@@ -12,7 +13,8 @@
 
 namespace glassbox {
 
-// Calls visit(Coverage) for every pixel that the polygon covers within `window`. Vertices must be within the guard band.
+// Calls visit(Coverage) for every pixel within `window` that the polygon covers. Vertices must be
+// within the guard band.
 template <class Visit>
 void for_each_covered(std::span<const Point<Clip>> outline, const Viewport& viewport,
                       const PixelRect& window, Visit&& visit) {

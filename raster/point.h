@@ -1,5 +1,5 @@
-// Which pixel a point covers: the unit square around it holds exactly one pixel centre, squares being closed at the
-// left and the top like triangles.
+// Which pixel a point covers: the unit square around the point contains exactly one pixel centre.
+// Like triangles, squares include their left and top sides and not the others.
 #pragma once
 
 #include <glassbox/raster/stages.h>
@@ -10,7 +10,7 @@ struct PointPixel {
   int x = 0, y = 0;
 };
 
-// The centre c with p - 1/2 <= c < p + 1/2.
+// Returns the pixel whose centre c satisfies p - 1/2 <= c < p + 1/2.
 inline PointPixel point_pixel(const SnappedVertex& point) {
   return {(point.x - 1) >> kSubpixelBits, (point.y - 1) >> kSubpixelBits};
 }

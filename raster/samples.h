@@ -1,8 +1,10 @@
-// Several samples to a pixel: which of them a triangle covers.
+// Several samples per pixel, and which of them a triangle covers.
 //
-// Samples lie where Direct3D's standard patterns have them (D3D11_STANDARD_MULTISAMPLE_QUALITY_LEVELS), in 1/16 pixel, which
-// the snap's 1/256 pixel holds exactly: whether a sample is covered is as exact as for a pixel's centre, and so is the tie
-// rule, sample by sample. Samples lie within the pixel, closed at the left and the top and open at the right and the bottom.
+// The positions of the samples are Direct3D's standard patterns
+// (D3D11_STANDARD_MULTISAMPLE_QUALITY_LEVELS), in 1/16 pixel. The snap's 1/256 pixel represents
+// them exactly, so the test of a sample is as exact as that of a pixel's centre, and the tie rule
+// holds for each sample. Samples are within the pixel, which includes its left and top sides and
+// excludes the right and bottom ones.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +26,7 @@ constexpr bool is_sample_count(int count) {
   return count == 1 || count == 2 || count == 4 || count == 8 || count == 16;
 }
 
-// From the pixel's centre, in 1/256 pixel; y points down.
+// The offset of a sample from the pixel's centre, in 1/256 pixel; y points down.
 struct SampleOffset {
   std::int32_t x = 0, y = 0;
 };
@@ -67,7 +69,7 @@ inline std::span<const SampleOffset> sample_offsets(int count) {
   }
 }
 
-// What a triangle's edge functions add from a pixel's centre to its samples.
+// The differences of a triangle's edge functions between a pixel's centre and its samples.
 struct SampleSteps {
   SampleSteps(const TriangleSetup& triangle, std::span<const SampleOffset> offsets)
       : count(int(offsets.size())) {
@@ -79,7 +81,7 @@ struct SampleSteps {
     }
   }
 
-  // The edge functions at a sample, from those at the centre.
+  // Returns the edge functions at a sample, given those at the centre.
   Coverage at(const Coverage& centre, int sample) const {
     Coverage moved = centre;
     for (std::size_t k = 0; k < 3; ++k) moved.edges[k] += add[std::size_t(sample)][k];
@@ -88,18 +90,19 @@ struct SampleSteps {
 
   int count;
   std::array<std::array<std::int64_t, 3>, kMostSamples> add{};
-  std::array<std::int64_t, 3> most{};  // of the samples and the centre
+  std::array<std::int64_t, 3> most{};  // the largest over the samples and the centre (0)
 };
 
-// A pixel of which a triangle covers the centre, or samples.
+// A pixel whose centre or samples a triangle covers.
 struct SampledPixel {
   Coverage centre;
   bool covers_centre = false;
   std::uint32_t samples = 0;  // bit s: sample s is covered
 };
 
-// Where the pixel is shaded: at its centre if that is covered, otherwise at the first sample that is. So nothing is ever
-// extrapolated beyond the triangle (Direct3D 11.3 functional specification, centroid sampling).
+// Returns where the pixel is shaded: at its centre if that is covered, otherwise at the first
+// covered sample. So nothing is ever extrapolated beyond the triangle (Direct3D 11.3 functional
+// specification, centroid sampling).
 inline Coverage shading_place(const SampledPixel& pixel, const SampleSteps& steps) {
   if (pixel.covers_centre) return pixel.centre;
   int first = 0;
@@ -107,13 +110,14 @@ inline Coverage shading_place(const SampledPixel& pixel, const SampleSteps& step
   return steps.at(pixel.centre, first);
 }
 
-// The pixels that hold the samples of a triangle, from those that hold its pixel centres.
+// The pixels that contain the samples of a triangle, given the pixels that contain its pixel
+// centres.
 inline PixelRect sampled_bounds(const PixelRect& bounds) {
   return {bounds.x0 - 1, bounds.y0 - 1, bounds.x1 + 1, bounds.y1 + 1};
 }
 
-// Calls visit(SampledPixel) for every pixel within `window` of which the triangle covers something, row by row from the top,
-// left to right.
+// Calls visit(SampledPixel) for every pixel within `window` whose centre or a sample the triangle
+// covers, row by row from the top, left to right.
 template <class Visit>
 void for_each_sampled(const TriangleSetup& triangle, const SampleSteps& steps,
                       const PixelRect& window, Visit&& visit) {

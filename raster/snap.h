@@ -1,4 +1,4 @@
-// Positions become integers.
+// Rounds positions on the screen to integers (1/256 pixel).
 #pragma once
 
 #include <glassbox/pipeline/stages.h>
@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-// |position| < 2^16 pixels (SnappedVertex), which clipping to the guard band guarantees.
+// Requires |position| < 2^16 pixels (SnappedVertex), which clipping to the guard band guarantees.
 inline SnappedVertex snap(const ScreenVertex& vertex) {
   return {snap(vertex.position.x), snap(vertex.position.y)};
 }

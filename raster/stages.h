@@ -1,16 +1,16 @@
-// The records of rasterisation, in the order in which a triangle passes through them, from where pipeline/stages.h
-// left it (ScreenVertex):
+// The records of rasterisation, in the order in which a triangle passes through them. They continue
+// where pipeline/stages.h ends (ScreenVertex):
 //
-//   SnappedVertex   rounded to 1/256 pixel: from here on, position is exact        snap.h
-//   TriangleSetup   edge functions, area, winding, what the vertices carry         triangle_setup.h
-//   Coverage        which pixel centres belong to the triangle, and how far inside coverage.h
-//   Fragment        depth and perspective-correct weights at a pixel centre        interpolate.h
-//   Varyings        the attributes there                                           interpolate.h
-//   depth test      which fragment is in front                                     depth.h
-//   Rgba            textured and lit                                               texture.h, shading.h
-//   Rgba8           masked, blended, encoded                                       blend.h
+//   SnappedVertex  rounded to 1/256 pixel: from here on, positions are exact  snap.h
+//   TriangleSetup  edge functions, area, winding, depth and 1/w of vertices   triangle_setup.h
+//   Coverage       which pixel centres it covers, the edge functions there    coverage.h
+//   Fragment       depth and perspective-correct weights at a pixel centre    interpolate.h
+//   Varyings       the attributes there                                       interpolate.h
+//   depth test     which fragment is in front                                 depth.h
+//   Rgba           textured and lit                                           texture.h, shading.h
+//   Rgba8          masked, blended, encoded                                   blend.h
 //
-// Lines and points enter at the snap and leave as fragments too (line.h, point.h).
+// Lines and points enter at the snap and also become fragments (line.h, point.h).
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixels = 1 << kSubpixelBits;  // steps to a pixel
 inline constexpr std::int32_t kPixelCentre = kSubpixels / 2;
 
-// A position on the screen in 1/256 pixel. |x|, |y| < 2^24: the guard band reaches 2^15 pixels from the centre of a
-// screen at most 2^15 pixels wide.
+// A position on the screen in 1/256 pixel. |x|, |y| < 2^24: the guard band reaches 2^15 pixels from
+// the centre of a screen at most 2^15 pixels wide.
 struct SnappedVertex {
   std::int32_t x = 0, y = 0;
   friend bool operator==(const SnappedVertex&, const SnappedVertex&) = default;
@@ -37,8 +37,8 @@ struct PixelRect {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-// E(x, y) = a x + b y + c in units of 1/65536 square pixel; positive on the inner side. Exact in 64 bits: the factors
-// have at most 26 bits.
+// E(x, y) = a x + b y + c in units of 1/65536 square pixel; positive on the inner side. Exact in 64
+// bits, because the factors have at most 26 bits.
 struct EdgeFunction {
   std::int64_t a = 0, b = 0, c = 0;
   bool owns_zero = false;  // a top or left edge: points on it belong to this triangle
@@ -51,13 +51,13 @@ struct TriangleSetup {
   // Edge k is opposite vertex k, so E_k / double_area is vertex k's weight.
   std::array<EdgeFunction, 3> edges;
   std::int64_t double_area = 0;  // E_0 + E_1 + E_2, always positive
-  bool clockwise = false;        // as seen on the screen, in the order in which the vertices came
+  bool clockwise = false;  // winding as seen on the screen, in the order of the incoming vertices
   std::array<int, 3> order{};    // order[k]: the incoming vertex that became vertex k
   std::array<float, 3> depth{};  // depth[0] is the smallest: see interpolate.h
   std::array<float, 3> inverse_w{};
   bool affine = false;     // all three w are equal, so perspective changes nothing
   float inverse_area = 0;  // 1 / double_area
-  PixelRect bounds;        // no pixel outside is covered
+  PixelRect bounds;        // no pixel outside of it is covered
 };
 
 // A pixel whose centre the triangle covers, with the three edge functions there.
@@ -75,11 +75,12 @@ struct Fragment {
   float inverse_w = 1;
 };
 
-// What is interpolated over a primitive. Which of them mean something depends on the material and the shading.
+// The attributes that are interpolated over a primitive. The material and the shading decide which
+// of them are used.
 struct Varyings {
   std::array<float, 3> normal{};    // eye space, unit length at the vertices
   std::array<float, 3> position{};  // eye space
-  std::array<float, 3> diffuse{};   // light received, where lighting is done per vertex
+  std::array<float, 3> diffuse{};   // received light, where lighting is done per vertex
   std::array<float, 3> specular{};
   std::array<float, 4> color{1, 1, 1, 1};
   std::array<float, 2> texcoord{};

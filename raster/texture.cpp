@@ -26,7 +26,7 @@ std::int16_t nearest_whole(float x) {
   return std::int16_t(x + 0.5f);
 }
 
-// By stored byte.
+// The texel value of each stored byte.
 using WholeOfByte = std::array<std::int16_t, 256>;
 
 WholeOfByte whole_of_byte(Transfer transfer) {
@@ -46,10 +46,10 @@ void append_texels(MipChain& chain, const Image<Rgba8>& image, Transfer transfer
 
 // ---- mip chain ----
 
-// The texels of a longer row that texel `i` of a shorter one covers, and how much of each.
+// The texels of a longer row that texel `i` of a shorter row covers, and their weights.
 struct Footprint {
   int first = 0;
-  int count = 0;  // at most 3: 2n + 1 texels over n, each of which starts i/n texels late
+  int count = 0;  // at most 3: 2n + 1 texels over n, where texel i starts i/n of a texel late
   std::array<float, 3> weight{};  // sums to 1
 };
 
@@ -80,7 +80,7 @@ void add_scaled(std::array<float, 4>& sum, const Texel& texel, float weight) {
   sum[3] += weight * float(texel.a);
 }
 
-// Appends the level after the last.
+// Appends the next smaller level of the chain.
 void add_half(MipChain& chain) {
   const int last = chain.last_level();
   const int width = side_of_level(chain.width, last), height = side_of_level(chain.height, last);
@@ -106,7 +106,7 @@ void add_half(MipChain& chain) {
 
 // ---- sampling ----
 
-// A chain as the formulas ask it.
+// The interface to a chain that formulas/texture.h expects.
 class Levels {
 public:
   explicit Levels(const MipChain& chain) : chain_(chain) {}
@@ -141,7 +141,8 @@ Rgba8 stored_texel(const Texel& texel, Transfer transfer) {
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only) {
   assert(image.pixels.size() < std::size_t(1) << 27);
   MipChain chain{image.width, image.height, {0}, {}};
-  // All levels together, unless the image is a strip: then the memory grows on the way.
+  // Reserve memory for all levels at once. Only for a very narrow image is it too little; then the
+  // memory grows later.
   chain.texels.reserve(first_level_only ? image.pixels.size() : image.pixels.size() / 3 * 4 + 4);
   append_texels(chain, image, transfer);
   const auto texels = [&](int level) {

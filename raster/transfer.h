@@ -1,12 +1,12 @@
-// Between stored bytes and linear light.
+// Conversion between stored bytes and linear light.
 #pragma once
 
 #include <glassbox/images/srgb.h>
 
 namespace glassbox {
 
-// kSrgb: bytes are sRGB-encoded. kNone: bytes are linear (byte / 255), for comparisons with renderers that do no
-// encoding.
+// kSrgb: bytes are sRGB-encoded. kNone: bytes are linear (byte / 255), for comparisons with
+// renderers that do not encode.
 enum class Transfer { kSrgb, kNone };
 
 inline float decode(Transfer transfer, std::uint8_t stored) {

@@ -1,4 +1,4 @@
-// Three snapped vertices become three edge functions (Pineda 1988).
+// Makes three edge functions from three snapped vertices (Pineda 1988).
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace glassbox {
 
-// The pixels whose centres lie in the box of the three points.
+// The pixels whose centres are in the bounding box of the three points.
 PixelRect pixels_in_box(const std::array<SnappedVertex, 3>& vertices);
 
 PixelRect intersect(const PixelRect& a, const PixelRect& b);
 
-// Nothing for a triangle whose area is zero after snapping: it covers no pixel.
+// Returns nothing for a triangle whose area is zero after snapping: it covers no pixel.
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices);
-// The same where somebody has snapped them.
+// The same for vertices that are already snapped.
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices,
                                             const std::array<SnappedVertex, 3>& snapped);
 

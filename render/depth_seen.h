@@ -1,4 +1,5 @@
-// How near and how far what a camera sees is: what comfort.h chooses the separation by.
+// The smallest and largest distance of what a camera sees. comfort.h chooses the separation of the
+// eyes by it.
 #pragma once
 
 #include <optional>
@@ -11,11 +12,13 @@
 
 namespace glassbox {
 
-// The least and the greatest finite distance of a framebuffer's distance plane; none where nothing was drawn.
+// The smallest and the largest finite distance in a framebuffer's distance plane; nothing if
+// nothing was drawn.
 std::optional<DepthSpan> depth_span(const Image<float>& distances);
 
-// The same from a run of its own, in a picture of the view's shape and at most 256 pixels wide and high. What is thinner
-// than such a pixel may be missed, and what only the eyes see, beside the picture of the camera between them.
+// The same, from a picture drawn for this purpose: it has the view's shape and is at most 256
+// pixels wide and high. Surfaces thinner than such a pixel may be missed, and so may surfaces that
+// only the eyes see at the sides, outside the picture of the camera between them.
 std::optional<DepthSpan> depth_seen(Renderer& renderer, const View& centre,
                                     const RenderSettings& settings);
 

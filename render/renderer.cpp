@@ -34,7 +34,7 @@ Rendering Renderer::render(const View& view, const RenderSettings& settings) {
 void Renderer::render(const View& view, const RenderSettings& settings, Rendering& into,
                       const Image<std::uint32_t>* behind) {
   Framebuffer& buffers = into.buffers;
-  // A depth for each pixel says nothing of its samples.
+  // `behind` has one depth per pixel, which does not say anything about its samples.
   RenderSettings used = settings;
   if (behind != nullptr) used.samples = 1;
   const EyePicture eye{view, used, buffers, buffers.color, into.statistics, nullptr, behind};

@@ -1,4 +1,4 @@
-// A scene and the engine that draws it. What all of its pictures have in common is made once.
+// A scene and the engine that draws it. The data that all of its pictures share is made once.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace glassbox {
 
-// Both make the same bytes.
+// The engines of the library. Both make the same bytes.
 enum class EngineKind { kTile, kStaged };
 
 std::unique_ptr<Engine> make_engine(EngineKind kind, const TileOptions& options = {});
@@ -24,20 +24,21 @@ constexpr std::string_view name_of(EngineKind engine) {
 
 class Renderer {
 public:
-  // The scene must outlive it and not change. `transfer` is that of the settings rendered with.
+  // The scene must outlive the renderer and not change. `transfer` must be that of the settings
+  // rendered with.
   Renderer(const Scene& scene, Transfer transfer, std::unique_ptr<Engine> engine);
 
-  // `options` are the tile engine's.
+  // `options` are for the tile engine.
   Renderer(const Scene& scene, Transfer transfer, EngineKind kind = EngineKind::kTile,
            const TileOptions& options = {});
 
-  // As render_staged; the depth plane only if it is asked for.
+  // The same as render_staged; the depth plane is filled only if it is wanted.
   Rendering render(const View& view, const RenderSettings& settings);
-  // The same into memory that has had a picture. `behind`: as EyePicture has it.
+  // The same, written to memory that is used again. `behind`: see EyePicture::behind.
   void render(const View& view, const RenderSettings& settings, Rendering& into,
               const Image<std::uint32_t>* behind = nullptr);
 
-  // As the functions of the same names.
+  // The same as the functions of these names.
   StereoRendering render_pair(const View& centre, const StereoPair& pair,
                               const StereoSettings& settings);
   void render_pair(const View& centre, const StereoPair& pair, const StereoSettings& settings,
@@ -47,7 +48,7 @@ public:
                                          const AnaglyphMasks& masks);
 
 private:
-  // The first picture's time has what was made for all.
+  // Adds the time of preparing the scene to the first picture.
   void count_preparation(Statistics& statistics);
 
   const Scene& scene_;

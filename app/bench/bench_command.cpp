@@ -195,7 +195,7 @@ void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) cons
       [&](double x) { progress.phase(fmt::format("{} {}", x, by)); }));
 }
 
-// Pairs of pictures in place of scenes that are drawn.
+// Measures the matching of stereo pairs, instead of the drawing of scenes.
 int BenchCommand::run_matching() {
   if (scaling_ || floor_ || html_output_ || drawing_.anaglyph || drawing_.samples) {
     return refuse(fail("--against opencv", "pairs are matched, and nothing is measured of drawing",

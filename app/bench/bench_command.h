@@ -1,4 +1,4 @@
-// glassbox bench: how fast it is, against whom, and how its time grows.
+// glassbox bench: how fast it draws, compared with another renderer, and how its time grows.
 #pragma once
 
 #include <optional>
@@ -46,7 +46,8 @@ private:
   std::optional<std::string> json_output_, html_output_;
 };
 
-// The process beside it that draws with the peer: bench starts it, and nobody else.
+// A second process that draws with the other renderer (the peer). It is started by `glassbox bench`
+// only, not by users.
 class BenchPeerCommand {
 public:
   void add_to(CLI::App& app, int& exit_code);

@@ -21,14 +21,15 @@ namespace {
 using study::BenchScene;
 using study::RealScene;
 
-// Real meshes to try the program on, beside the repository.
+// The directory with real meshes, next to the repository.
 constexpr const char* kAssets = "../shared/assets";
 
 std::string path_of(const RealScene& scene) {
   return (std::filesystem::path(kAssets) / scene.source).string();
 }
 
-// A name that is no file's may have been meant for one of the benchmark's own.
+// If no such file exists, the name may have been meant for a scene of the benchmark: lists those in
+// the error.
 Error with_bench_scenes(Error error, const std::string& name) {
   if (std::filesystem::path(name).has_extension()) return error;
   error.remedy += fmt::format("; the benchmark's are {}", fmt::join(all_bench_scenes(), ", "));
@@ -58,7 +59,8 @@ Result<BenchScene> load_real(const RealScene& known, const Size& size) {
   return bench;
 }
 
-// Both eyes of a scene that has one view, into one picture: red for the left one, the other channels for the right one.
+// Draws both eyes of a scene that has one view into one picture: the left eye into the red channel,
+// the right one into the other channels.
 Result<void> see_with_both_eyes(BenchScene& bench) {
   if (bench.stereo) return {};
   const View centre = bench.passes.front().view;
@@ -104,7 +106,7 @@ Result<BenchScene> load_bench_scene(const std::string& name, const BenchDrawing&
   auto bench =
       known != nullptr ? load_real(*known, drawing.size) : load_any(name, name, drawing.size);
   if (!bench) return bench;
-  bench->settings.want_depth = true;  // as the peers do
+  bench->settings.want_depth = true;  // because the peers write depth too
   if (drawing.samples) bench->settings.samples = *drawing.samples;
   if (drawing.anaglyph) {
     if (const auto seen = see_with_both_eyes(*bench); !seen) return tl::unexpected(seen.error());

@@ -1,4 +1,5 @@
-// Which scene is measured, and how it is drawn: the same words for the program and for the peer beside it.
+// Which scene is measured, and how it is drawn: the same options for the program and for the other
+// renderer (the peer).
 #pragma once
 
 #include <optional>
@@ -15,23 +16,23 @@ namespace glassbox::app {
 
 struct BenchDrawing {
   Size size{1920, 1080};
-  std::optional<int> samples;  // absent: as the scene has them
+  std::optional<int> samples;  // absent: the scene's own number
   bool anaglyph = false;
 };
 
-// --size, --samples and --stereo.
+// Adds --size, --samples and --stereo.
 void add_bench_drawing(CLI::App& command, BenchDrawing& drawing);
 
-// Whoever gives these words after the scene's name draws the same.
+// The options as words of a command line. Given after the scene's name, they draw the same.
 std::vector<std::string> words_of(const BenchDrawing& drawing);
 
-// A scene of the benchmark (S1, R1), a built-in one, or a file.
+// Loads a scene of the benchmark (S1, R1), a built-in one, or a file.
 Result<study::BenchScene> load_bench_scene(const std::string& name, const BenchDrawing& drawing);
 
-// The names of those that are measured if none is named.
+// The names of the scenes that are measured if none is named.
 std::vector<std::string> all_bench_scenes();
 
-// The file that a scene of the benchmark shows and that is not there.
+// The path of the mesh file that a scene of the benchmark needs, if that file is missing.
 std::optional<std::string> missing_asset(const std::string& name);
 
 std::string bench_scene_help();

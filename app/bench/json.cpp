@@ -17,7 +17,7 @@ Json quartiles_json(const Quartiles& q) {
   return Json::array({q.lower, q.upper});
 }
 
-// [by, pixels] for each difference that there is.
+// [renderer, number of pixels] for each kind of difference that occurs.
 Json differences_json(const study::PictureMatch& match) {
   Json json = Json::array();
   for (std::size_t by = 1; by < match.differences.size(); ++by) {

@@ -1,4 +1,4 @@
-// The benchmark's results for programs.
+// The benchmark's results as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,8 @@
 
 namespace glassbox::app {
 
-// {machine, compiler, target, results: [{scene, threads, ms, peer, peer_ms, ratio, ...}], scaling: [...]}: docs/benchmark.md.
+// {machine, compiler, target, results: [{scene, threads, ms, peer, peer_ms, ratio, ...}], scaling:
+// [...]}, described in docs/benchmark.md.
 nlohmann::ordered_json bench_json(const BenchReport& report);
 
 }  // namespace glassbox::app

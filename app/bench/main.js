@@ -1,6 +1,6 @@
 // The charts: a bar for each time of a frame, and a curve for each scaling.
 
-// As in the numbers below (three_digits of text.cpp).
+// Formats times like the table of numbers on the page (three_digits of text.cpp).
 const threeDigits = (value) => value === 0 ? "0" : value.toFixed(Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
 const milliseconds = (value) => `${threeDigits(value)} ms`;
 
@@ -8,7 +8,7 @@ const allSeries = [["ms", "Glassbox"], ["peer_ms", "peer"], ["floor_ms", "floor"
   .map(([key, label], i) => ({key, label, i, data: manifest.results.map((result) => result[key] ?? null)}))
   .filter(({data}) => data.some((ms) => ms !== null));
 
-// Of a path the end, where the file's name is.
+// The end of a path that is too long, because it has the file's name.
 function shortened(text, letters) {
   const all = [...text];
   return all.length > letters ? "…" + all.slice(-letters).join("") : text;
@@ -16,7 +16,7 @@ function shortened(text, letters) {
 
 const barLabel = ({scene, threads, ratio}, letters) => [shortened(scene, letters), count(threads, "thread"), ...(ratio === null ? [] : [`ratio ${threeDigits(ratio)}`])];
 
-// Behind each bar what it stands for.
+// Writes the time behind each bar.
 const timesOfBars = {
   afterDatasetsDraw(chart) {
     const {ctx: context, data} = chart;
@@ -27,7 +27,7 @@ const timesOfBars = {
   },
 };
 
-// All on one scale, so that their lengths compare from scene to scene.
+// All bars have the same scale, so that lengths can be compared between scenes.
 const barChart = (theme) => ({
   type: "bar",
   data: {labels: manifest.results.map(({scene}) => scene), datasets: allSeries.map(({label, i, data}) => ({label, data, backgroundColor: theme.series[i]}))},
@@ -52,7 +52,7 @@ function barSection() {
     floors ? element("p", {}, "The floor is what the bytes that must move take at the memory's bandwidth.") : null, place);
 }
 
-// Where the curve bends, a line.
+// A line marks where the curve bends.
 function curveChart(theme, {by, points, bend}) {
   const x = logarithmicAxis(points.map((point) => point.x)), y = logarithmicAxis(points.map(({ms}) => ms));
   return pointChart({

@@ -110,7 +110,7 @@ public:
   MatchingReport& report() { return report_; }
 
 private:
-  // Once it is not there it is not asked again; what else goes wrong is this pair's.
+  // If OpenCV is not installed, it is not tried again. Any other error concerns this pair only.
   Result<void> add_peer(const MatchInput& input, const views::DisparityRange& range, int threads,
                         MatchedPair& pair) {
     const auto scratch = scratch_.path();

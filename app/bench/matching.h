@@ -1,4 +1,4 @@
-// Dense matching beside OpenCV's: `glassbox bench --against opencv`.
+// Dense stereo matching compared with OpenCV's: `glassbox bench --against opencv`.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,11 @@ namespace glassbox::app {
 class Progress;
 
 struct MatchingQuestion {
-  // Built-in scenes and files, which are drawn for two eyes 0.2 apart, and directories with Middlebury's im2.ppm, im6.ppm, disp2.pgm and
-  // disp6.pgm, four to a pixel of disparity. Empty: room, forest, and the pairs beside the checkout.
+  // Built-in scenes and files, which are drawn for two eyes 0.2 world units apart, and directories
+  // with Middlebury's im2.ppm, im6.ppm, disp2.pgm and disp6.pgm, in which a grey value is four
+  // times the disparity in pixels. Empty: room, forest, and the pairs next to the repository.
   std::vector<std::string> pairs;
-  Size size{640, 480};  // of what is drawn
+  Size size{640, 480};  // of the drawn pictures
   std::vector<int> threads;
   int frames = 9;
   Target target = best_target();
@@ -29,8 +30,8 @@ struct MatchingQuestion {
 
 struct Matcher {
   std::string name;                // "glassbox fast"
-  double cpu_ms = 0, wall_ms = 0;  // medians; of the processors together, and on the clock
-  views::DisparityErrors visible;  // of what both pictures show
+  double cpu_ms = 0, wall_ms = 0;  // medians: time of all processors together, and elapsed time
+  views::DisparityErrors visible;  // for the points that both pictures show
 };
 struct MatchedPair {
   std::string about;
@@ -38,10 +39,10 @@ struct MatchedPair {
   std::vector<Matcher> matchers;
 };
 struct MatchingReport {
-  std::string machine, compiler, target, peer;  // "OpenCV 4.6.0", empty where there is none
+  std::string machine, compiler, target, peer;  // peer: "OpenCV 4.6.0", empty if there is none
   int frames = 0;
   std::vector<MatchedPair> pairs;
-  std::vector<std::string> notes;  // a sentence each
+  std::vector<std::string> notes;  // one sentence each
 };
 
 Result<MatchingReport> measure_matching(const MatchingQuestion& question, Progress& progress);

@@ -20,12 +20,13 @@ namespace glassbox::app {
 
 namespace {
 
-// The interpreter that Debian's package is made for; another one in PATH has modules of its own.
+// The Python interpreter that Debian's package is made for; another one in PATH has other modules.
 constexpr const char* kPython = "/usr/bin/python3";
-constexpr int kMissing = 3;  // exit code
+constexpr int kMissing = 3;  // the script's exit code if OpenCV is missing
 constexpr labs::ProcessLimits kPeerLimits{.seconds = 600};
 
-// Says "version V", then of each time "CPU WALL" in milliseconds; 16ths of a pixel go to the file.
+// Prints "version V", then "CPU WALL" in milliseconds for each repetition. Writes the disparities
+// to the file `out`, in 16ths of a pixel.
 constexpr const char* kScript = R"py(
 import sys, time
 try:
@@ -60,7 +61,7 @@ Result<std::string> run_script(const std::vector<std::string>& words) {
   return outcome.said;
 }
 
-// Sixteenths of a pixel; below the range where there is none.
+// Reads disparities in 16ths of a pixel. A value below the range means that there is no disparity.
 Result<Image<float>> read_disparity(const std::filesystem::path& path, int width, int height,
                                     int first) {
   std::ifstream in(path, std::ios::binary);
@@ -105,7 +106,8 @@ Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>
       return tl::unexpected(written.error());
     }
   }
-  // Its number of disparities is a multiple of 16; its modes are 1 (8 paths) and 2 (3 of them).
+  // OpenCV needs a number of disparities that is a multiple of 16; mode 1 uses 8 paths, mode 2 uses
+  // 3.
   const auto said = run_script({left_file, right_file, std::to_string(range.first),
                                 std::to_string((range.count() + 15) / 16 * 16),
                                 std::to_string(kPeerBlock), std::to_string(kPeerP1),

@@ -1,4 +1,4 @@
-// OpenCV's semi-global matcher, which Debian's python3-opencv has: started at run time, in a process of its own.
+// OpenCV's semi-global matcher from Debian's python3-opencv, run as a separate process.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,9 @@ namespace glassbox::app {
 
 struct PeerMatch {
   std::string version;                  // "4.6.0"
-  std::vector<double> cpu_ms, wall_ms;  // of each time
-  Image<float> disparity;               // px; holes filled from the smaller side of their row
+  std::vector<double> cpu_ms, wall_ms;  // of each repetition
+  // px; each hole gets the smaller of its two neighbours in the row
+  Image<float> disparity;
 };
 
 enum class PeerPaths { kThree, kEight };
@@ -23,13 +24,14 @@ inline const char* name_of(PeerPaths paths) {
   return paths == PeerPaths::kThree ? "OpenCV, 3 paths" : "OpenCV, 8 paths";
 }
 
-// What StereoSGBM is told: the side of its blocks, px, and its penalties.
+// Parameters of StereoSGBM: the side of its blocks in px, and its two smoothness penalties.
 inline constexpr int kPeerBlock = 3, kPeerP1 = 216, kPeerP2 = 864;
-// The cause of the error where there is no OpenCV.
+// The cause of the error if OpenCV is not installed.
 inline constexpr const char* kPeerIsMissing = "it is not installed for /usr/bin/python3";
 
-// StereoSGBM with its left-right check: `frames` times after one that is not measured. `scratch` is a
-// directory for the files that go to and fro. An error where there is no OpenCV.
+// Runs StereoSGBM with its left-right check: `frames` measured repetitions, after one that is not
+// measured. `scratch` is a directory for the files exchanged with the process. An error if OpenCV
+// is not installed.
 Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const views::DisparityRange& range, PeerPaths paths,
                                     int threads, int frames, const std::filesystem::path& scratch);

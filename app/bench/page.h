@@ -1,4 +1,4 @@
-// The benchmark's results as a page that needs no other file and no network.
+// The benchmark's results as an HTML page that needs no other file and no network.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace glassbox::app {
 
-// Bars against the peer and the floor, curves of scaling, and the numbers as text.
+// Bars that compare with the peer and the floor, curves of scaling, and the numbers as text.
 std::string bench_page(const BenchReport& report);
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-// What `glassbox bench` has measured.
+// The results measured by `glassbox bench`.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@ struct BenchReport {
   std::string machine, compiler, engine, target;
   int width = 0, height = 0, frames = 0;
   std::vector<study::Measurement> results;
-  std::vector<study::Floor> floors;  // by number of threads, where they were asked for
+  std::vector<study::Floor> floors;  // one per number of threads, if they were asked for
   std::vector<study::Scaling> scalings;
-  std::vector<std::string> notes;  // a sentence each
+  std::vector<std::string> notes;  // one sentence each
 
-  // Whether every picture that was compared is the same.
+  // Whether all compared pictures are the same as the peer's.
   bool pictures_same() const;
-  // With the result's number of threads; null where there is none.
+  // The floor with the result's number of threads; null if there is none.
   const study::Floor* floor_of(const study::Measurement& result) const;
 };
 

@@ -44,7 +44,7 @@ std::string results_table(const BenchReport& report) {
   return text;
 }
 
-// What a row has besides its times.
+// The remarks below the table: what there is to say about a row besides its times.
 std::string remarks(const Measurement& result) {
   std::string text;
   const std::string where =

@@ -1,4 +1,4 @@
-// The benchmark's results for people.
+// The benchmark's results as text.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace glassbox::app {
 
 std::string bench_text(const BenchReport& report);
 
-// "12.3", "0.0123": three digits, as many as repeated measurements agree in at best.
+// "12.3", "0.0123": three significant digits, since repeated measurements agree in no more.
 std::string three_digits(double value);
 
-// What became of the comparison with the peer: "5 edge pixels differ, the others by at most 1/255".
+// The result of the comparison with the peer: "5 edge pixels differ, the others by at most 1/255".
 std::string match_text(const study::PictureMatch& match);
 
-// "t = 0.12 x^0.98; from 3e+05 on x^1.03 instead of x^0.71"
+// The fitted growth of the time: "t = 0.12 x^0.98; from 3e+05 on x^1.03 instead of x^0.71"
 std::string scaling_text(const study::Scaling& scaling);
 
 }  // namespace glassbox::app

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The value, or a refusal of the option by CLI11.
+// The value, or an exception by which CLI11 refuses the option.
 template <class T>
 T value_or_refuse(const std::string& option, const Result<T>& value) {
   if (value) return *value;
@@ -60,8 +60,8 @@ int exit_code_of(const std::vector<Comparison>& comparisons) {
   return worst;
 }
 
-// "out/teapot.png.heat.png" for "teapot.png", which may stand beside teapot.pfm: where the heat map of a pair goes that
-// is one of many.
+// Where the heat map of one of many pairs is written: "out/teapot.png.heat.png" for "teapot.png".
+// The extension is kept because there may be a teapot.pfm as well.
 std::string heat_path(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / (name + ".heat.png")).string();
 }
@@ -71,7 +71,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return fs::equivalent(a, b, ignored);
 }
 
-// Whether writing to `path` would destroy a picture of the pair or its sidecar.
+// Whether writing to `path` would overwrite a picture of the pair or its sidecar file (.fuzzy).
 bool is_input(const std::string& path, const PicturePaths& pair) {
   const std::string stem = fs::path(pair.reference).replace_extension(".fuzzy").string();
   return is_same_file(path, pair.reference) || is_same_file(path, pair.test) ||
@@ -274,7 +274,7 @@ Result<void> DiffCommand::write_reports(const std::vector<Comparison>& compariso
   return {};
 }
 
-// The words that compare the same again.
+// The command line that makes the same comparison again.
 std::string DiffCommand::command_line() const {
   std::vector<std::string> words{"diff", shell_quoted(reference_) ? reference_ : "REFERENCE",
                                  shell_quoted(test_) ? test_ : "TEST"};

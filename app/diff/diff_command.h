@@ -28,7 +28,7 @@ private:
   void print(const std::vector<Comparison>& comparisons, const Pairing& pairing) const;
   int approve_all(const std::vector<Comparison>& comparisons) const;
   std::string command_line() const;
-  bool silent() const;  // a report goes to standard output
+  bool silent() const;  // a report goes to standard output, so nothing else may
 
   std::string reference_, test_;
   bool directories_ = false;
@@ -37,7 +37,7 @@ private:
   HeatOf heat_of_ = HeatOf::kSteps;
   bool approve_ = false;
   bool suggest_ = false;
-  std::vector<const CLI::Option*> comparing_;  // the options that decide on the verdict
+  std::vector<const CLI::Option*> comparing_;  // the options that can change the verdict
 };
 
 }  // namespace glassbox::app

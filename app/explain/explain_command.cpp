@@ -86,7 +86,7 @@ Answer ExplainCommand::explain_tiles(const Scene& scene, const View& view) const
   return answer;
 }
 
-// The pictures of `render --stereo`, planned and drawn by the same words.
+// Plans and draws the pictures of `render --stereo` with the same functions as that command.
 Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
   const RenderSettings& settings = question_.picture().settings;
   const Result<ChosenEyes> chosen = choose_eyes(scene, question_.picture());

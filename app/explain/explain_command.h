@@ -1,5 +1,5 @@
-// glassbox explain SCENE: what the plan leaves out and why; with --analyze, what went into every stage, what came out, and how
-// long it took.
+// glassbox explain SCENE: what the plan leaves out and why; with --analyze, also what went into
+// every stage, what came out, and how long it took.
 #pragma once
 
 #include "app/options/cli_fwd.h"

@@ -46,7 +46,7 @@ std::string pair_text(const PairReport& pair) {
   for (const ReportedEye& eye : eyes) {
     text += eye.heading + std::string("\n") + stage_table(eye.statistics, engine) + "\n";
   }
-  // What both share is counted and timed with the first.
+  // Work shared by both eyes is counted and timed with the first eye.
   const Statistics& first = eyes.front().statistics;
   return text + (pair.is_planned() ? tile_text(first, pair.planned.report) : time_table(first));
 }

@@ -1,4 +1,4 @@
-// Both eyes' pictures of `explain --stereo`, for people and for machines.
+// The report of `explain --stereo` on both eyes' pictures, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ namespace glassbox::app {
 
 struct PairReport {
   const StereoRendering& both;
-  // Empty where the staged stages have drawn, who plan nothing.
+  // Empty if the staged engine has drawn, which makes no plan.
   const PlannedPictures& planned;
-  bool counted = false;  // what the stages did is wanted
+  bool counted = false;  // counts of the stages are wanted
 
   bool is_planned() const { return !planned.texts.empty(); }
 };
 
-// Of eyes of which the same is said, once.
+// Eyes with the same text are reported once, together.
 std::string pair_text(const PairReport& pair);
 
-// "left" and "right", or "both" where they have one picture.
+// The keys are "left" and "right", or "both" where both eyes have one picture.
 nlohmann::ordered_json pair_json(const PairReport& pair);
 
 }  // namespace glassbox::app

@@ -23,7 +23,7 @@ std::string line_of(const Decision& d) {
   return wrapped(first, d.because + (d.numbers.empty() ? "" : "; " + d.numbers));
 }
 
-// What is left out first.
+// One line per decision, the stages that are left out first.
 std::string lines_of(const std::vector<Decision>& decisions) {
   std::string text;
   for (const bool needed : {false, true}) {

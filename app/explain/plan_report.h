@@ -1,4 +1,4 @@
-// The plan of a picture for people and for machines.
+// The plan of a picture, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace glassbox::app {
 
-// The whole picture, then its draws in groups, those with most triangles first and not more than a few of them.
+// The plan of the whole picture, then of its groups of draws: only a few groups, those with most
+// triangles first.
 std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& eye);
 
-// All groups, with the instances that are in each.
+// All groups of draws, with the instances in each.
 nlohmann::ordered_json to_json(const Plan& plan, const PlannedEye& eye);
 
 }  // namespace glassbox::app

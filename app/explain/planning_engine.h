@@ -1,4 +1,4 @@
-// The tile engine, and what it plans for the pictures that it draws.
+// The tile engine, which also keeps the plans of the pictures that it draws.
 #pragma once
 
 #include <string>
@@ -11,19 +11,20 @@
 
 namespace glassbox::app {
 
-// What there is to say about the pictures of a job.
+// The plans of the pictures of all jobs, as text and as JSON.
 struct PlannedPictures {
-  std::vector<std::string> texts;  // by eye
+  std::vector<std::string> texts;  // one per eye
   std::vector<nlohmann::ordered_json> json;
-  TileReport report;  // of all
+  TileReport report;  // of all pictures
 };
 
 class PlanningEngine : public Engine {
 public:
-  // `planned` outlives it. Each job adds to it.
+  // `planned` must outlive the engine. Each job adds to it.
   PlanningEngine(const TileOptions& options, PlannedPictures& planned);
 
-  // Draws twice, and counts the second time: the first one waits for threads and memory.
+  // Draws twice and counts the second time, because the first one also starts threads and allocates
+  // memory.
   NotSubmitted draw(const PictureJob& job) override;
 
 private:
@@ -32,7 +33,7 @@ private:
   PlannedPictures& planned_;
 };
 
-// Without drawing anything.
+// Adds the plans of the job's pictures to `planned` without drawing.
 void plan_pictures(const PictureJob& job, const TileOptions& options, PlannedPictures& planned);
 
 }  // namespace glassbox::app

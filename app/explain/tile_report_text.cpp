@@ -11,7 +11,8 @@ namespace glassbox::app {
 
 namespace {
 
-constexpr std::uint64_t kTriple = 3 * sizeof(float);  // a position, a normal, a triangle's indices
+// bytes of a position, a normal, or a triangle's indices
+constexpr std::uint64_t kTriple = 3 * sizeof(float);
 
 std::string amount(std::uint64_t bytes) {
   return bytes < 1000000 ? fmt::format("{:.1f} kB", double(bytes) / 1e3)

@@ -1,4 +1,5 @@
-// What the tile engine did, for people and for machines: time thread by thread, and the bytes of its tables.
+// The report on the tile engine's work, as text and as JSON: the time of each thread, and the bytes
+// of the tables that it reads and writes.
 #pragma once
 
 #include <string>
@@ -11,15 +12,19 @@
 
 namespace glassbox::app {
 
-// Tables that a stage reads and writes, each counted once: not what stays in a core's cache, such as a tile's own buffer, and not
-// how often caches fetch the same line.
+// The bytes of the tables that a stage reads and writes, each table counted once. Not counted are
+// data that stay in a core's cache, such as a tile's own buffer, and repeated fetches of the same
+// cache line.
 struct StageBytes {
   std::uint64_t read = 0, written = 0;
 };
 struct TileBytes {
-  StageBytes vertices;   // positions and normals as modelled; entries of the screen, eye space
-  StageBytes triangles;  // indices and entries of the screen; lists of the tiles, large triangles
-  StageBytes fragments;  // those lists, entries and indices again; the planes of the framebuffer
+  // read: positions and normals as modelled; written: screen entries, eye space
+  StageBytes vertices;
+  // read: indices and screen entries; written: the tiles' lists, large triangles
+  StageBytes triangles;
+  // read: those lists, entries and indices; written: the framebuffer's planes
+  StageBytes fragments;
 };
 TileBytes bytes_moved(const Statistics& statistics, const TileReport& report);
 

@@ -1,4 +1,5 @@
-// The program as far as its first picture needs it; ./glassbox runs it while the rest is not built yet.
+// The program with only as much as its first picture needs. ./glassbox runs it while the rest is
+// not built yet.
 #include <exception>
 
 #include "app/first/first_picture.h"

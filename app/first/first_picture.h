@@ -1,12 +1,13 @@
-// What the bare program does: the teapot, what its stages did, and what to try next.
+// What the program does without arguments: draws the teapot, reports what the stages did, and says
+// what to try next.
 #pragma once
 
 namespace glassbox::app {
 
-// Draws teapot.png where the user stands. The exit code.
+// Draws teapot.png into the current directory and returns the exit code.
 //
-// Of the program's sources it needs only those that each folder lists as FIRST, so that a first build shows its picture long
-// before all of it is there.
+// It needs only the sources that each folder's CMakeLists.txt lists as FIRST, so that a first build
+// shows its picture long before everything is compiled.
 int draw_first_picture();
 
 }  // namespace glassbox::app

@@ -7,7 +7,8 @@ namespace glassbox::app {
 
 namespace {
 
-// A number of the keyframes, by their index, as a function of time.
+// One number of the keyframes (chosen by `value_of`, from a keyframe's index) as a function of
+// time.
 template <class ValueOf>
 class Curve {
 public:
@@ -22,7 +23,7 @@ public:
     const double a = value_of_(i), b = value_of_(i + 1);
     const double h = keys[i + 1].at - keys[i].at;
     const double u = (time - keys[i].at) / h;
-    // Rounding alone could leave the two.
+    // Rounding could put the result outside the two values by a few ulps, so it is clamped.
     return std::clamp(between(i, a, b, h, u), std::min(a, b), std::max(a, b));
   }
 

@@ -13,7 +13,8 @@ namespace glassbox::app {
 
 namespace {
 
-// After so many rounds a frame that still shows more than was known gets the whole range, so that planning comes to an end.
+// After so many rounds, a frame that still shows depths outside its known span gets the whole
+// range, so that planning ends.
 constexpr int kPatientRounds = 8;
 
 RenderSettings distance_only(RenderSettings settings) {
@@ -33,7 +34,8 @@ DepthSpan both(const DepthSpan& a, const DepthSpan& b) {
   return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
 }
 
-// All that can be drawn. Distances are floats, made with a few roundings (render/engine/distance.h).
+// The range of distances that can be drawn at all. The margin covers the few roundings by which the
+// distances, which are floats, are computed (render/engine/distance.h).
 DepthSpan whole_range(const View& view) {
   constexpr double kMargin = 1e-6;
   const double far = std::isinf(view.far) ? 0 : std::abs(view.far);
@@ -42,7 +44,8 @@ DepthSpan whole_range(const View& view) {
   return {view.near - margin, view.far + kMargin * far};
 }
 
-// The frames without a span get their predecessor's, those at the beginning their successor's.
+// Frames without a span get that of the frame before; those at the beginning get that of the first
+// frame with one.
 void fill_gaps(std::vector<ComfortFrame>& frames, const std::vector<std::size_t>& empty) {
   std::vector<bool> known(frames.size(), true);
   for (const std::size_t i : empty) known[i] = false;
@@ -101,12 +104,12 @@ private:
     rates_.at_most = plan_.separation_bound / 2;
     rates_.window_frames = rates_.release_frames = wishes_.release_frames;
     plan_.step_bound = wishes_.max_step.value_or(largest_limit() / wishes_.release_frames);
-    // Nothing to step to, or no time to do it in.
+    // If all separations are 0, or the release takes no time, the step has no bound.
     if (!(plan_.step_bound > 0)) plan_.step_bound = std::numeric_limits<double>::infinity();
     rates_.max_step = plan_.step_bound / 2;
   }
 
-  // The largest separation that the budget allows anywhere.
+  // The largest separation that the budget allows in any frame.
   double largest_limit() const {
     ComfortRates free = rates_;
     free.release_frames = 0;
@@ -128,7 +131,7 @@ private:
     return {};
   }
 
-  // Whether an eye saw more than was known.
+  // Draws the pair of a frame and adds the depths seen to its span. Returns whether the span grew.
   bool widen(std::size_t i, int round) {
     ++plan_.measured;
     const auto seen = depth_seen_by(renderer_, frames_[i].centre, plan_.pairs[i], settings_);
@@ -141,7 +144,7 @@ private:
     return true;
   }
 
-  // The frames whose pair is another one for it.
+  // Chooses the pairs anew. Returns the frames whose separation has changed.
   std::vector<std::size_t> replan() {
     std::vector<StereoPair> pairs = comfortable_pairs(frames_, wishes_.budget, rates_);
     std::vector<std::size_t> changed;

@@ -1,4 +1,4 @@
-// What the pictures of a sequence are called.
+// The file names of the pictures of a sequence.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@ namespace glassbox::app {
 
 class FrameNames {
 public:
-  // `output` is -o: "walk.png" gives walk-0001.png; "walk%03d.png" walk001.png, with %% for a per cent sign; a directory
-  // (one that exists, or with a slash at the end) pictures named after `usual` in it. Where it is empty, `usual` stands
-  // for it. Four digits or, in a sequence of more, as many as it needs.
+  // `output` is the value of -o: "walk.png" gives walk-0001.png; "walk%03d.png" gives walk001.png,
+  // with %% for a per cent sign; a directory (one that exists, or with a slash at the end) gives
+  // pictures in it named after `usual`. If it is empty, `usual` is used instead. Numbers have four
+  // digits, or more if `count` needs more.
   static Result<FrameNames> of(const std::string& output, const std::string& usual, int count);
 
   std::string name(int number) const;
 
-  // "walk.svg", or "frames.svg" where the pictures are mere numbers.
+  // The plot's file: "walk.svg", or "frames.svg" if the pictures' names are only numbers.
   std::string plot() const;
 
 private:

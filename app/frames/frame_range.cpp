@@ -15,7 +15,8 @@ namespace glassbox::app {
 
 namespace {
 
-// From 1 to as many frames as there may be.
+// A frame's number, from 1 to the largest number of frames allowed; none if the text is no such
+// number.
 std::optional<int> frame_number(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

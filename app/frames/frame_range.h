@@ -5,14 +5,14 @@
 
 namespace glassbox::app {
 
-// All of `count` frames, numbered from 1, or those from `first` to `last` of them.
+// The frames from `first` to `last` of `count` frames, numbered from 1.
 struct FrameRange {
   int first = 1, last = 1, count = 1;
 
   bool is_slice() const { return last - first + 1 < count; }
 };
 
-// Throws CLI::ValidationError where the text is neither.
+// Throws CLI::ValidationError if the text has neither form.
 FrameRange parse_frames(const std::string& text);
 
 }  // namespace glassbox::app

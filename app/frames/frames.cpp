@@ -31,7 +31,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A picture and what was measured on it.
+// A picture, and what was measured in it.
 struct DrawnFrame {
   Image<Rgba8> image;
   FrameRecord record;
@@ -61,9 +61,10 @@ public:
 private:
   const FrameRange& range() const { return *request_.frames.range; }
   int count() const { return range().count; }
-  // Eyes are chosen for all frames together, whichever are drawn: each depends on its neighbours.
+  // The eyes depend on the neighbouring frames, so they are chosen for all frames together, even if
+  // only some are drawn.
   FrameRange aimed() const { return stereo() ? FrameRange{1, count(), count()} : range(); }
-  // Of the shots that are drawn, and behind the last.
+  // The indices of the first shot that is drawn, and of the one after the last.
   std::size_t first() const { return std::size_t(range().first - aimed().first); }
   std::size_t last() const { return std::size_t(range().last - aimed().first) + 1; }
   bool stereo() const { return request_.stereo.form.wanted; }
@@ -186,7 +187,7 @@ private:
     std::vector<const CLI::Option*> options = request_.picture.options;
     options.insert(options.end(), request_.stereo.options.begin(), request_.stereo.options.end());
     const StereoPair* pair = stereo() ? &report_.eyes->pairs[i] : nullptr;
-    std::vector<TextEntry> recipe;  // nobody has what came through a pipe
+    std::vector<TextEntry> recipe;  // empty for a scene from a pipe: it could not be read again
     if (request_.scene != "-") {
       recipe =
           to_text(Recipe{request_.scene, words_for(shots_[i], pair, options), GLASSBOX_VERSION});
@@ -205,7 +206,7 @@ private:
     return request_.json ? write_json(*request_.json, frames_json(report_)) : Result<void>{};
   }
 
-  // Frames that show nothing, and such that have hardly any depth left beside the others.
+  // Notes frames that show nothing, and frames with hardly any separation compared with the others.
   void say_what_is_odd() {
     if (!report_.eyes) return;
     double most = 0;
@@ -245,7 +246,7 @@ private:
   CameraPath path_;
   FrameNames names_;
   Scene scene_;
-  std::optional<Renderer> renderer_;  // of scene_
+  std::optional<Renderer> renderer_;  // draws scene_
   views::SecondEye second_;
   std::vector<Shot> shots_;
   FramesReport report_;

@@ -1,4 +1,5 @@
-// render --frames: a picture for every frame of a camera path or of a turn, for two eyes with a separation that adapts.
+// render --frames: draws a picture for every frame of a camera path or of a turntable; for two
+// eyes, with a separation that adapts to each frame.
 #pragma once
 
 #include <optional>
@@ -13,11 +14,11 @@
 
 namespace glassbox::app {
 
-// What `glassbox render` was asked for. The options count as checked.
+// The options of `glassbox render`, already checked.
 struct FramesRequest {
   const std::string& scene;
   const std::string& output;        // -o; empty: named after the scene
-  const std::string& usual_output;  // what a single picture would be called
+  const std::string& usual_output;  // the name that a single picture would get
   const PictureOptions& picture;
   const StereoPictureOptions& stereo;
   const FramesOptions& frames;
@@ -26,7 +27,8 @@ struct FramesRequest {
   const std::optional<std::string>& json;
 };
 
-// The program's exit code. Pictures are written one by one, each whole.
+// Draws the sequence and returns the exit code. Pictures are written one by one, each completely or
+// not at all.
 int render_frames(const FramesRequest& request);
 
 }  // namespace glassbox::app

@@ -15,7 +15,7 @@ namespace glassbox::app {
 
 namespace {
 
-// One number for both sides of the window, or two.
+// Parses one number for both sides of the window, or two numbers.
 std::array<double, 2> parse_budget(const std::string& text) {
   const std::string name = "--parallax-budget";
   const bool both = text.find(',') == std::string::npos;
@@ -43,7 +43,7 @@ void add_frames_option(CLI::App& command, const std::string& name, const std::st
   command.add_option_function<std::string>(name, take, help)->type_name(type)->group(kFramesGroup);
 }
 
-// Those that were added since there were `before`.
+// Stores the options that were added after the first `before` ones.
 void note_frames_options(const CLI::App& command, std::size_t before, FramesOptions& frames) {
   const auto all = command.get_options();
   frames.options.assign(all.begin() + std::ptrdiff_t(before), all.end());

@@ -1,4 +1,4 @@
-// render --frames, along a --path or round a --turntable: what is asked of a sequence of pictures.
+// The options of render --frames, along a --path or round a --turntable.
 #pragma once
 
 #include <array>
@@ -19,28 +19,29 @@ namespace glassbox::app {
 
 struct FramesOptions {
   std::optional<FrameRange> range;
-  std::optional<std::string> path;  // a path's file; or else
+  std::optional<std::string> path;  // the file of a path; or turntable
   bool turntable = false;
-  // The largest parallax in front of the window and behind it, per cent of the width.
+  // The largest parallax in front of the window and behind it, in per cent of the width.
   std::array<double, 2> budget_percent{kComfortablePercent, kComfortablePercent};
   double release_frames = 15;
-  std::optional<double> max_step;           // of the separation, world units per frame
-  std::optional<std::string> plot;          // absent: named after the pictures
-  std::vector<const CLI::Option*> options;  // those that add_frames_options has added
+  std::optional<double> max_step;  // of the separation per frame, world units
+  // the file of the plot; absent: named after the pictures
+  std::optional<std::string> plot;
+  std::vector<const CLI::Option*> options;  // the options that add_frames_options has added
 
   bool wanted() const { return range || path || turntable; }
 };
 
 void add_frames_options(CLI::App& command, FramesOptions& frames);
 
-// --frames, --path and --turntable alone, of pictures for one eye.
+// Adds --frames, --path and --turntable only, for pictures for one eye.
 void add_sequence_options(CLI::App& command, FramesOptions& frames);
 
-// Options that contradict each other or make no sense together.
+// Refuses options that contradict each other or make no sense together.
 Result<void> check_frames_options(const PictureOptions& picture, const StereoPictureOptions& stereo,
                                   const FramesOptions& frames);
 
-// What the path says and the options say as well.
+// Refuses options that say what the path's file says already.
 Result<void> check_path_options(const PictureOptions& picture, const CameraPath& path);
 
 }  // namespace glassbox::app

@@ -89,7 +89,7 @@ void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
   record.pair = pair;
   record.seen = seen;
   if (!seen) return;
-  // Parallax grows with the distance.
+  // Parallax grows with the distance, so the nearest and the farthest depth give its extremes.
   record.in_front_px = std::max(0.0, -parallax_at(centre, pair, seen->nearest).px);
   record.behind_px = std::max(0.0, parallax_at(centre, pair, seen->farthest).px);
 }

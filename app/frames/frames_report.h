@@ -1,4 +1,4 @@
-// What became of a sequence: every frame's numbers, in words, as JSON and for the plot.
+// The report on a sequence: every frame's numbers, as text, as JSON and for the plot.
 #pragma once
 
 #include <optional>
@@ -21,20 +21,21 @@ struct FrameRecord {
   int number = 1;
   double time = 0;
   std::string image;
-  // With eyes: measured on the distance planes of the frame's pictures. Parallax >= 0 on either side of the window.
+  // Set if there are two eyes: measured on the distance planes of the frame's pictures. Parallax is
+  // >= 0 on either side of the window.
   StereoPair pair;
   std::optional<DepthSpan> seen;
   double in_front_px = 0, behind_px = 0;
 };
 
 struct FramesReport {
-  std::string scene, path;  // no path: a turntable
+  std::string scene, path;  // path is empty for a turntable
   FrameRange range;
   Size size;
   std::vector<FrameRecord> frames;
   std::optional<EyePlan> eyes;
   ParallaxBudget budget;
-  std::string plot;  // empty: none was asked for
+  std::string plot;  // empty: no plot was asked for
   double total_ms = 0;
 };
 

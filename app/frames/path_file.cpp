@@ -21,12 +21,14 @@ namespace {
 
 using JsonEvent = nlohmann::json::parse_event_t;
 
-constexpr int kDeepest = 4;  // numbers of an array in a keyframe in the list in the whole
+// levels of brackets: a path, its list of keyframes, a keyframe, an array of numbers
+constexpr int kDeepest = 4;
 constexpr double kMaxNumber = std::numeric_limits<float>::max();
 
 // ---- JSON ----
 
-// Says what the parser does not: brackets nested deeper than a path's, and keys there twice.
+// Reports errors that the parser accepts: brackets nested deeper than a path's, and keys that occur
+// twice.
 class Watch {
 public:
   bool operator()(int depth, JsonEvent event, const nlohmann::json& value) {
@@ -50,11 +52,11 @@ public:
   };
 
 private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::vector<std::set<std::string>> keys_;  // of the objects that are not closed yet
   std::string problem_;
 };
 
-// "line 3, column 7" of a byte, counted from 1.
+// The place of a byte in the text: "line 3, column 7", counted from 1.
 std::string place_in(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
   const std::size_t line_start = before.rfind('\n');
@@ -193,7 +195,7 @@ private:
     const char* remedy = "write a distance along the gaze, or \"auto\"";
     if (!value.is_number()) return fail(place, "is neither a number nor \"auto\"", remedy);
     return read_number(value, place).and_then([&](double window) -> Result<void> {
-      // The least distance whose inverse is a float as well.
+      // 1/window must be a float as well, so this is the least distance allowed.
       if (!(window >= 1 / kMaxNumber)) {
         return fail(place, "is " + number_text(window) + ", which is not in front of the camera",
                     remedy);
@@ -239,7 +241,7 @@ Result<void> read_header(const nlohmann::json& json, CameraPath& path) {
   return {};
 }
 
-// Whether all keyframes have the key; an error where only some do.
+// Whether all keyframes have the key. An error if only some do.
 Result<bool> is_in_all(const nlohmann::json& keyframes, const char* key) {
   const bool first = keyframes[0].contains(key);
   for (std::size_t i = 1; i < keyframes.size(); ++i) {

@@ -13,7 +13,7 @@ namespace glassbox::app {
 
 namespace {
 
-// In the picture's own units, px where it is shown at full size.
+// In the picture's own units, which are px if it is shown at full size.
 constexpr double kWidth = 960, kLeft = 78, kRight = 170, kTop = 86, kGap = 62, kBottom = 52;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 
@@ -39,7 +39,7 @@ struct PlottedCurve {
   std::vector<double> values;
 };
 
-// Beside the plot, at a value.
+// A text to the right of the plot, at the height of a value.
 struct Label {
   std::string style, text;
   double at = 0;
@@ -51,7 +51,7 @@ struct Panel {
   std::vector<PlottedCurve> curves;
   std::vector<double> limits;
   std::vector<Label> labels;
-  double low = 0, high = 1;  // of the axis
+  double low = 0, high = 1;  // the range of the vertical axis
 };
 
 // ---- marks; a `style` is a class of the style sheet ----
@@ -69,7 +69,8 @@ std::string svg_line(const std::string& style, double x0, double y0, double x1, 
       y0, x1, y1);
 }
 
-// 1, 2 or 5 times a power of ten, so that the range has at most `most` steps.
+// The distance between tick marks: 1, 2 or 5 times a power of ten, so that the range has at most
+// `most` steps.
 double tick_step(double range, int most) {
   const double least = range / most;
   const double power = power_of_ten(int(std::floor(logarithm_10(least))));
@@ -85,7 +86,7 @@ std::string number(double value) {
   return fmt::format("{:.6g}", value == 0 ? 0.0 : value);
 }
 
-// Around everything there is to show, zero included.
+// Sets the vertical range so that it contains all curves and limits, and zero.
 void fit(Panel& panel) {
   double low = 0, high = 0;
   const auto show = [&](double value) {
@@ -145,7 +146,7 @@ private:
     const std::size_t count = report_.frames.size();
     const auto step = std::size_t(std::max(1.0, tick_step(double(count), 10)));
     const double bottom = top + height;
-    // The first frame, then round numbers.
+    // Marks the first frame, then round numbers.
     for (std::size_t number = 1; number <= count;
          number += number == 1 && step > 1 ? step - 1 : step) {
       const double x = x_of(number - 1);

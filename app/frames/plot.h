@@ -7,8 +7,8 @@
 
 namespace glassbox::app {
 
-// Readable on a light ground and a dark one, and told in words (title, desc) for those who do not see it. The report has
-// eyes and at least one frame.
+// Draws a plot that is readable on a light background and a dark one, with a description in words
+// (title, desc) for people who cannot see it. The report must have eyes and at least one frame.
 std::string plot_svg(const FramesReport& report);
 
 }  // namespace glassbox::app

@@ -11,7 +11,7 @@ namespace glassbox::app {
 
 namespace {
 
-// The options with the shot's camera in place of what they say of one.
+// The options, with their camera replaced by the shot's.
 PictureOptions options_for(const PictureOptions& picture, const CameraAt& at) {
   PictureOptions own = picture;
   own.camera.camera.reset();
@@ -29,7 +29,8 @@ Result<void> aim(const Scene& scene, const PictureOptions& own, Shot& shot) {
   });
 }
 
-// The pair of separation zero has the automatic window, unchecked.
+// Asks for the pair with separation zero, because this gives the automatic window without further
+// checks.
 Result<void> aim_eyes(const Scene& scene, const PictureOptions& picture, PictureOptions own,
                       const CameraPath& path, Shot& shot) {
   own.eyes.separation = 0;

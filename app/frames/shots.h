@@ -1,4 +1,4 @@
-// The cameras of a sequence, one a frame.
+// The cameras of a sequence, one per frame.
 #pragma once
 
 #include <optional>
@@ -22,17 +22,18 @@ struct Shot {
   CameraAt at;
   Camera camera;
   View centre;
-  double window = 0;  // where the path or the options want it; 0 where there are no eyes
+  double window = 0;  // the window that the path or the options want; 0 if there are no two eyes
 };
 
-// Those of the range, along the path or, where there is one, round the turntable; the path has no keyframes then. An error names the frame
-// whose camera cannot be.
+// The shots of the range: along the path, or round the turntable if there is one (the path then has
+// no keyframes). An error names the frame whose camera is invalid.
 Result<std::vector<Shot>> make_shots(const Scene& scene, const PictureOptions& picture,
                                      const CameraPath& path,
                                      const std::optional<Turntable>& turntable,
                                      const FrameRange& range, bool stereo);
 
-// The words that make the frame as a single picture: those given, and the shot's camera. `pair` is null without eyes.
+// The command-line words that draw the frame as a single picture: the given options, with the
+// shot's camera. `pair` is null if there is only one eye.
 std::vector<std::string> words_for(const Shot& shot, const StereoPair* pair,
                                    const std::vector<const CLI::Option*>& options);
 

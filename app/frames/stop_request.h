@@ -1,11 +1,12 @@
-// Ctrl-C between two pictures, so that what is written is whole.
+// Ctrl-C stops between two pictures, so that no file is left incomplete.
 #pragma once
 
 #include <csignal>
 
 namespace glassbox::app {
 
-// While one lives, the first SIGINT or SIGTERM is only noted; another one ends the program as usual.
+// While such an object exists, the first SIGINT or SIGTERM is only noted; a second one ends the
+// program as usual.
 class StopRequest {
 public:
   StopRequest() {

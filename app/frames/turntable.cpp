@@ -18,7 +18,8 @@ WorldPoint point_of(const std::array<double, 3>& p) {
   return {p[0], p[1], p[2]};
 }
 
-// Of length 1; a vector without a direction stays as it is, for look_at to refuse.
+// Scales to length 1. A vector without a direction (zero or infinite) stays as it is; look_at
+// refuses it.
 WorldVector unit(const WorldVector& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0 && std::isfinite(length) ? WorldVector{v.x / length, v.y / length, v.z / length}
@@ -34,11 +35,12 @@ WorldVector turned(const WorldVector& v, const WorldVector& axis, const SinCos& 
   return {sum(v.x, across.x, axis.x), sum(v.y, across.y, axis.y), sum(v.z, across.z, axis.z)};
 }
 
-// How far the eye must be for a point to stay in the picture all the way round. A point at height h above the target and
-// rho away from the axis is, at the angle phi of the turn, at
-//   x = rho sin phi,  y = h cos e - rho cos phi sin e,  z = h sin e + rho cos phi cos e
-// of the eye's axes through the target, e being the eye's elevation. It is in the picture from a distance of
-// z + |x|/across and of z + |y|/up or more; these are their maxima over phi.
+// The distance of the eye that keeps a point in the picture all the way round. Let the point be at
+// height h above the target and at distance rho from the axis, and e the eye's elevation. At the
+// angle phi of the turn, its coordinates along the eye's axes, from the target, are
+//   x = rho sin phi,  y = h cos e - rho cos phi sin e,  z = h sin e + rho cos phi cos e.
+// It is in the picture if the distance is at least z + |x|/across and at least z + |y|/up. The
+// function returns the maximum of these over phi.
 double distance_needed(double h, double rho, const SinCos& e, double across, double up) {
   const double sides = h * e.sin + rho * std::sqrt(e.cos * e.cos + 1 / (across * across));
   const double top = h * (e.sin + e.cos / up) + rho * std::abs(e.cos - e.sin / up);
@@ -61,7 +63,7 @@ double framing_distance(const Scene& scene, const WorldPoint& target, const Worl
   return distance;
 }
 
-// Up and the angle alone: where the camera would stand by itself.
+// Only the up vector and the angle are kept, so that the camera is placed automatically.
 CameraOptions automatic_options(const CameraOptions& options) {
   CameraOptions automatic;
   automatic.camera = "none";
@@ -98,7 +100,7 @@ Result<Turntable> make_turntable(const Scene& scene, const CameraOptions& option
   const WorldVector axis = unit({turntable.up[0], turntable.up[1], turntable.up[2]});
   const double fov = options.fov_degrees.value_or(FramingOptions{}.fovy_degrees);
   double distance = framing_distance(scene, target, axis, to_eye, fov, aspect);
-  // What has no extent is framed as if it had some.
+  // If all points are at the target, the automatic camera's distance is used.
   const WorldVector stands{m.at(0, 3) - target.x, m.at(1, 3) - target.y, m.at(2, 3) - target.z};
   if (!(distance > 0)) distance = std::sqrt(dot(stands, stands));
   turntable.from_target = {to_eye.x * distance, to_eye.y * distance, to_eye.z * distance};

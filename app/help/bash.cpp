@@ -36,7 +36,7 @@ constexpr const char* kTail = R"(  if [[ $words ]]; then
 complete -F _glassbox glassbox
 )";
 
-// What to offer: "words='a b' files=-f".
+// The values that can be completed, as shell assignments: "words='a b' files=-f".
 std::string offer(const ValueKinds& kinds, const std::vector<std::string>& more = {}) {
   std::vector<std::string> words = more;
   words.insert(words.end(), kinds.choices.begin(), kinds.choices.end());
@@ -48,7 +48,8 @@ std::string offer(const ValueKinds& kinds, const std::vector<std::string>& more 
   return fmt::format("words={} files={}", single_quoted(joined(words, " ")), files);
 }
 
-// "      'render --size' | 'render -s') words='' files='' ;;"
+// One line of the script's case statement per option: "      'render --size' | 'render -s')
+// words='' files='' ;;"
 std::string value_cases(const CommandFacts& command, const std::string& path) {
   std::string text;
   for (const OptionFacts& option : command.options) {
@@ -70,7 +71,8 @@ std::vector<std::string> option_names(const CommandFacts& command) {
   return names;
 }
 
-// What stands in the places on the line; a word of any of them is offered in all.
+// The kinds of values of all positional arguments together: the words of any of them are offered at
+// every position.
 ValueKinds positional_kinds(const CommandFacts& command, const CommandFacts& program) {
   ValueKinds all;
   for (const OptionFacts& option : command.options) {

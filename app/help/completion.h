@@ -1,4 +1,5 @@
-// What makes a shell complete the program's command lines, from the same tables as the help text.
+// Scripts that make a shell complete the program's command lines, made from the same tables as the
+// help text.
 #pragma once
 
 #include <functional>
@@ -11,14 +12,15 @@
 
 namespace glassbox::app {
 
-// Each is a script that the shell reads.
+// Each returns a script for the shell to read.
 std::string bash_completion(const CommandFacts& program);
 std::string zsh_completion(const CommandFacts& program);
 std::string fish_completion(const CommandFacts& program);
 
 // ---- what the three share ----
 
-// Visits every command with the words that lead to it, "" for the program itself, "study run" for a nested one.
+// Calls `visit` for every command with the words that lead to it: "" for the program itself, "study
+// run" for a nested command.
 inline void for_each_command(
     const CommandFacts& command, const std::string& path,
     const std::function<void(const CommandFacts&, const std::string&)>& visit) {
@@ -47,7 +49,7 @@ inline std::vector<std::string> scene_names() {
   return names;
 }
 
-// In single quotes, as POSIX shells and zsh read them.
+// Puts the text in single quotes, as POSIX shells and zsh read them.
 inline std::string single_quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);

@@ -1,4 +1,4 @@
-// glassbox completion SHELL: the script that makes a shell complete command lines.
+// glassbox completion SHELL: prints the script that makes a shell complete command lines.
 #pragma once
 
 #include <string>

@@ -39,7 +39,8 @@ std::vector<std::string> words_of(const ValueKinds& kinds, const CommandFacts& p
   return words;
 }
 
-// Where fish completes file names, and what else it offers.
+// The arguments of fish's `complete` for a value: whether file names are completed, and other
+// words.
 std::string offer(const ValueKinds& kinds, const CommandFacts& program) {
   std::string text;
   if (kinds.files) text += " -F";

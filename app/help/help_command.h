@@ -1,4 +1,4 @@
-// glassbox help [COMMAND...]: what --help after the command shows.
+// glassbox help [COMMAND...]: prints the same as --help after the command.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// glassbox man: the manual, for man(1).
+// glassbox man: prints the manual page, for man(1).
 #pragma once
 
 namespace CLI {

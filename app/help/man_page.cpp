@@ -11,12 +11,13 @@ namespace glassbox::app {
 
 namespace {
 
-// Text that roff sets as it stands. A hyphen is the minus that can be copied and searched for.
+// Escapes text so that roff prints it unchanged. A hyphen becomes the ASCII minus, which can be
+// copied and searched for.
 std::string roff(const std::string& text) {
   std::string escaped;
   bool line_starts = true;
   for (const char c : text) {
-    // A dot or an apostrophe there would be a request.
+    // At the start of a line, roff would read a dot or an apostrophe as a request.
     if (line_starts && (c == '.' || c == '\'')) escaped += "\\&";
     line_starts = c == '\n';
     if (c == '\\') {
@@ -48,7 +49,7 @@ std::string option_entry(const OptionFacts& option) {
   return ".TP\n" + names + "\n" + roff(option.help) + "\n";
 }
 
-// What help texts repeat in every command is said once.
+// The --help option, which every command has, is described only once.
 bool is_help(const OptionFacts& option) {
   return std::ranges::find(option.names, "--help") != option.names.end();
 }
@@ -90,7 +91,8 @@ std::string usage_of(const CommandFacts& command) {
   return text;
 }
 
-// "Examples:" and the lines below it stand as they are; the list of scenes has its own section.
+// Keeps the line breaks of "Examples:" and the lines below it; leaves out the list of scenes, which
+// has its own section.
 std::string footer_of(const CommandFacts& command) {
   std::istringstream lines(command.footer.substr(0, command.footer.find("Built-in scenes:")));
   std::string text, line;
@@ -127,7 +129,8 @@ bool is_heading(const std::string& line) {
   return line.starts_with(".SS") || line.starts_with(".SH");
 }
 
-// groff and mandoc warn of a paragraph begun behind a heading, before another beginning or twice.
+// Drops .PP (start of a paragraph) after a heading, before another .PP, and where it is repeated:
+// groff and mandoc warn of those.
 std::string without_empty_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string out, line;

@@ -1,4 +1,4 @@
-// The manual, from the same tables as the help text.
+// The manual page, made from the same tables as the help text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace glassbox::app {
 
-// glassbox(1) in the man macros that groff and mandoc read.
+// The page glassbox(1) in the man macros that groff and mandoc read.
 std::string man_page(const CommandFacts& program, const std::string& version);
 
 }  // namespace glassbox::app

@@ -8,7 +8,8 @@ namespace glassbox::app {
 
 namespace {
 
-// Between the brackets of a specification of _arguments, or as the message behind its colon.
+// Escapes a text that is inside the brackets of an _arguments specification, or a message after its
+// colon.
 std::string specified(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -25,10 +26,10 @@ std::string function_of(const std::string& path) {
   return name;
 }
 
-// Shows the name of a value, and offers nothing for it.
+// The action that shows the name of a value but offers no words for it.
 constexpr const char* kNothing = " ";
 
-// What _arguments does at the place of a value.
+// The action of _arguments for a value.
 std::string action(const ValueKinds& kinds, const CommandFacts& program) {
   if (kinds.scenes) return "_glassbox_scenes";
   if (kinds.files) return "_files";
@@ -38,7 +39,7 @@ std::string action(const ValueKinds& kinds, const CommandFacts& program) {
   return kNothing;
 }
 
-// "'(-o --output)'{-o,--output}'[image file]:FILE:_files'"
+// The specification of an option: "'(-o --output)'{-o,--output}'[image file]:FILE:_files'"
 std::string option_spec(const OptionFacts& option, const CommandFacts& program) {
   std::string rest = "[" + specified(option.help) + "]";
   if (!option.value.empty()) {
@@ -52,7 +53,8 @@ std::string option_spec(const OptionFacts& option, const CommandFacts& program) 
 std::string positional_spec(const OptionFacts& option, const CommandFacts& program) {
   const char* start = option.repeats ? "*:" : option.required ? ":" : "::";
   const std::string offered = action(kinds_of(option), program);
-  // Options are offered in the same place: a message alone would keep zsh from putting them in.
+  // Options are offered at the same position. A message alone would stop zsh from completing them,
+  // so "()" is used.
   return single_quoted(start + specified(option.positional) + ":" +
                        (offered == kNothing ? "()" : offered));
 }
@@ -114,7 +116,7 @@ std::string zsh_completion(const CommandFacts& program) {
     text +=
         command.commands.empty() ? leaf(command, path, program) : branch(command, path, program);
   });
-  // Sourced, or loaded by the completion system when it is first asked.
+  // The script works both when it is sourced and when the completion system loads it at first use.
   return text +
          "if [[ $zsh_eval_context[-1] == loadautofunc ]]; then\n"
          "  _glassbox \"$@\"\n"

@@ -45,7 +45,7 @@ std::string bounds_text(const Box<Space>& box) {
                      box.low.z, box.high.x, box.high.y, box.high.z);
 }
 
-// Warnings and paths are shown whole, within reason.
+// Warnings and lists of extensions are printed up to this length.
 constexpr std::size_t kLongText = 1000;
 
 std::string alpha_name(AlphaMode mode) {
@@ -65,7 +65,8 @@ std::string lens_name(const Lens& lens) {
   return std::holds_alternative<FrustumLens>(lens) ? "frustum" : "perspective";
 }
 
-// The findings about a mesh, one phrase each; none for a mesh without fault. Open edges are mentioned, but are no fault.
+// The findings about a mesh, one phrase each; none for a mesh without findings. Open edges are
+// listed, though they are no fault.
 std::vector<std::string> findings(const MeshReport& report) {
   std::vector<std::string> found;
   const auto count = [&](std::uint64_t n, const char* one, const char* many) {
@@ -90,7 +91,7 @@ std::vector<std::string> findings(const MeshReport& report) {
   return found;
 }
 
-// What the corners have beside a position.
+// The attributes of the mesh's corners besides a position.
 std::vector<std::string> attributes(const Mesh& mesh) {
   std::vector<std::string> names;
   if (!mesh.normals.empty()) names.push_back("normals");
@@ -233,7 +234,7 @@ void print_warnings(const Scene& scene) {
     fmt::print("  warning: {}\n", printable(warning, kLongText));
 }
 
-// What glTF has beside what is drawn; nothing for other scenes.
+// The contents of a glTF file that are not drawn; nothing for other scenes.
 Result<std::optional<GltfContents>> contents_of(const SceneAndBytes& loaded) {
   const auto some = [](GltfContents contents) { return std::optional(std::move(contents)); };
   if (loaded.bytes.empty()) {

@@ -1,4 +1,4 @@
-// glassbox info SCENE: what is in a scene, and what is wrong with it.
+// glassbox info SCENE: prints what is in a scene, and what is wrong with it.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ public:
 
 private:
   int run();
-  int tell_of_layers() const;  // a layered depth image's file
+  int tell_of_layers() const;  // reports on the file of a layered depth image
 
   std::string scene_;
   std::optional<std::string> json_output_;

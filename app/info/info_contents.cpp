@@ -23,7 +23,8 @@ std::string attribute_names(const GltfContents::Primitive& primitive) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-// How many primitives have the same attributes and number of targets.
+// The primitives by attributes and number of morph targets, with the number of primitives in each
+// group.
 std::string primitives_text(const GltfContents& contents) {
   std::map<std::pair<std::string, std::size_t>, std::size_t> groups;
   for (const GltfContents::Primitive& primitive : contents.primitives) {

@@ -1,4 +1,5 @@
-// What `info` says of a glTF file beside the scene that is drawn from it.
+// The report of `glassbox info` on the parts of a glTF file that are not in the scene drawn from
+// it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +9,12 @@
 
 namespace glassbox::app {
 
-// Adds "animations", "skins", "primitives" (with the file's vertex attributes and morph targets) and "textures".
+// Adds "animations", "skins", "primitives" (with the file's vertex attributes and morph targets)
+// and "textures".
 void add_contents(const GltfContents& contents, nlohmann::ordered_json& json);
 
-// Animations, skins, primitives and textures in lines; primitives of the same attributes together.
+// Animations, skins, primitives and textures, one per line; primitives with the same attributes
+// share a line.
 std::string contents_text(const GltfContents& contents);
 
 }  // namespace glassbox::app

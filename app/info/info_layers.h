@@ -1,4 +1,4 @@
-// What glassbox info says of a layered depth image.
+// The report of `glassbox info` on a layered depth image.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace glassbox::app {
 
-// Whether the file begins as one; false where it cannot be read.
+// Whether the file begins like a layered depth image; false if it cannot be read.
 bool is_layer_file(const std::string& file);
 
 struct LayersInfo {

@@ -19,12 +19,14 @@ namespace glassbox::app {
 
 namespace {
 
-// Four microseconds each.
+// The check takes about four microseconds per triangle.
 constexpr std::uint64_t kMostTriangles = 200'000;
-// Half a microsecond each, and half of a box is fragments at most where it is a triangle's.
+// The check takes about half a microsecond per fragment, and at most half of a triangle's bounding
+// box is fragments.
 constexpr double kMostBoxPixels = 1 << 25;
 
-// The pixels of a triangle's box that are in the picture; all of them where a corner is not before the eye.
+// The number of the picture's pixels in a triangle's bounding box; all pixels if a corner is not in
+// front of the eye.
 double box_pixels(const Draw& draw, const Triangle& triangle, const Viewport& viewport) {
   float left = viewport.right, right = viewport.left, top = viewport.bottom, bottom = viewport.top;
   for (const std::uint32_t corner : triangle.corners) {

@@ -1,4 +1,5 @@
-// What info warns of before anything is drawn: numbers of the usual view whose errors can be seen.
+// Warnings of `glassbox info` about numerical errors that would be visible in the usual view.
+// Nothing is drawn.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace glassbox::app {
 
-// One line for each, of the view that `glassbox render SCENE` draws: the scene's first camera, or the whole scene framed. None
-// where there is no such view.
+// One line per warning, for the view that `glassbox render SCENE` draws: the scene's first camera,
+// or else the whole scene framed. None if there is no such view.
 std::vector<std::string> stiffness_of_framed(const Scene& scene);
 
 }  // namespace glassbox::app

@@ -1,8 +1,11 @@
-// The stages' arithmetic once more, operation for operation, so that every number is the run's to the bit.
+// Repeats the stages' arithmetic operation by operation, so that every number is the run's to the
+// bit.
 //
-// Math.fround after each operation on floats gives what a float operation gives: the product of two floats is exact in a
-// double, and for +, - and / the double's 53 bits are enough that rounding twice rounds right (2 * 24 + 2 <= 53). After the
-// snap all numbers are integers below 2^53, exact in doubles. Matrices are arrays of 16 numbers, row by row.
+// Math.fround after each operation on floats gives the result of a float operation: the product of
+// two floats is exact in a double, and for +, - and / the double's 53 bits are enough for two
+// roundings to give the correctly rounded result (2 * 24 + 2 <= 53). After the snap all numbers are
+// integers below 2^53, which doubles represent exactly. Matrices are arrays of 16 numbers, row by
+// row.
 
 const f32 = Math.fround;
 
@@ -12,7 +15,7 @@ function bitsOfFloat(value) {
   return bitStore.getUint32(0);
 }
 
-// pipeline: transform_row, in float and in double.
+// As transform_row of the pipeline, in float and in double.
 function transformRow(m, row, [x, y, z]) {
   const at = 4 * row;
   return f32(f32(f32(f32(m[at] * x) + f32(m[at + 1] * y)) + f32(m[at + 2] * z)) + m[at + 3]);
@@ -24,8 +27,8 @@ function transformRowDouble(m, row, [x, y, z]) {
 const clipFrom = (m, p) => [0, 1, 2, 3].map((row) => transformRow(m, row, p));
 const affineDouble = (m, p) => [0, 1, 2].map((row) => transformRowDouble(m, row, p));
 
-// clip.h: a x + b y + c z + d w + e. The planes of a run have two terms at most, each exact in a double, so that the sign
-// is exact.
+// As in clip.h: a x + b y + c z + d w + e. The planes of a run have at most two terms, each exact
+// in a double, so the sign is exact.
 function signedDistance({factors: [a, b, c, d, e]}, [x, y, z, w]) {
   return a * x + b * y + c * z + d * w + e;
 }
@@ -51,7 +54,7 @@ function toScreen({position: [x, y, z], inverseW}, [left, top, right, bottom]) {
   };
 }
 
-// snap.h: to 1/256 pixel, halves up.
+// As in snap.h: rounds to 1/256 pixel, halves up.
 function snap(pixels) {
   const subpixels = f32(pixels * 256), below = Math.floor(subpixels);
   return below + (subpixels - below >= 0.5 ? 1 : 0);
@@ -74,7 +77,8 @@ function fanApex(polygon) {
   return 0;
 }
 
-// triangle_setup.cpp: the edge from `from` to `to`; null for a triangle without area.
+// As in triangle_setup.cpp: the edge function of the edge from `from` to `to`; null for a triangle
+// without area.
 function edgeFunction(from, to) {
   const a = from[1] - to[1], b = to[0] - from[0];
   return {a, b, c: -(a * from[0] + b * from[1]) + 0, ownsZero: (a === 0 && b > 0) || a > 0};

@@ -1,18 +1,19 @@
-// Running error bounds (SPEC C, generic bounds 1 to 5): pipeline/bounds.cpp and raster/bounds.cpp once more. Each is absolute,
-// in the unit of its number.
+// Running error bounds (SPEC C, generic bounds 1 to 5), computed as in pipeline/bounds.cpp and
+// raster/bounds.cpp. Each is absolute, in the unit of its number.
 
 const unitFloat = 2 ** -24, unitDouble = 2 ** -53, halfSubnormal = 2 ** -150, roundUp = 1 + 2 ** -40;
 const gammaOf = (unit, k) => (k * unit) / (1 - k * unit);
 const timesOrZero = (a, b) => (a === 0 || b === 0 ? 0 : a * b);
 
-// |M||x|, for a row.
+// One entry of |M||x|, for a row of M.
 function magnitudeOfRow(m, row, x) {
   let sum = 0;
   for (let k = 0; k < 4; k++) sum += Math.abs(timesOrZero(m[4 * row + k], x[k]));
   return sum * roundUp;
 }
 
-// Matrices with the last row 0 0 0 1, in double. A row with a single product by a power of two rounds nothing.
+// The bound for matrices with the last row 0 0 0 1, in double. A row with a single product by a
+// power of two has no rounding error.
 function affineBound(m, point, pointBound) {
   const x = [...point, 1];
   return [0, 1, 2].map((row) => {
@@ -58,7 +59,7 @@ function divideBound(clip, clipBound) {
   return {position: [0, 1, 2].map((k) => bound(clip[k], clipBound[k])), inverseW: bound(1, 0)};
 }
 
-// How a relative change of what came in is magnified by the divide.
+// The factors by which the divide magnifies a relative error of its input.
 function divideCondition(clip, magnitude) {
   const w = Math.abs(clip[3]);
   if (!(w > 0)) return [Infinity, Infinity, Infinity];
@@ -76,14 +77,16 @@ function screenBound(ndc, ndcBound, [left, top, right, bottom]) {
   return [bound(ndc[0], ndcBound[0], left, right), bound(ndc[1], ndcBound[1], bottom, top), ndcBound[2]];
 }
 
-// How far a position is from where the snap jumps, in pixels; within the bound nothing else could have come out of it.
+// The distance in pixels of a position from the nearest value at which the snap changes its result.
+// If it is larger than the bound, the snapped result is certain.
 function snapStability(pixels, bound) {
   const scaled = pixels * 256 + 0.5, below = Math.floor(scaled);
   const toBoundary = Math.min(scaled - below, below + 1 - scaled) / 256;
   return {toBoundary, stable: toBoundary > bound};
 }
 
-// Given the bounds of depth and 1/w at the vertices, in the order of the setup.
+// Computes a fragment's bounds from those of depth and 1/w at the vertices, in the order of the
+// setup.
 function fragmentBounds(setup, fragment, vertices) {
   const round = 1 + 2 ** -18;
   const r = Math.max(...setup.inverseW.map((each, k) => vertices.inverseW[k] / Math.abs(each)));

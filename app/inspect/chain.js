@@ -1,4 +1,5 @@
-// The way of a triangle, and of a fragment, through all stages: every number computed again from the positions.
+// Follows a triangle, and a fragment, through all stages: computes every number again from the
+// positions.
 
 const corners = ["a", "b", "c"];
 
@@ -22,7 +23,8 @@ function cornerOf(run, draw, index) {
   return {position, object, anchored, world, eye, clip, outcode: outcodeOf(clip, planes), bound, magnitude};
 }
 
-// A vertex of the polygon on the screen; `corner` where clipping left it as it was, whose bounds it goes on with.
+// A vertex of the polygon on the screen. `corner` is given if clipping left it unchanged; its
+// bounds are then continued.
 function vertexOf(run, clip, weights, corner) {
   const {viewport} = run.facts.view, ndc = divide(clip), screen = toScreen(ndc, viewport), snapped = snapVertex(screen);
   const vertex = {clip, weights, corner, ndc, screen, snapped};
@@ -45,7 +47,7 @@ function pieceOf(run, draw, polygon, indexes) {
   return {indexes, vertices, setup, front, culled: isCulled(run.facts, draw, front)};
 }
 
-// All of a triangle, by its number in the scene; null where the page does not have it.
+// All numbers of a triangle with this number in the scene; null if the page does not have it.
 function chainOf(run, number) {
   const row = run.rowOf.get(number);
   if (row === undefined) return null;
@@ -65,7 +67,8 @@ function chainOf(run, number) {
   return {number, row, draw, face: c["triangle.face"][row], marks: fate, corners: made, polygon, pieces};
 }
 
-// The chain of the triangle asked for last is kept: fragments of one triangle follow each other.
+// Keeps the chain of the last triangle, because fragments of one triangle usually follow each
+// other.
 function cachedChain(run, number) {
   if (run.lastChain?.number !== number) run.lastChain = chainOf(run, number);
   return run.lastChain;
@@ -84,7 +87,8 @@ function depthOf(run, i) {
     f32(f32(edgeAt(setup.edges[2], x, y)) * setup.inverseArea));
 }
 
-// What the depth buffer held when fragment i came: the last one there that was written, not blended.
+// The contents of the depth buffer when fragment i arrived: the last fragment there that was
+// written, not blended.
 function storedBefore(run, i) {
   for (let at = run.before[i]; at >= 0; at = run.before[at]) {
     if (run.columns["fragment.fate"][at] === 2) return {code: codeOf(run, at), by: at};
@@ -98,7 +102,7 @@ function fragmentOf(run, i) {
     stored: storedBefore(run, i), ...bytesAround(run, i), number: number === noTriangle ? null : number};
   if (fragment.number === null) return {...fragment, code: codeOf(run, i)};
   const chain = chainOf(run, number), piece = chain?.pieces[c["fragment.piece"][i]];
-  // Somebody who took part in the run drew what the page's arithmetic does not.
+  // A student's function took part in the run and drew what the page's arithmetic does not.
   if (!piece?.setup) return {...fragment, code: NaN};
   const {setup} = piece;
   const edges = setup.edges.map((edge) => edgeAt(edge, fragment.x, fragment.y));
@@ -111,7 +115,7 @@ function fragmentOf(run, i) {
     code: depthCode(run.facts.depth_format, numbers.depth)};
 }
 
-// Why nothing, or not all, of a triangle is to be seen.
+// The reason why nothing of a triangle is visible, or only a part.
 function verdictOf(run, chain) {
   const {planes} = run.facts, {marks: m} = chain;
   if (m & marks.rejected) {

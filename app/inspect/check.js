@@ -1,5 +1,5 @@
-// The page's arithmetic against what the run recorded: every number of the recorded pixels, bit for bit, and the bounds to a
-// few roundings of a double.
+// Compares the page's arithmetic with what the run recorded: every number of the recorded pixels
+// bit for bit, and the bounds to within a few roundings of a double.
 
 const boundTolerance = 1e-12; // relative: a bound is some forty operations in double
 
@@ -22,7 +22,7 @@ class Check {
   }
 }
 
-// Reads columns from the front, some numbers at a time.
+// Reads the columns from the beginning, some numbers per call.
 function reader(columns) {
   const at = {};
   return (name, size) => {

@@ -1,8 +1,8 @@
-// From the columns of a page to typed arrays: the way back from render/trace/column_pack.h.
+// Turns the columns of a page into typed arrays; the inverse of render/trace/column_pack.h.
 
 const columnTypes = {u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, f32: Float32Array, f64: Float64Array};
 
-// Sums up differences of bytes that were stored lowest first, all lowest ones together.
+// Adds up differences whose bytes are stored in planes: the lowest bytes of all numbers first.
 function unpackColumn(bytes, offset, Type, count) {
   const size = Type.BYTES_PER_ELEMENT, buffer = new ArrayBuffer(size * count);
   if (size === 8) {
@@ -23,7 +23,7 @@ function unpackColumn(bytes, offset, Type, count) {
   return new Type(buffer);
 }
 
-// {name: typed array} of the directory [[name, type, count], ...].
+// Returns {name: typed array} for the directory [[name, type, count], ...].
 function unpackColumns(bytes, directory) {
   const columns = {};
   let offset = 0;

@@ -1,4 +1,4 @@
-// A second run beside the first, and where the two part.
+// A second run next to the first, and the places where they differ.
 
 async function openOther(file) {
   byId("compare-note").textContent = `Reading ${file.name} …`;
@@ -41,8 +41,9 @@ const firstDifference = (a, b) => {
   return a.length === b.length ? -1 : common;
 };
 
-// The first fragment that is another one, has another fate or leaves other bytes: its number and what differs. Columns of
-// written bytes go by place, so they are compared fragment by fragment.
+// The first fragment that belongs to another triangle, piece or pixel, has another fate or leaves
+// other bytes: its number, and what differs. Columns of written bytes have only the written
+// fragments, so they are compared fragment by fragment.
 function firstFragmentDivergence(a, b) {
   const names = ["triangle", "piece", "x", "y", "fate"], common = Math.min(a.fragmentCount, b.fragmentCount);
   let first = a.fragmentCount === b.fragmentCount ? Infinity : common, what = "one run has more fragments";
@@ -58,7 +59,8 @@ function firstFragmentDivergence(a, b) {
   return Number.isFinite(first) ? {at: first, what} : null;
 }
 
-// Stage by stage, in the order in which data pass: a sentence each, with what to choose to see it.
+// The differences stage by stage, in the order of the data flow: a sentence for each, and the
+// choice that shows it.
 function divergencesOf(a, b) {
   const found = [], note = (text, choose) => found.push({text, choose});
   const fa = a.facts, fb = b.facts;

@@ -1,4 +1,4 @@
-// Mouse, keys, buttons and fields.
+// Handles the mouse, keys, buttons and fields.
 
 function listenToPicture() {
   let held = null;
@@ -64,7 +64,7 @@ function listenToControls() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update());
 }
 
-// Arrow keys step through the fragments wherever they mean nothing else.
+// Arrow keys step through the fragments where they have no other meaning.
 function onKey(event) {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
   const {tagName, type} = event.target;

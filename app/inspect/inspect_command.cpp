@@ -75,7 +75,7 @@ Result<void> InspectCommand::check_pixels() const {
   return {};
 }
 
-// What makes this page again.
+// The command line that makes this page again.
 std::string InspectCommand::command_line() const {
   std::vector<std::string> start;
   if (page_.pixel) start = {"--pixel", fmt::format("{},{}", page_.pixel->x, page_.pixel->y)};

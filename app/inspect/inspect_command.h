@@ -1,4 +1,5 @@
-// glassbox inspect SCENE -o page.html: a run of the scene as a page in which every stage can be looked at.
+// glassbox inspect SCENE -o page.html: writes a run of the scene as a page in which every stage can
+// be examined.
 #pragma once
 
 #include <optional>

@@ -1,21 +1,22 @@
-// What is shown, and how it changes. Everything shown follows from `state`.
+// The state of the page, and how it changes. Everything shown follows from `state`.
 
 const state = {
   runs: [], playbacks: [], panes: [],
-  at: 0,           // fragments done: what the picture shows
+  at: 0,           // number of fragments drawn in the picture
   cursor: null,    // the chosen pixel
   fragment: null,  // the chosen fragment
   triangle: null,  // the chosen triangle: that of the fragment, if there is one
   vertex: 0,       // 0 .. 2 its corners, from 3 on the vertices after clipping
-  stop: null,      // the step of the chain that is looked at
+  stop: null,      // the step of the chain that is shown
   overlay: "none", space: "world", hex: false, fitted: true,
   open: new Set(), // the matrices that are open
 };
 
-// Changes the state and shows it. `focus`: the name or id of the control to keep the focus on, as its panel is made anew.
+// Changes the state and shows it. `focus` is the name or id of the control that keeps the focus
+// when its panel is made anew.
 function change(values, focus = null) {
   if (values.triangle !== undefined && values.triangle !== state.triangle && values.vertex === undefined) state.vertex = 0;
-  if (values.space !== undefined && values.space !== state.space) lookAtAll(); // its triangles lie elsewhere
+  if (values.space !== undefined && values.space !== state.space) lookAtAll(); // its triangles are elsewhere
   Object.assign(state, values);
   update();
   if (focus) (document.querySelector(`input[name="${focus}"]:checked`) ?? byId(focus))?.focus();
@@ -64,7 +65,7 @@ function fragmentValues(i) {
   return {fragment: i, triangle: number === noTriangle ? null : number, cursor: {x: c["fragment.x"][i], y: c["fragment.y"][i]}};
 }
 
-// The picture goes to the moment after the fragment.
+// Shows the picture as it was right after the fragment.
 function chooseFragment(i) {
   stopPlaying();
   if (!(i >= 0 && i < state.runs[0].fragmentCount)) return;
@@ -73,7 +74,8 @@ function chooseFragment(i) {
   change({...fragmentValues(i), at: i + 1});
 }
 
-// The fragment that is seen there at the moment, else the last one that came; the picture stays.
+// Chooses the fragment visible there at this moment, or else the last one that arrived. The picture
+// stays the same.
 function choosePixel(x, y) {
   stopPlaying();
   const run = state.runs[0];
@@ -109,7 +111,7 @@ function stepOnPixel(by) {
   if (next !== undefined) chooseFragment(next);
 }
 
-// The moment after so many fragments, with the last of them chosen.
+// The state after the first `at` fragments, with the last of them chosen.
 const momentValues = (at) => (at > 0 ? {...fragmentValues(at - 1), at} : {at: 0, fragment: null});
 
 function scrubTo(at) {
@@ -177,7 +179,7 @@ async function start() {
   byId("message").textContent = "";
   readAddress();
   document.body.dataset.ready = "yes";
-  // Needed by some overlays only.
+  // These are needed by some overlays only.
   for (const name of manifest.pictures) run.others[name] = await unpackPicture(byId(name).textContent, run.width, run.height);
   run.normalPicture = await unpackPicture(run.normals, run.width, run.height);
   if (["normals", "parts", ...manifest.pictures].includes(state.overlay)) update();

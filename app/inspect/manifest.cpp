@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Sixteen numbers, row by row. Floats are doubles here, which every reader gives back to the bit.
+// The sixteen numbers of a matrix, row by row. Floats are written as doubles, so that every reader
+// gets exactly the same values.
 template <class Target, class Source, class T>
 Json rows(const Transform<Target, Source, T>& m) {
   Json json = Json::array();
@@ -73,7 +74,7 @@ Json view_json(const View& view) {
           {"far", finite_or_inf(view.far)}};
 }
 
-// From the root down to the node itself: world_from_node is their product.
+// The nodes from the root to the node itself, whose matrices have the product world_from_node.
 Json nodes_json(const Scene& scene, std::uint32_t node) {
   std::vector<Json> path;
   for (std::uint32_t n = node; n != kNone; n = scene.nodes[n].parent) {

@@ -1,4 +1,5 @@
-// What the script of an inspector page knows of the run besides its columns: matrices, the parameters they come from, counts.
+// The manifest of an inspector page: what its script knows of the run besides the columns, namely
+// matrices, the parameters they are made from, and counts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

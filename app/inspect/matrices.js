@@ -1,4 +1,4 @@
-// Matrices, and what they are made of.
+// Matrices, and the parameters that they are made of.
 
 function opened(name, id, ...content) {
   const details = element("details", {className: "opens", id}, element("summary", {}, name), ...content);
@@ -22,7 +22,8 @@ function modelMatrix(draw) {
     ...draw.nodes.map((node, i) => matrixTable(node.name || `node ${i}`, node.matrix, "double")));
 }
 
-// UVN: the rows are the camera's axes, the last column is minus the eye in them.
+// UVN: the rows are the camera's axes, and the last column is minus the eye's coordinates along
+// them.
 function viewMatrix({camera: {name, eye, gaze, up, right}, view, options}) {
   const axes = [...right, 0, ...up, 0, ...gaze.map((value) => -value + 0), 0, 0, 0, 0, 1];
   const moved = [1, 0, 0, -eye[0], 0, 1, 0, -eye[1], 0, 0, 1, -eye[2], 0, 0, 0, 1].map((value) => value + 0);

@@ -1,4 +1,4 @@
-// Numbers as text, in tables that go by space.
+// Writes numbers as text, and makes tables of them.
 
 const doubleText = (value) => (Number.isFinite(value) ? String(value === 0 ? 0 : value).replace("-", "−") : floatText(value));
 const boundText = (bound) => (bound === undefined ? "" : bound === 0 ? "exact" : Number.isFinite(bound) ? `± ${bound.toExponential(1).replace("-", "−")}` : "± ∞");
@@ -18,7 +18,8 @@ const kinds = {
   integer: {text: (value) => value.toLocaleString("en").replace("-", "−"), hex: (value) => (value < 0 ? "−0x" : "0x") + Math.abs(value).toString(16)},
 };
 
-// A table of named numbers: {name, value, kind, bound, other}, `other` being the second run's where there is one.
+// A table of named numbers: {name, value, kind, bound, other}, where `other` is the second run's
+// number if there is one.
 function numbersTable(caption, rows) {
   const compared = rows.some(({other}) => other !== undefined), bounded = rows.some(({bound}) => bound !== undefined);
   return element("table", {className: "numbers"}, element("caption", {className: "hidden"}, caption),
@@ -42,5 +43,5 @@ function matrixTable(caption, m, kind) {
     element("tbody", {}, ...[0, 1, 2, 3].map((row) => element("tr", {}, ...[0, 1, 2, 3].map((column) =>
       element("td", {title: hex(m[4 * row + column])}, shortMatrixText(m[4 * row + column])))))));
 }
-// Six digits are enough to read a matrix by; the title has all its bits.
+// Six digits are enough to read a matrix; the tooltip has the exact number.
 const shortMatrixText = (value) => doubleText(Number(value.toPrecision(6)));

@@ -1,4 +1,4 @@
-// Quantities over the picture, or in its place.
+// Quantities that are drawn over the picture or instead of it.
 
 const overlays = {
   none: {name: "Picture", paint: null, note: () => ""},
@@ -34,7 +34,7 @@ function setPixel(data, pixel, [r, g, b]) {
   data[at + 3] = 255;
 }
 
-// The picture in half darkness, so that what lies over it stands out.
+// Darkens the picture, so that the overlay stands out.
 function darken(data) {
   for (let at = 0; at < data.length; at += 4) {
     const grey = (data[at] * 3 + data[at + 1] * 6 + data[at + 2]) / 30;
@@ -54,8 +54,8 @@ function paintCounts(data, counts) {
   return {most, total, pixels};
 }
 
-// How many fragments of each pixel a test holds for, as far as they have come: carried on, either way, from the moment for
-// which this was asked for last.
+// For each pixel, the number of fragments so far for which a test holds. The counts are updated,
+// forwards or backwards, from the moment of the previous call.
 function countFragments(playback, overlay, test) {
   const {run, at} = playback, x = run.columns["fragment.x"], y = run.columns["fragment.y"];
   playback.counted ??= {};
@@ -82,7 +82,7 @@ function paintClipped(playback, data) {
   return paintCounts(data, countFragments(playback, "clipped", (i) => cut.has(triangle[i])));
 }
 
-// Pixels that the culled pieces would have covered.
+// The pixels that the culled pieces would have covered.
 function culledCounts(run) {
   if (run.culledCounts) return run.culledCounts;
   const counts = new Uint16Array(run.width * run.height), {"triangle.marks": mark, "triangle.number": number} = run.columns;
@@ -121,7 +121,7 @@ function paintId({run, owner}, data) {
   return {};
 }
 
-// The depth of every fragment, in the order in which they came: those of a triangle follow each other.
+// The depths of all fragments in the order of their arrival; those of a triangle follow each other.
 function allDepths(run) {
   run.depths ??= Float32Array.from({length: run.fragmentCount}, (_, i) =>
     run.columns["fragment.triangle"][i] === noTriangle ? NaN : depthOf(run, i));

@@ -1,4 +1,4 @@
-// One run of a scene as one HTML page that needs nothing else: no network, no other file.
+// One run of a scene as one HTML page that needs no network and no other file.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,21 @@ struct InspectOptions {
   std::vector<std::string> words;  // the picture options that the user gave
   std::string program;             // "glassbox 0.1.0"
   std::string command;             // the command line that made the page
-  std::optional<PixelAt> pixel;    // chosen on opening, with all records of its fragments
-  // Only what reaches into it, with all records of its fragments.
+  // selected when the page opens; all records of its fragments are included
+  std::optional<PixelAt> pixel;
+  // If set, the page has only what reaches into this rectangle, with all records of its fragments.
   std::optional<PixelRect> rectangle;
-  // Of 32 bits: CLI11 wraps a negative number of 64.
+  // 32 bits, because CLI11 would accept a negative number for a 64-bit type and wrap it around.
   std::uint32_t max_triangles = 1'000'000;
   std::uint32_t max_fragments = 4'000'000;
 
-  // A run in which somebody takes part (glassbox lab render).
+  // A student's functions that take part in the run (glassbox lab render); null: none.
   Observer* stages = nullptr;
-  std::string student;  // JSON of drawing_page.h: their records; empty: nobody's
-  const Image<Rgba8>* reference = nullptr;  // the picture as it would be without them
-  // Where they make another picture than the run's: theirs, of which `reference` is then the counterpart, and what is really there.
+  std::string student;  // JSON with the student's records (drawing_page.h); empty: none
+  const Image<Rgba8>* reference = nullptr;  // the picture without the student's functions
+  // Set if the student's functions draw a picture of their own, other than the run's. `made` is
+  // that picture, `reference` then is what it is compared with, and `truth` is the scene itself,
+  // drawn by the pipeline from the same place.
   const Image<Rgba8>* made = nullptr;
   const Image<Rgba8>* truth = nullptr;
 };
@@ -43,7 +46,7 @@ struct PageFacts {
   std::uint64_t fragments = 0;
 };
 
-// An error if there is more to show than the limits allow.
+// Makes the page. An error if there is more to show than the limits allow.
 Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, const View& view,
                                     const RenderSettings& settings, const InspectOptions& options);
 

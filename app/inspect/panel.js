@@ -1,4 +1,5 @@
-// The right side: the pixel's fragments, and the chain of the chosen triangle, vertex and fragment.
+// The panel on the right: the pixel's fragments, and the chain of the chosen triangle, vertex and
+// fragment.
 
 function showPanel() {
   showPixel();
@@ -11,7 +12,7 @@ function showPanel() {
     ...(fragment ? fragmentSections(run, fragment, other?.fragment) : []), ...recordSections(run, fragment));
 }
 
-// The same fragment, and the same triangle, of the second run.
+// Finds the same fragment, and the same triangle, in the second run.
 function counterpart(run, fragment) {
   const there = state.fragment !== null && state.fragment < run.fragmentCount ? fragmentOf(run, state.fragment) : null;
   const same = there && fragment && there.x === fragment.x && there.y === fragment.y && there.number === fragment.number;
@@ -68,7 +69,7 @@ function chainHeading(run, chain) {
 
 const vertexName = (vertex) => (vertex < 3 ? "ABC"[vertex] : `V${vertex - 3}`);
 
-// The triangle's corners and, where it was cut, the vertices of the polygon.
+// Buttons for the triangle's corners and, if it was cut, for the vertices of the polygon.
 function vertexChoice(chain) {
   const names = [0, 1, 2, ...(chain.marks & marks.cut ? chain.polygon.map((_, k) => 3 + k) : [])].map((value) => [value, vertexName(value)]);
   return element("fieldset", {className: "segments", id: "vertices"}, element("legend", {className: "hidden"}, "Vertex"),
@@ -80,7 +81,7 @@ function vertexChoice(chain) {
     }));
 }
 
-// A step of the chain; `id` is that of its stop, where it is one.
+// A step of the chain. `id` is that of its stop, if it is one.
 const step = (id, name, ...content) => element("section", {className: "step", id: `step-${id}`}, element("h3", {}, name), ...content);
 
 function chainSections(run, chain, fragment, other) {
@@ -208,7 +209,8 @@ function recordSections(run, fragment) {
   step("light", "Light: linear", numbersTable("light", row("light", 4, colour)))];
 }
 
-// Where the records of a fragment stand: those of the recorded pixels, in order. -1: the page does not have them.
+// The index of a fragment's records, which exist for the recorded pixels only, in order; -1 if the
+// page does not have them.
 function recordOf(run, {index}) {
   if (!run.facts.records_complete) return -1;
   run.recorded ??= new Map(recordedFragments(run).map((each, at) => [each, at]));

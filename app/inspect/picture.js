@@ -9,14 +9,14 @@ function fitScale() {
   return scale < 1 ? scale : scales.findLast((step) => step <= Math.min(scale, largestScale()));
 }
 
-// Brings each run's picture to the moment, with the overlay over it.
+// Updates each run's picture to the current moment and draws the overlay over it.
 function paintPictures() {
   const {paint, note} = overlays[state.overlay], notes = [];
   for (const playback of state.playbacks) {
     const {run} = playback;
     playback.moveTo(state.at);
     playback.canvas ??= newCanvas(run.width, run.height);
-    playback.image ??= new ImageData(playback.picture, run.width, run.height); // the same bytes: it follows the picture
+    playback.image ??= new ImageData(playback.picture, run.width, run.height); // shares its bytes with the picture, so it follows it
     if (paint) {
       const image = new ImageData(playback.picture.slice(), run.width, run.height);
       notes.push(note(run, paint(playback, image.data)));
@@ -76,7 +76,7 @@ function drawName(pane, name) {
   context.fillText(name, pane.x, pane.y - strip * 0.5, pane.width);
 }
 
-// The bytes of each pixel, printed in it.
+// Prints the bytes of each pixel inside it.
 function drawBytes({playback: {picture, run}}, seen, origin, cell) {
   context.font = `${Math.min(12 * devicePixelRatio, Math.floor(cell / 4.4))}px ui-monospace, Menlo, Consolas, monospace`;
   context.textAlign = "center";
@@ -91,7 +91,7 @@ function drawBytes({playback: {picture, run}}, seen, origin, cell) {
   }
 }
 
-// The outline of the chosen triangle, as it was snapped.
+// The outline of the chosen triangle after snapping.
 function drawTriangle(run, origin, cell) {
   const chain = state.triangle === null ? null : cachedChain(run, state.triangle);
   if (!chain?.polygon.length) return;
@@ -110,7 +110,7 @@ function zoomBy(steps, at = null) {
   zoomTo(scaleBeside(steps), at);
 }
 
-// What is under a point of a pane stays there.
+// Zooms; the point of the picture under `at` stays where it is.
 function zoomTo(scale, at = null) {
   const held = at && pointUnder(at.pane, at.x, at.y);
   view.scale = scale;
@@ -129,7 +129,7 @@ function moveView(dx, dy) {
   view.y = clamp(view.y + dy, 0, state.runs[0].height);
 }
 
-// Moves the view if the cursor is not on it.
+// Moves the view if the cursor is outside it.
 function showCursor() {
   const pane = state.panes[0];
   if (!state.cursor || !pane) return;

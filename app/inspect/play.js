@@ -1,4 +1,5 @@
-// Playing: the picture as it was drawn, triangle by triangle, or the chosen triangle on its way, stage by stage.
+// Playback: draws the picture again triangle by triangle, or follows the chosen triangle stage by
+// stage.
 
 const mostSeconds = 20; // for all triangles
 
@@ -7,7 +8,7 @@ const ways = {
     name: "triangles",
     length: (run) => run.groupCount,
     seconds: (length) => Math.min(0.5, mostSeconds / length),
-    // How many are drawn; from the end it begins again.
+    // The number of groups drawn so far; at the end, playback starts again.
     position: (run) => (state.at >= run.fragmentCount ? 0 : nextGroup(run, state.at)),
     show: (run, drawn) => change(momentValues(run.groupStart[drawn])),
   },
@@ -23,7 +24,8 @@ const ways = {
   },
 };
 
-// The first group that has not begun when so many fragments are done: one half done is taken for done.
+// The first group that has not begun after `at` fragments. A group that is partly drawn counts as
+// drawn.
 function nextGroup({groupStart}, at) {
   let [low, high] = [0, groupStart.length - 1];
   while (low < high) {
@@ -64,7 +66,7 @@ function stopPlaying() {
 
 function showPlaying() {
   byId("play").textContent = player ? "■ Stop" : "▶ Play";
-  byId("now").ariaLive = player ? "off" : "polite"; // nobody wants sixty sentences a second read out
+  byId("now").ariaLive = player ? "off" : "polite"; // sixty sentences a second must not be read out
 }
 
 function listenToPlay() {

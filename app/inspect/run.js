@@ -1,10 +1,10 @@
-// A run: what the page's data say of it, and the tables that make its fragments easy to find.
+// A run: the data of the page about it, and the tables by which its fragments are found quickly.
 
 const fates = ["hidden", "discarded", "written", "blended"];
 const marks = {rejected: 1, clippedAway: 2, cut: 4, zeroArea: 8, culled: 16, setUp: 32};
 const noTriangle = 0xffffffff;
 
-// From a page of `glassbox inspect`, this one or another that was read as a document.
+// Loads a run from a page of `glassbox inspect`: this one, or another that was read as a document.
 async function loadRun(page, name) {
   const text = (id) => page.getElementById(id)?.textContent;
   const facts = JSON.parse(text("manifest") ?? "{}");
@@ -28,7 +28,7 @@ function sizes({width, height}) {
   return {width, height};
 }
 
-// What the rest of the script takes for granted.
+// Checks what the rest of the script assumes.
 function checkColumns({columns: c, facts, width, height}) {
   const need = (fine) => { if (!fine) throw new Error("its data contradict themselves"); };
   const same = (count, ...names) => need(names.every((name) => c[name]?.length === count));
@@ -48,7 +48,8 @@ function checkColumns({columns: c, facts, width, height}) {
   }
 }
 
-// Rows of the triangle columns by number, the draw of each row, and the polygons of cut triangles.
+// The rows of the triangle columns by triangle number, the draw of each row, and the polygons of
+// cut triangles.
 function indexTriangles(run) {
   const {columns: c, facts} = run, number = c["triangle.number"];
   run.triangleCount = number.length;
@@ -78,8 +79,9 @@ function indexTriangles(run) {
 
 const drawOfRow = (run, row) => run.facts.draws.findLast((draw) => draw.firstRow <= row && draw.triangles > 0);
 
-// The fragments of each pixel in order: ofPixel[startOf[pixel]] .. ofPixel[startOf[pixel + 1] - 1]. For each fragment,
-// the place of its bytes among the written ones, and which fragment wrote the pixel before it (-1: none).
+// The fragments of each pixel, in order, are ofPixel[startOf[pixel]] .. ofPixel[startOf[pixel + 1]
+// - 1]. For each fragment, place is the index of its bytes among the written ones, and before is
+// the fragment that last wrote the pixel (-1: none).
 function indexFragments(run) {
   const {columns: c, width, height} = run;
   const x = c["fragment.x"], y = c["fragment.y"], fate = c["fragment.fate"], triangle = c["fragment.triangle"];
@@ -103,8 +105,9 @@ function indexFragments(run) {
   }
 }
 
-// The fragments as they came: those of a triangle follow each other and are one group, a line's or point's is one of its own.
-// Group g is groupStart[g] .. groupStart[g + 1] - 1; groupOf has the triangles' by number, firstly the first.
+// The fragments in groups, in the order of their arrival. The fragments of a triangle follow each
+// other and form one group; each fragment of a line or point is a group of its own. Group g is
+// groupStart[g] .. groupStart[g + 1] - 1. groupOf maps a triangle's number to its first group.
 function groupFragments(run) {
   const triangle = run.columns["fragment.triangle"], starts = [];
   run.groupOf = new Map();
@@ -118,7 +121,8 @@ function groupFragments(run) {
   run.groupStart = Uint32Array.from([...starts, run.fragmentCount]);
 }
 
-// The fragments of a triangle: from, to (not with it). None: the same number twice.
+// The range of a triangle's fragments, [from, to) with `to` excluded; both are equal if there are
+// none.
 function fragmentsOfTriangle(run, number) {
   const group = run.groupOf.get(number);
   return group === undefined ? [0, 0] : [run.groupStart[group], run.groupStart[group + 1]];
@@ -129,7 +133,8 @@ function fragmentsAt(run, x, y) {
   return run.ofPixel.subarray(run.startOf[pixel], run.startOf[pixel + 1]);
 }
 
-// What the picture is before the first fragment: the background; around a recorded rectangle, the finished picture.
+// The picture before the first fragment: the background, or around a recorded rectangle the
+// finished picture.
 async function startPicture({width, height, facts}, packed) {
   const picture = new Uint8ClampedArray(4 * width * height);
   new Uint32Array(picture.buffer).fill(new Uint32Array(Uint8Array.from(facts.background).buffer)[0]);
@@ -149,18 +154,18 @@ async function unpackPicture(packed, width, height) {
   return new Uint8ClampedArray(bytes.buffer);
 }
 
-// The picture as it was after a number of fragments, and which fragment each pixel shows (-1: none). It is carried from
-// one number to another, either way, by the fragments between them.
+// The picture after a given number of fragments, and the fragment that each pixel shows (-1: none).
+// To change the number, only the fragments in between are applied or undone.
 class Playback {
   constructor(run) {
     this.run = run;
     this.at = 0;
     this.picture = run.start.slice();
     this.owner = new Int32Array(run.width * run.height).fill(-1);
-    this.changed = [0, 0, run.width, run.height]; // x0, y0, x1, y1 of what nobody has taken yet
+    this.changed = [0, 0, run.width, run.height]; // x0, y0, x1, y1 of the changes since the last takeChanged()
   }
 
-  // The box of the pixels that changed since it was asked for last: x, y, width, height.
+  // The box of the pixels that changed since the last call: x, y, width, height.
   takeChanged() {
     const [x0, y0, x1, y1] = this.changed;
     this.changed = [Infinity, Infinity, -Infinity, -Infinity];
@@ -174,7 +179,7 @@ class Playback {
     for (; this.at > at; this.at--) if (place[this.at - 1] >= 0) this.show(this.at - 1, before[this.at - 1]);
   }
 
-  // The pixel of fragment i shows fragment `shown`.
+  // Lets the pixel of fragment i show fragment `shown`.
   show(i, shown) {
     const {columns: c, width, start, place} = this.run, {picture} = this;
     const x = c["fragment.x"][i], y = c["fragment.y"][i], pixel = y * width + x, at = 4 * pixel, box = this.changed;
@@ -195,7 +200,7 @@ class Playback {
   }
 }
 
-// What the pixel of fragment i held before it, and after: bytes r, g, b, a.
+// The bytes r, g, b, a of fragment i's pixel before it, and after it.
 function bytesAround(run, i) {
   const {columns: c, place, before, width, start} = run;
   const written = (at) => ["r", "g", "b", "a"].map((channel) => c[`written.${channel}`][at]);

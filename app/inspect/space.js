@@ -1,8 +1,9 @@
-// The geometry in one space, in three dimensions: the run's triangles, and the frustum or the unit cube. What is chosen and
-// the axes are drawn over it (space_marks.js), so that choosing something else does not draw the geometry again.
+// Draws the run's geometry in one space in 3D, with the frustum or the unit cube. The chosen
+// triangle and the axes are drawn over it (space_marks.js), so that another choice does not draw
+// the geometry again.
 
 const spaceCanvas = byId("space"), gl = spaceCanvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
-const turn = {yaw: 0.6, pitch: 0.35, zoom: 1, pivot: [0, 0, 0]}; // the pivot as the shader's positions are: 0 is the middle
+const turn = {yaw: 0.6, pitch: 0.35, zoom: 1, pivot: [0, 0, 0]}; // the pivot in the shader's coordinates, where 0 is the middle
 
 const vertexShader = `#version 300 es
 in vec3 position;
@@ -51,7 +52,8 @@ const hasWebGl = startWebGl();
 
 // ---- the spaces ----
 
-// Where a corner lies in a space; null where it has no place there. Screens are as wide as the cube, their depth too.
+// The position of a corner in each space; null if it has none there. In screen space depth is
+// scaled, so that its range is as long as the picture's shorter side.
 const spaces = {
   object: {name: "Object", place: (corner) => corner.object, frame: () => []},
   world: {name: "World", place: (corner) => corner.world, frame: (run) => frustumLines(run).map(worldFromEye(run))},
@@ -63,13 +65,13 @@ const spaces = {
   screen: {name: "Screen", place: ({clip}, run) => (clip[3] > 0 ? screenPlace(divide(clip), run) : null),
     frame: (run) => boxLines([0, 0, 0], [run.width, run.height, screenDepth(run)]), fixed: true, flip: true, down: true, divided: true},
 };
-const screenDepth = (run) => Math.min(run.width, run.height); // what depth 1 is drawn as, in pixels
+const screenDepth = (run) => Math.min(run.width, run.height); // the length in pixels that the depth range 0 .. 1 is drawn with
 function screenPlace(ndc, run) {
   const [x, y, z] = toScreen(ndc, run.facts.view.viewport).position;
   return [x, y, z * screenDepth(run)];
 }
 
-// The twelve edges of a box whose corners a function places, as points two by two.
+// The twelve edges of a box, as pairs of points. `place` gives the position of each corner.
 function edgesOf(place) {
   const points = [];
   for (let i = 0; i < 8; i++) {
@@ -79,7 +81,8 @@ function edgesOf(place) {
 }
 const boxLines = (low, high) => edgesOf((i) => [0, 1, 2].map((k) => (i & (1 << k) ? high[k] : low[k])));
 
-// How far the frustum is drawn: to its far plane, or a little beyond all that there is.
+// The distance up to which the frustum is drawn: its far plane, or a little beyond the farthest
+// geometry.
 function farOf(run) {
   const {near, far} = run.facts.view;
   if (run.reachesTo === undefined) {
@@ -92,7 +95,8 @@ function farOf(run) {
   }
   return Math.min(far === "inf" ? Infinity : far, near + 1.2 * (run.reachesTo - near) + 0.1 * Math.abs(near));
 }
-// x, y at a depth along the gaze from those of NDC: the projection has no shear but that of an off-centre window.
+// Computes x and y at a distance along the gaze from NDC. The projection has no shear except that
+// of an off-centre window.
 function frustumLines(run) {
   const {clip_from_eye: m, near, perspective} = run.facts.view;
   return edgesOf((i) => {
@@ -105,7 +109,7 @@ function worldFromEye(run) {
   const m = run.facts.camera.world_from_eye;
   return (p) => affineDouble(m, p);
 }
-// |x| <= w, |y| <= w between the planes: a pyramid.
+// The volume |x| <= w, |y| <= w between the planes, which is a pyramid.
 function clipLines(run) {
   const {near, perspective} = run.facts.view;
   if (!perspective) return boxLines([-1, -1, 1], [1, 1, 1]);
@@ -117,7 +121,7 @@ function clipLines(run) {
 
 // ---- what is drawn ----
 
-// A corner's places without their bounds, each computed when somebody asks.
+// A corner's positions without their bounds. Each is computed when it is needed.
 class Corner {
   constructor(run, draw, index) {
     Object.assign(this, {run, draw});
@@ -133,7 +137,8 @@ const chosenDrawOf = (run) => {
   return row === undefined ? run.facts.draws[0] : drawOfRow(run, row);
 };
 
-// The geometry in a space; in object space that of the chosen triangle's draw, of which the last one is kept.
+// The geometry in a space. In object space it is that of the chosen triangle's draw; only the last
+// one is kept.
 function meshIn(run, name) {
   run.spaces ??= {};
   const draw = name === "object" ? chosenDrawOf(run) : null, kept = run.spaces[name];
@@ -145,8 +150,9 @@ function meshIn(run, name) {
   return (run.spaces[name] = {draw, ...makeMesh(run, spaces[name], draw ? [draw] : run.facts.draws)});
 }
 
-// Places of all corners, and which three of them make a triangle: `triangles` has those that are seen from both sides, then,
-// from `oneSided` on, the others, counter-clockwise on their visible side. Lines have two points each.
+// The positions of all corners, and the indices of each triangle's corners. `triangles` first has
+// those that are visible from both sides, then, from `oneSided` on, those that are
+// counter-clockwise on their visible side. Lines have two points each.
 function makeMesh(run, space, draws) {
   const places = [], bothSides = [], oneSide = [], c = run.columns, numbers = c["triangle.number"];
   const add = (place) => places.push(...(place ?? [NaN, NaN, NaN])) / 3 - 1;
@@ -202,8 +208,9 @@ function releaseMesh({buffers}) {
   for (const buffer of Object.values(buffers ?? {})) gl.deleteBuffer(buffer);
 }
 
-// Column by column, as WebGL takes it: first to x right, y up, z away (NDC and the screen run into the picture with z, the
-// screen downwards with y), then yaw about y and pitch about x.
+// A matrix column by column, as WebGL needs it. It first maps to x right, y up, z away (in NDC and
+// screen space z points into the picture, in screen space y points down), then turns by yaw about y
+// and by pitch about x.
 function turnMatrix({flip, down}) {
   const [cy, sy, cp, sp] = [Math.cos(turn.yaw), Math.sin(turn.yaw), Math.cos(turn.pitch), Math.sin(turn.pitch)];
   const y = down ? -1 : 1, z = flip ? 1 : -1;
@@ -250,7 +257,7 @@ function drawGeometry(space, mesh, edgesOnly) {
   } else {
     buffers.triangles ??= indexBufferOf(mesh.triangles);
     drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, 0, mesh.oneSided, buffers.triangles);
-    gl.enable(gl.CULL_FACE); // as the run does, but from here: so that one sees into rooms
+    gl.enable(gl.CULL_FACE); // culls as the run does, but from this viewpoint, so that one can look into rooms
     gl.frontFace(space.mirrored ? gl.CW : gl.CCW);
     drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, mesh.oneSided, mesh.triangles.length - mesh.oneSided, buffers.triangles);
     gl.disable(gl.CULL_FACE);
@@ -258,7 +265,7 @@ function drawGeometry(space, mesh, edgesOnly) {
   drawThings(buffers.lines, gl.LINES, colour("--frame"), 0, 0, mesh.frame.length / 3);
 }
 
-let lastLook = "";  // what the geometry was drawn as
+let lastLook = "";  // describes how the geometry was drawn last
 let lastMesh = null;
 function drawSpace() {
   if (!hasWebGl || byId("space-panel").hidden) return;
@@ -269,7 +276,7 @@ function drawSpace() {
   drawMarks(run, space, mesh);
 }
 
-// As large as it is on the page, in device pixels; what was in it is gone.
+// Sets the canvas to its size on the page in device pixels, which clears it.
 function sizeSpace() {
   const box = spaceCanvas.getBoundingClientRect();
   for (const canvas of [spaceCanvas, marksCanvas]) {
@@ -282,7 +289,8 @@ function sizeSpace() {
 
 // ---- turning ----
 
-// The chosen triangle in the middle, so large that its shape is seen; in this space, until another view is asked for.
+// Moves the chosen triangle to the middle, large enough to see its shape. Holds for this space
+// until the view is changed.
 function goToTriangle() {
   const run = state.runs[0], space = spaces[state.space], chain = state.triangle === null ? null : cachedChain(run, state.triangle);
   const three = chain?.corners.map((corner) => space.place(corner, run)).filter(Boolean) ?? [];

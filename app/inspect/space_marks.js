@@ -1,5 +1,5 @@
-// What is drawn over the geometry in three dimensions: the axes of the space with their names, the chosen triangle, and its
-// chosen vertex. Nothing of the geometry hides it.
+// Draws what is on top of the 3D geometry: the axes of the space with their names, the chosen
+// triangle, and its chosen vertex. The geometry does not hide them.
 
 const marksCanvas = byId("space-marks"), marks2d = marksCanvas.getContext("2d");
 
@@ -14,24 +14,24 @@ class Eye {
   }
   fit(place) { return place.map((value, k) => (value - this.centre[k]) * this.scale); }
 
-  // To x right, y up, z away.
+  // Turns to x right, y up, z away.
   turn(fitted) {
     const [x, y, z] = fitted.map((value, k) => value - turn.pivot[k]), {m} = this;
     return [0, 1, 2].map((row) => m[row] * x + m[row + 3] * y + m[row + 6] * z);
   }
   wOf(fitted) { return 1 + 0.25 * this.turn(fitted)[2]; }
 
-  // The point of the canvas of what `fit` made.
+  // The canvas point for a result of `fit`.
   point(fitted) {
     const [x, y, z] = this.turn(fitted), [sx, sy] = this.turned, w = 1 + 0.25 * z;
     return [marksCanvas.width * (0.5 + (0.5 * sx * x) / w), marksCanvas.height * (0.5 - (0.5 * sy * y) / w)];
   }
 
-  // Points of the canvas of the part of a polygon, or of a line of two places, that is to be seen.
+  // The canvas points of the visible part of a polygon, or of a line given by two positions.
   outline(places) { return this.seen.reduce(keepWhere, places.map((place) => this.fit(place))).map((p) => this.point(p)); }
 }
 
-// What of a polygon lies where a linear function is not negative.
+// The part of a polygon where a linear function is not negative.
 function keepWhere(polygon, distance) {
   return polygon.flatMap((p, i) => {
     const q = polygon[(i + 1) % polygon.length], [dp, dq] = [distance(p), distance(q)];
@@ -66,8 +66,9 @@ const roundBelow = (value) => {
   return power * [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
 };
 
-// Three lines from the origin, each with the coordinate at its end; from a place nearby where the view is far from the origin.
-// Depth is drawn longer on the screen than it is.
+// Three lines from the origin, each with the coordinate at its end. If the view is far from the
+// origin, they start at a round position near the middle of the view. Depth is drawn longer on the
+// screen than it is.
 function axesOf(run, space, {centre, scale, size}) {
   const seen = size / turn.zoom, middle = centre.map((value, k) => value + turn.pivot[k] / scale);
   const near = middle.every((value) => Math.abs(value) <= 1.2 * seen), grid = roundBelow(0.1 * seen);
@@ -98,8 +99,8 @@ function drawAxes(eye, {from, near, axes}) {
 
 // ---- what is chosen ----
 
-// Where a vertex of the chosen triangle lies in the space: a corner, or one that clipping made, whose place before the
-// division is that of its weights.
+// The position of a vertex of the chosen triangle in the space. A vertex made by clipping has the
+// position before the division that its weights give.
 function placeOfVertex(run, space, chain, vertex) {
   if (vertex < 3) return space.place(chain.corners[vertex], run);
   const {clip, weights} = chain.polygon[vertex - 3];

@@ -1,6 +1,7 @@
-// The stages, with what went in, what came out and how long it took; and what the page is of.
+// The stages, with what went in, what came out and how long it took, and the title of the page.
 
-// Each part: how many, what they are, and what chooses the next of them (null: they are not in the page).
+// For each part of a stage's output: the number, its name, and the function that chooses the next
+// one (null: they are not in the page).
 function stageRows({stages: s}) {
   const whole = s.triangles - s.degenerate - s.rejected - s.clipped_away - s.clipped;
   return [
@@ -41,7 +42,7 @@ function showStages() {
   }));
 }
 
-// The stage and the step at which the page is.
+// Marks the stage and the step that the page shows.
 function markStop() {
   const stage = stops.find(({step}) => step === state.stop)?.stage;
   for (const item of byId("stages").children) {

@@ -1,5 +1,5 @@
-// The stops on the way of a triangle through the stages: a step of its chain, and the space and the overlay that show best
-// what happens there. And the next triangle or fragment of a kind.
+// The stops on a triangle's way through the stages: each is a step of its chain, with the space and
+// the overlay that show it best. Also finds the next triangle or fragment of a kind.
 
 const stops = [
   {step: "object", stage: "Assembly", space: "object", overlay: "id"},
@@ -18,10 +18,11 @@ const stops = [
 ];
 
 const sectionOf = (step) => byId(`step-${step}`);
-// Of what is chosen: a triangle that was not cut has no clipped polygon, one that was culled no fragment.
+// Only stops that exist for the chosen triangle: one that was not cut has no clipped polygon, one
+// that was culled no fragment.
 const stopsHere = () => stops.filter(({step}) => sectionOf(step));
 
-// The panel shows the step, or the last one before it that there is.
+// Shows the step in the panel, or the last step before it that exists.
 function goToStop({step, space, overlay}) {
   change({stop: step, space, overlay});
   const earlier = stops.slice(0, stops.findIndex((stop) => stop.step === step) + 1);
@@ -29,7 +30,7 @@ function goToStop({step, space, overlay}) {
   section?.scrollIntoView({block: "start"});
 }
 
-// What each stage is best shown by: the last of its stops, of the vertices' the first.
+// Goes to the stop that shows a stage best: its last one, but for the vertices the first.
 function goToStage(name) {
   stopPlaying();
   if (state.triangle === null && state.fragment === null) chooseSomething();
@@ -37,13 +38,14 @@ function goToStage(name) {
   goToStop(name === "Vertices" ? ofStage[0] : ofStage.at(-1));
 }
 
-// The next of `count` after `from`, round the end, for which the test holds; -1: none.
+// The next of `count` items after `from`, cyclically, for which the test holds; -1 if there is
+// none.
 function nextWhere(count, from, test) {
   for (let i = 1; i <= count; i++) if (test((from + i) % count)) return (from + i) % count;
   return -1;
 }
 
-// What a part of a stage's output is of: triangles by their marks, or fragments by their fate.
+// Finds the next triangle by its marks, or the next fragment by its fate.
 const withMark = (mark) => (run) => {
   const {"triangle.marks": all, "triangle.number": number} = run.columns;
   const row = nextWhere(all.length, run.rowOf.get(state.triangle ?? -1) ?? -1, (i) => all[i] & mark);
@@ -63,7 +65,7 @@ const withFate = (name) => (run) => {
   return found >= 0;
 };
 
-// Chooses the next of the part, and shows where it became one.
+// Chooses the next item of the part, and shows the stage that put it there.
 function goToNext(stage, label, choose) {
   stopPlaying();
   if (choose(state.runs[0])) goToStage(stage);
@@ -72,7 +74,8 @@ function goToNext(stage, label, choose) {
 
 // ---- what the page opens with ----
 
-// A drawn pixel near the middle, twice as far from it if something is hidden there; null where nothing is drawn.
+// A drawn pixel near the middle. A pixel in which a fragment is hidden may be twice as far away.
+// Null if nothing is drawn.
 function openingPixel({width, height, startOf, facts}) {
   const [x0, y0, x1, y1] = facts.rectangle ?? [0, 0, width, height];
   let best = null, least = Infinity;

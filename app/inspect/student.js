@@ -1,4 +1,5 @@
-// A run in which a student's functions took part (glassbox lab render): their records beside the reference's.
+// A run in which a student's functions took part (glassbox lab render): their records next to the
+// reference's.
 
 function showStudent(run) {
   const {student} = run.facts;
@@ -24,7 +25,7 @@ function groupedBy(records) {
   return groups;
 }
 
-// What the functions answered of the triangle, and of the scene as a whole; what is wrong stands first.
+// The student's answers for the triangle and for the whole scene, the wrong ones first.
 function studentSections(run, triangle) {
   if (!run.recordsOf) return [];
   const records = [...(run.recordsOf.get(null) ?? []), ...(triangle === null ? [] : run.recordsOf.get(triangle) ?? [])];
@@ -52,7 +53,7 @@ function wrongText({element: what, yours, reference, bound, unit, explanation}) 
     (explanation ? `: ${explanation}.` : `; at most ${shortNumber(bound)}${unit ? ` ${unit}` : ""} apart is allowed.`);
 }
 
-// One of the pictures that the page has besides the run's.
+// Shows one of the pictures that the page has in addition to the run's.
 function paintOther(name) {
   return ({run}, data) => {
     if (run.others[name]) data.set(run.others[name]);
@@ -60,7 +61,7 @@ function paintOther(name) {
   };
 }
 
-// Where the finished pictures differ.
+// Marks where the finished pictures differ.
 function paintParts({run}, data) {
   const {reference, made} = run.others, yours = made ?? data.slice();
   if (made) data.set(made);

@@ -34,7 +34,7 @@ struct Outputs {
   std::optional<std::string> json, html;
 };
 
-// Checks the folder once and says what came of it.
+// Checks the folder once and reports the result. The exit code is kSuccess for full points.
 Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
   const auto checked = checker.check();
   if (!checked) return tl::unexpected(checked.error());
@@ -55,7 +55,8 @@ Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
   return result.score == result.max_score && result.not_built.empty() ? kSuccess : kFailure;
 }
 
-// When the file was last written; it may be away for a moment while an editor replaces it.
+// When the file was last written; none if it does not exist, which can happen briefly while an
+// editor replaces it.
 std::optional<fs::file_time_type> written_at(const fs::path& file) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);
@@ -78,7 +79,7 @@ void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
              "this one or none; the strongest that works here");
 }
 
-// Does it now and whenever the file has been saved, until the program is ended.
+// Calls `act` at once and after every save of the file, until the program is ended.
 [[noreturn]] void after_every_save(const fs::path& file, const std::function<void()>& act) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   std::optional<fs::file_time_type> seen;
@@ -91,7 +92,8 @@ void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
       fmt::print("\nSave {} to do it again; Ctrl-C ends.\n", file.string());
       std::fflush(stdout);
     }
-    // A glance at a file's time costs nothing, and works where notices of changes do not (shared folders, containers).
+    // Looking at a file's time is cheap, and works where change notifications do not (shared
+    // folders, containers).
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
 }

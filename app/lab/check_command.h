@@ -1,5 +1,5 @@
-// glassbox lab check: builds a student's folder, runs its checks and says what is right. glassbox lab watch: again after every
-// save; or the picture of a scene.
+// glassbox lab check: builds a student's folder, runs its checks and reports what is right.
+// glassbox lab watch: does so again after every save, or draws a scene again.
 #pragma once
 
 #include <optional>

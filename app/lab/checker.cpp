@@ -18,12 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
-// Kits of this lab that were made a month ago or longer, but for the one that is used now.
+// Removes this lab's kits (the files that submissions are compiled with) that are a month old or
+// older, except the one in use.
 void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::path& but) {
   constexpr auto kMonth = std::chrono::hours(24 * 30);
   const auto now = fs::file_time_type::clock::now();
   std::error_code error;
-  // Another program may take them away at the same time.
+  // Another program may remove them at the same time, so errors are ignored.
   for (fs::directory_iterator entry(kits, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
@@ -33,8 +34,9 @@ void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::pat
   }
 }
 
-// One for all folders of a lab. It has hidden checks in it, and so is not in a folder. What stands in its place and is none, because
-// something changed it or left it half, is made again: the place is the program's own.
+// The kit of a lab, which all its folders share. It contains hidden checks, so it is kept in the
+// user's cache and not in the student's folder. If its directory exists but is no valid kit
+// (changed, or left incomplete), it is made again: the directory belongs to the program.
 Result<Kit> kit_of(const labs::Sources& sources, const LabFolder& folder) {
   const auto fingerprint = kit_fingerprint(sources, folder.lab->folder);
   if (!fingerprint) return tl::unexpected(fingerprint.error());
@@ -130,7 +132,7 @@ Result<std::string> LabChecker::debugger_program(const std::string& text) {
   std::error_code error;
   fs::create_directories(program.parent_path(), error);
   if (made.empty() || !fs::copy_file(made, program, fs::copy_options::overwrite_existing, error))
-    return std::string();  // the report does without
+    return std::string();  // the report then names no program for the debugger
   fs::remove_all(*build, error);
   return program.string();
 }

@@ -1,4 +1,4 @@
-// A student's folder checked as a grader would: in the sandbox, once or after every save.
+// Checks a student's folder as a grader would, in the sandbox, once or repeatedly.
 #pragma once
 
 #include <filesystem>
@@ -19,21 +19,22 @@ namespace glassbox::app {
 struct CheckOptions {
   bool hidden = false;
   bool sanitize = false;
-  double seconds = 10;  // of each check
+  double seconds = 10;  // time limit of each check
   std::size_t memory_mib = 512;
   std::optional<labs::grading::Confinement> confinement = {};
 };
 
 struct Checked {
   labs::grading::Graded graded;
-  std::string
-      runner;  // where a check failed: a program for the debugger, built at -O0 -g; else empty
+  // if a check failed: a program for the debugger, built with -O0 -g; else empty
+  std::string runner;
   double seconds = 0;
 };
 
 class LabChecker {
 public:
-  // The sandbox, and what the lab's submissions are compiled with: made here, or found where it was made before.
+  // Chooses the sandbox, and makes the kit that submissions are compiled with, or finds an earlier
+  // one.
   static Result<std::unique_ptr<LabChecker>> open(const LabFolder& folder,
                                                   const CheckOptions& options);
 
@@ -49,7 +50,7 @@ private:
   LabFolder folder_;
   CheckOptions options_;
   labs::Sources sources_;
-  labs::Lab lab_;  // with its points
+  labs::Lab lab_;  // with the points of points.json
   std::vector<std::string> warnings_;
   Scratch scratch_;
   std::optional<labs::grading::Sandbox> sandbox_;

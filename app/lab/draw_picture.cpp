@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What is drawn: of a lab of pairs (9 to 12) the centre's view, with the eyes beside it.
+// The view that is drawn. For labs about stereo pairs (9 to 12) it is the view from the centre,
+// with the two eyes as `pair`.
 Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
                            Camera& camera) {
   constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;

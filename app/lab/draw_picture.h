@@ -1,4 +1,4 @@
-// A scene drawn with a student's functions in the pipeline: built, drawn, reported.
+// Builds a student's functions, draws a scene with them in the pipeline, and reports the result.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@ namespace glassbox::app {
 struct LabPicture {
   const AskedLab& lab;
   const std::string& scene;
-  std::string output;  // an image
+  std::string output;  // an image file
   const PictureOptions& picture;
   std::optional<std::string> json, html;
-  double seconds = 10;  // that a stage may take
+  double seconds = 10;  // time limit of a stage
 };
 
-// What can be said against it before anything is done.
+// Refuses options that are wrong in any case, before anything is built.
 Result<void> check_lab_picture(const LabPicture& asked);
 
-// The exit code: 0 where every number is within its bound.
+// Draws the picture. The exit code is 0 if every number is within its bound.
 int draw_lab_picture(const LabPicture& asked);
 
 }  // namespace glassbox::app

@@ -29,7 +29,8 @@ Json records_json(const labs::DrawingResult& result) {
   return records;
 }
 
-// The picture under the page's overlays is that of the run, without what is done to it afterwards.
+// The run for the picture under the page's overlays: the colours as drawn, without the student's
+// change of the finished picture (`finish`).
 labs::StandIn as_shown(labs::StandIn run) {
   run.finish = nullptr;
   if (run.settings.show != Show::kNormal && run.settings.show != Show::kUv)
@@ -43,7 +44,8 @@ Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Dr
                                      const labs::DrawnBoth& both,
                                      const std::vector<std::string>& words) {
   const labs::StandIn yours = as_shown(both.yours), reference = as_shown(both.reference);
-  // What is done to it afterwards makes another picture, which the page has beside the run's.
+  // If the student's code changes the finished picture, the page shows the changed picture in
+  // addition to the run's.
   const bool other = both.yours.finish != nullptr;
   const labs::DrawingResult& result = both.result;
   const Image<Rgba8> reference_picture =

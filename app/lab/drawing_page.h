@@ -1,4 +1,4 @@
-// The inspector on a run in which a student's functions took part.
+// The inspector page of a run that used a student's functions.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace glassbox::app {
 
-// `words`: the picture's options, as the user gave them. Of lab 9 it is the left eye's run.
+// Makes the page. `words` are the picture's options, as the user gave them. In lab 9 the run is the
+// left eye's.
 Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Drawn& drawn,
                                      const labs::DrawnBoth& both,
                                      const std::vector<std::string>& words);

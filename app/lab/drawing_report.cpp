@@ -67,7 +67,7 @@ std::string pixel_text(const DrawingReport& report) {
   return text;
 }
 
-// Of the pixels, those with a channel that is off by more than 8/255 from what the pipeline shows.
+// The share of pixels with a channel that differs by more than 8/255 from the pipeline's picture.
 double share_beside(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
   constexpr int kSeen = 8;
   std::size_t off = 0;
@@ -87,7 +87,7 @@ std::string truth_text(const labs::DrawingResult& result) {
       100 * share_beside(result.reference, *result.truth));
 }
 
-// What shows the triangle, or the pixel, that is wrong.
+// The commands that show the first wrong triangle, or the first wrong pixel.
 std::string look_closer(const DrawingReport& report) {
   const auto& p = report.result.first_pixel;
   if (!p) return "";

@@ -1,4 +1,4 @@
-// What glassbox lab render says of a picture: as text, and as JSON.
+// The report of `glassbox lab render` on a picture, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -17,17 +17,18 @@ struct DrawingReport {
   std::string scene;           // as the user gave it
   std::string picture_words;   // the picture's options, as the user gave them
   std::string said;            // what the student's code printed
-  double seconds = 0;          // from the command to the pictures, without compiling
-  double student_seconds = 0;  // in the student's process
+  double seconds = 0;          // from the command to the pictures, without compilation
+  double student_seconds = 0;  // of these, in the student's process
 };
 
 std::string drawing_text(const DrawingReport& report);
 nlohmann::ordered_json drawing_json(const DrawingReport& report);
 
-// Yours on the left, the reference's on the right; then what the pipeline shows, where the lab draws in another way.
+// The student's picture on the left and the reference's on the right, then the pipeline's own if
+// the lab has one to compare with.
 Image<Rgba8> side_by_side(const labs::DrawingResult& result);
 
-// "#8f2311"
+// The colour in hexadecimal: "#8f2311"
 std::string colour_text(const Rgba8& colour);
 
 }  // namespace glassbox::app

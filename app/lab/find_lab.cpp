@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The user's cache.
+// The program's directory in the user's cache.
 fs::path cache() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
@@ -33,13 +33,13 @@ fs::path cache() {
   return base / "glassbox";
 }
 
-// A folder in it for each place that a lab is checked in.
+// The directory in the cache for a folder that a lab is checked in, different for each folder.
 fs::path cache_for(const fs::path& folder) {
   const std::size_t place = std::hash<std::string>{}(folder.string());
   return cache() / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
 }
 
-// The name in lab.json: an error if the file is no such thing, empty if there is none.
+// The lab's name from lab.json. Empty if there is no such file; an error if the file names no lab.
 Result<std::string> named_lab(const fs::path& folder) {
   std::error_code error;
   const fs::path file = folder / "lab.json";
@@ -54,8 +54,8 @@ Result<std::string> named_lab(const fs::path& folder) {
   return name->get<std::string>();
 }
 
-// Whether nothing in the folder's build/check, nor the way there, is a link: whoever hands a folder in does not say what is
-// written elsewhere.
+// Whether build/check in the folder, all files in it, and the way to it are free of symbolic links.
+// A link in a submission could redirect what is written to another place.
 bool is_plain(const fs::path& place) {
   std::error_code error;
   const fs::path build = place / "build", check = build / "check";
@@ -67,7 +67,7 @@ bool is_plain(const fs::path& place) {
   return true;
 }
 
-// What is common to both kinds of labs: where student.cpp is, and where it is built.
+// Does what all kinds of labs need: finds student.cpp and chooses where it is built.
 Result<LabFolder> open_place(const std::string& folder, const fs::path& place, bool own) {
   LabFolder found;
   found.own = own;
@@ -130,7 +130,7 @@ Result<LabFolder> open_submission(const std::string& folder, const std::string& 
   if (!place) return tl::unexpected(place.error());
   const auto lab = find_lab(name, "--lab");
   if (!lab) return tl::unexpected(lab.error());
-  // A file that names no lab is the submission's own affair.
+  // A lab.json that names no lab is ignored here: the submission may contain any files.
   if (const auto named = named_lab(*place); named && !named->empty()) {
     const auto other = find_lab(*named);
     if (!other || *other != *lab)

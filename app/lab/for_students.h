@@ -1,4 +1,5 @@
-// Whether this program is a students' (GLASSBOX_STUDENT): there is nothing hidden in it, and nothing grades or hands out.
+// Whether this program is built for students (GLASSBOX_STUDENT): it then contains no hidden checks,
+// and no commands that grade labs or hand them out.
 #pragma once
 
 namespace glassbox::app {

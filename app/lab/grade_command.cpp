@@ -114,7 +114,8 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
 Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
                                                    const Scratch& scratch) const {
   if (!sources.outside.empty()) {
-    // Beside the kit, so that those who share one share the judge.
+    // The judge (the checks of an outside lab, compiled) is kept next to the kit, so that runs that
+    // share the kit share it too.
     const auto place = kit_.empty() ? scratch.own("judge") : fs::path(kit_ + ".judge");
     return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
   }
@@ -180,7 +181,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
                              const Scratch& scratch) {
   if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
-  // Before anything can go wrong, so that there is a result whatever happens from here on.
+  // Written first, so that a result exists whatever fails from here on.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
@@ -224,7 +225,8 @@ int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& source
                                .total_seconds = total_seconds_},
                               read_submission(submissions_));
   const auto results = gradescope_json(graded, sandbox->in_force(), digest);
-  if (graded.outcome == kUnfinished) {  // an earlier result is better than none
+  // an earlier result is kept, which is better than an unfinished one
+  if (graded.outcome == kUnfinished) {
     fmt::print(stderr, "{}\n", results.at("output").get<std::string>());
     return kFailure;
   }
@@ -296,7 +298,7 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   if (!shares) return refuse(shares.error());
   for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
   if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
-  // What each makes on the way lies in here, and goes with it.
+  // The temporary files of the graded submissions are put here and are removed together with it.
   ::setenv("TMPDIR", place->c_str(), 1);
 
   ClassRequest request;

@@ -1,4 +1,5 @@
-// glassbox lab grade and lab collect: a class, or one submission of it, from student.cpp to points.
+// glassbox lab grade and lab collect: grades a class, or one submission of it, from student.cpp to
+// points.
 #pragma once
 
 #include <filesystem>
@@ -20,12 +21,12 @@ namespace glassbox::app {
 class LabGradeCommand {
 public:
   using FindSources = std::function<Result<labs::Sources>()>;
-  // Other labs than the program's own: for the tests of the grader.
+  // The arguments replace the program's own labs in tests of the grader.
   explicit LabGradeCommand(const std::vector<labs::Lab>& (*labs)() = labs::all_labs,
                            FindSources find_sources = labs::find_sources)
       : labs_(labs), find_sources_(std::move(find_sources)) {}
 
-  // `lab grade` and `lab collect`.
+  // Adds `lab grade` and `lab collect`.
   void add_to(CLI::App& lab, int& exit_code);
 
 private:
@@ -38,18 +39,18 @@ private:
   std::vector<std::string> command_for_one(const labs::Lab& lab,
                                            const labs::grading::Sandbox& sandbox,
                                            const labs::grading::Submission& submission) const;
-  // What the result of a submission depends on.
+  // A digest of everything that the result of a submission depends on.
   Result<std::string> digest_of(const labs::Lab& lab, const labs::Sources& sources,
                                 const std::filesystem::path& submission,
                                 const std::string& name) const;
-  // What a submission of this name has its inputs varied by; never 0.
+  // The seed by which the inputs of the submission with this name are varied; never 0.
   static std::uint64_t seed_of(const labs::Lab& lab, const std::string& name);
   Result<const labs::Lab*> find_lab(const labs::Sources& sources, const Scratch& scratch) const;
 
   const std::vector<labs::Lab>& (*labs_)();
   FindSources find_sources_;
   std::string submissions_, kit_, collected_, lab_dir_, name_;
-  ResultFiles files_;  // of a class, the folder of all results
+  ResultFiles files_;  // for a class: the folder of all results
   std::optional<int> lab_;
   std::optional<labs::grading::Confinement> confinement_;
   int jobs_ = 0;

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// As far as the overview reads it.
+// Whether the JSON has all that the overview reads.
 bool has_shape(const Json& json) {
   try {
     labs::grading::total_of(json);
@@ -37,7 +37,7 @@ bool has_shape(const Json& json) {
   }
 }
 
-// results.json if it is one.
+// The contents of a results.json; none if the file is not one.
 std::optional<Json> read_result(const fs::path& file) {
   const auto text = labs::read_text_file(file);
   if (!text) return std::nullopt;
@@ -50,12 +50,12 @@ bool is_finished(const Json& json) {
   return json.at("extra_data").at("outcome") != labs::grading::kUnfinished;
 }
 
-// There while a submission is being graded, and after a grading that was killed.
+// The file that exists while a submission is being graded, and stays if the grading was killed.
 fs::path mark_of(const fs::path& output) {
   return output.string() + ".unfinished";
 }
 
-// The grade is out of what Moodle says, and 100 elsewhere.
+// The best possible grade: the number that Moodle gives in VPL_GRADEMAX, or else 100.
 double most_in_moodle() {
   const char* most = std::getenv("VPL_GRADEMAX");
   const double number = most != nullptr ? std::atof(most) : 0;

@@ -1,4 +1,4 @@
-// The files that grading reads and writes.
+// Reads and writes the result files of grading.
 #pragma once
 
 #include <filesystem>
@@ -15,29 +15,32 @@
 
 namespace glassbox::app {
 
-// Where the result of a submission goes: results.json, and where they are named the same for GitHub Classroom, JUnit's XML and the
-// text for Moodle's Virtual Programming Lab.
+// The files for the result of a submission: results.json, and, if they are named, the same for
+// GitHub Classroom, as JUnit XML, and as text for Moodle's Virtual Programming Lab.
 struct ResultFiles {
   std::string output, classroom = {}, junit = {}, vpl = {};
 };
 
-// An error if the directory of one does not exist, or if two are the same file or the mark beside results.json.
+// An error if the directory of a file does not exist, if two are the same file, or if one is the
+// mark file next to results.json.
 Result<void> check_result_files(const ResultFiles& files);
 
-// Before a submission is graded: a mark beside results.json that its grading is under way. The result of an
-// earlier grading stays until there is another; where there is none, `unfinished` takes its place.
+// Call it before a submission is graded. Writes a mark file next to results.json that says that the
+// grading is under way. The result of an earlier grading stays until it is replaced; if there is
+// none, `unfinished` is written.
 Result<void> begin_results(const ResultFiles& files, const nlohmann::ordered_json& unfinished);
 
-// Each file is whole or not there. The mark goes.
+// Writes each file completely or not at all, then removes the mark file.
 Result<void> write_results(const ResultFiles& files, const nlohmann::ordered_json& results);
 
-// Whether the result of a finished grading with this digest is there. The mark goes if it is.
+// Whether there is a result of a finished grading with this digest. If so, removes the mark file.
 bool is_up_to_date(const std::string& output, const std::string& digest);
 
-// Of every folder in `results`, by name. A results.json that cannot be read counts as unfinished.
+// The results of every folder in `results`, sorted by name. A results.json that cannot be read
+// counts as unfinished.
 Result<std::vector<labs::grading::Row>> read_results(const std::filesystem::path& results);
 
-// The lab whose student.h lies in the folder; null if it is none.
+// The lab whose student.h is in the folder; null if there is none.
 const labs::Lab* lab_of_folder(const std::vector<labs::Lab>& labs, const labs::Sources& sources,
                                const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// glassbox lab gradescope: the archive that Gradescope builds an autograder from.
+// glassbox lab gradescope: writes the archive from which Gradescope builds an autograder.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// glassbox lab: assignments, for those who do them and for those who give them.
+// glassbox lab: assignments, for students and for teachers.
 #pragma once
 
 #include "app/lab/check_command.h"

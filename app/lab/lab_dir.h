@@ -1,4 +1,5 @@
-// --lab-dir: a lab that lies outside of the source tree, in place of one of the program's. --lab: which of the program's.
+// --lab-dir: a lab from outside the source tree, instead of one of the program's. --lab: which of
+// the program's labs a folder belongs to.
 #pragma once
 
 #include <string>
@@ -20,7 +21,7 @@ inline CLI::Option* add_lab_name(CLI::App& command, std::string& name) {
   return command.add_option("--lab", name, "which lab a folder without lab.json is of");
 }
 
-// The sources with that lab in place of the program's, or as they are where no folder is named.
+// The sources with the lab of `folder` instead of the program's; unchanged if `folder` is empty.
 inline Result<labs::Sources> with_lab_dir(Result<labs::Sources> sources,
                                           const std::string& folder) {
   if (!sources || folder.empty()) return sources;

@@ -1,4 +1,4 @@
-// The labs, their tasks and points.
+// glassbox lab list: the labs, their tasks and points.
 #pragma once
 
 #include <string>

@@ -43,14 +43,15 @@ std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>
 }
 
 Result<labs::Claim> claim_in(const std::string& path) {
-  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;  // of a thousand points or two
+  // enough for one or two thousand points
+  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;
   const auto bytes = read_file(path, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return labs::read_claim(path,
                           std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
 }
 
-// The measurement without the series that nothing is written of.
+// The measurement without the series whose functions the student has not written yet.
 labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::string>& untouched) {
   labs::LabMeasure rest = whole;
   rest.places = [places = whole.places(), untouched] {
@@ -63,7 +64,8 @@ labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::s
   return rest;
 }
 
-// Whether the claim holds, and where not: to `out`.
+// Whether the claimed results agree with the measured ones. Prints to `out` where they do not.
+// Returns the exit code.
 int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
           std::FILE* out) {
   const auto found = labs::contradictions(claimed, measured);
@@ -136,7 +138,7 @@ int LabMeasureCommand::run() const {
   labs::StudentAnswers student(stages.sandbox(), stages.program().program, seconds_),
       untouched(stages.sandbox(), starter->program, seconds_);
   const auto tell = [&](const std::string& what) { progress.phase(what); };
-  // What the student's code does wrong, or what kept it from being tried.
+  // Reports an error of the student's code, or what prevented the code from being run.
   const auto broken = [&](const Error& error) {
     if (!student.broke()) return refuse(error);
     progress.done();
@@ -178,7 +180,7 @@ int LabMeasureCommand::run() const {
   }
   if (json_output_ != "-")
     fmt::print("{}", measure_text(*folder->lab, *measured, result, series, *not_written));
-  // Where JSON goes to standard output nothing else does.
+  // If JSON goes to standard output, nothing else may be written there.
   return claimed ? judge(*against_, *claimed, claim, json_output_ == "-" ? stderr : stdout)
                  : kSuccess;
 }

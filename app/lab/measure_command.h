@@ -1,4 +1,4 @@
-// glassbox lab measure: a student's functions as one more way of an experiment.
+// glassbox lab measure: runs an experiment with a student's functions as one more series.
 #pragma once
 
 #include <optional>

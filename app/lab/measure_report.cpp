@@ -26,7 +26,8 @@ bool is_theirs(const ConfigurationResult& each, const std::vector<std::string>& 
   return std::find(series.begin(), series.end(), each.series) != series.end();
 }
 
-// The fastest of those that are at least as exact and faster for certain; null where there is none.
+// The fastest configuration that is at least as exact as `mine` and clearly faster (its upper
+// quartile is below `mine`'s lower one); null if there is none.
 const ConfigurationResult* better_than(const ConfigurationResult& mine, const Timing& time,
                                        const ExperimentResult& result) {
   const ConfigurationResult* best = nullptr;
@@ -40,7 +41,8 @@ const ConfigurationResult* better_than(const ConfigurationResult& mine, const Ti
   return best;
 }
 
-// What the chart leaves of it: "front", or "behind" who is as exact and faster; nothing where it is not timed.
+// The standing in the chart: "front", or "behind X" if the series X is as exact and clearly faster;
+// empty if it is not timed.
 std::string standing_of(const ConfigurationResult& mine, const ExperimentResult& result) {
   const Timing* const time = study::timing_of(mine, 1);
   if (time == nullptr) return {};

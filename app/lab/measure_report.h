@@ -1,4 +1,4 @@
-// What glassbox lab measure says of an experiment with a student's series in it.
+// The report of `glassbox lab measure` on an experiment that includes a student's series.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace glassbox::app {
 
-// A table of the student's points, each with what the experiment's own ways at that place leave of it; `untouched` are those that
-// nothing is written of.
+// A table of the student's points, each with its standing among the experiment's own
+// configurations. `untouched` are the series whose functions the student has not written.
 std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
                          const study::ExperimentResult& result,
                          const std::vector<std::string>& series,
                          const std::vector<std::string>& untouched);
 
-// In place of it where there is no point.
+// The text that replaces the table if there is no point at all.
 std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measured);
 
 }  // namespace glassbox::app

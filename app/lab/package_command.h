@@ -1,4 +1,5 @@
-// glassbox lab package: this glassbox without what students are not to see.
+// glassbox lab package: writes a copy of this glassbox without the parts that students must not
+// see.
 #pragma once
 
 #include <string>

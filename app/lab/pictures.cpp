@@ -21,7 +21,8 @@ std::uint8_t grey_of(double value, double most) {
 
 using Corners = std::vector<std::pair<double, double>>;
 
-// The x and y of each vertex; of a homogeneous one after the division. A vertex that is at infinity is left out.
+// The x and y of each vertex, after the division by w if it has one. Vertices at infinity are left
+// out.
 Corners corners_of(const std::vector<double>& values, std::size_t columns) {
   Corners corners;
   for (std::size_t i = 0; i + columns <= values.size(); i += columns) {

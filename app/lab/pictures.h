@@ -1,4 +1,4 @@
-// Pictures of what is expected, what came and where they differ.
+// Pictures of the expected result, the actual one, and where they differ.
 #pragma once
 
 #include <string>
@@ -14,13 +14,14 @@ struct CoveragePictures {
   Image<Rgba8> expected, actual, difference;
 };
 
-// Light where there is most. In the difference what is right stays grey, what is missing is red, what is covered too often
-// orange, and what should be empty and is not, blue.
+// Pictures of how often each pixel is covered: more coverage is lighter. In the difference, correct
+// pixels are grey, missing ones red, those covered too often orange, and those that should be empty
+// but are not, blue.
 CoveragePictures coverage_pictures(const labs::Expected& expected,
                                    const std::vector<double>& actual);
 
-// An SVG of two polygons, x to the right and y up, after the division by w where there is one: what is expected filled, what came
-// as a dashed outline. Empty where neither can be drawn.
+// An SVG of two polygons, x to the right and y up, after the division by w if there is one: the
+// expected polygon filled, the actual one as a dashed outline. Empty if neither can be drawn.
 std::string polygon_drawing(const labs::Expected& expected, const std::vector<double>& actual);
 
 }  // namespace glassbox::app

@@ -40,7 +40,7 @@ void print_answer(std::size_t number, const QuizQuestion& question) {
              question.truth ? "True" : "False", question.why, question.shown_by);
 }
 
-// One letter for each question: T or F. Empty where it is none.
+// Reads the answers, one letter (T or F) for each question. Anything else is an error.
 Result<std::vector<bool>> answers_of(const std::string& letters, const Quiz& quiz) {
   std::vector<bool> answers;
   for (const char letter : letters) {

@@ -1,4 +1,5 @@
-// glassbox lab quiz: the slides' true/false questions, and what is wrong with an answer.
+// glassbox lab quiz: asks the slides' true/false questions and explains what is wrong with an
+// answer.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// glassbox lab render: a scene drawn with the student's functions in the pipeline, beside the reference's picture.
+// glassbox lab render: draws a scene with the student's functions in the pipeline, next to the
+// reference's picture.
 #pragma once
 
 #include <optional>

@@ -29,7 +29,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// What came from a student's code or the compiler, without what a terminal would obey.
+// Output of a student's code or of the compiler, indented, without control characters that a
+// terminal would obey.
 std::string quoted_lines(const std::string& indent, const std::string& text, std::size_t most) {
   const auto lines = lines_of(text);
   std::string quoted;
@@ -91,7 +92,7 @@ std::string check_text(const LabReport& report, const CheckResult& check) {
 }  // namespace
 
 std::string points_text(double score, double max_score) {
-  // A hundredth is enough to see; but no rounding makes less than full marks look like them.
+  // Points are shown to a hundredth, but a score below full marks is never rounded up to them.
   const auto shown = [](double points) {
     return fmt::format("{:g}", std::round(points * 100) / 100);
   };

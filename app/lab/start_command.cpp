@@ -30,7 +30,7 @@ struct Starter {
   std::vector<labs::SourceFile> files;
 };
 
-// The lab with this name; where `lab_dir` is a folder, the one that lies there.
+// The starter of the lab with this name; if `lab_dir` is not empty, of the lab in that folder.
 Result<Starter> starter_of(const std::string& name, const std::string& lab_dir = {}) {
   const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
   if (!sources) return tl::unexpected(sources.error());
@@ -48,7 +48,7 @@ Result<Starter> starter_of(const std::string& name, const std::string& lab_dir =
   return Starter{*lab, std::move(*files)};
 }
 
-// New or empty: nobody's work is written over.
+// Refuses a folder that is not new or empty, so that nobody's work is overwritten.
 Result<void> check_empty(const std::string& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
@@ -81,7 +81,7 @@ void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
 }
 
 int LabStartCommand::run() const {
-  // With --lab-dir, the only name is the folder's.
+  // With --lab-dir, the only name given is that of the new folder.
   const bool one_name = folder_.empty();
   if (one_name && lab_dir_.empty())
     return refuse({"FOLDER", "", "is missing", "name a new folder after the lab"});

@@ -1,4 +1,5 @@
-// glassbox lab start: a folder to do a lab in. glassbox lab export: the same as an archive, for a class.
+// glassbox lab start: makes a folder to do a lab in. glassbox lab export: writes the same as an
+// archive, for a class.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using labs::SourceFile;
 
-// {0}: the lab's folder.
+// {0} is the lab's folder, {1} the folder with glassbox's headers.
 constexpr const char* kCMakeLists = R"(cmake_minimum_required(VERSION 3.20)
 project({0} CXX)
 set(CMAKE_CXX_STANDARD 20)
@@ -47,7 +47,7 @@ endif()
 target_compile_options(runner PRIVATE -ffp-contract=off -Wall -Wextra -Wno-unused-parameter)
 )";
 
-// CMake's own choice is make, which is not everywhere; glassbox itself is built with Ninja.
+// Uses Ninja, as glassbox itself does: CMake would choose make, which is not installed everywhere.
 constexpr const char* kPresets = R"({
   "version": 2,
   "configurePresets": [
@@ -135,7 +135,8 @@ std::string lab_json(const labs::Lab& lab) {
   return json.dump(2) + "\n";
 }
 
-// docs/references.md: beside the labs where they are installed or were copied for students, and in the clone's docs/.
+// The text of docs/references.md. It is next to the labs if these are installed or were copied for
+// students, and otherwise in docs/ of the repository.
 std::string references(const labs::Sources& sources) {
   for (const fs::path& place :
        {sources.labs / "references.md", sources.labs.parent_path() / "docs/references.md"}) {
@@ -144,17 +145,18 @@ std::string references(const labs::Sources& sources) {
   return {};
 }
 
-// "| C-38 | an edge shared ... |": what it says of every code, for those that the handout cites.
+// The rows of the table of codes, such as "| C-38 | an edge shared ... |", for the codes that the
+// handout cites.
 std::string rows_of_codes(const std::string& handout, const std::string& references) {
   static const std::regex row(R"(\| ((?:[A-Z]\d?-|E|B\.|SPEC\s)[\d.]+) \|.*)");
   std::istringstream lines(references);
-  // The page that a row may point to is not in the folder.
+  // A row may link to a page that is not in the student's folder, so only the link's text is kept.
   static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
   std::string rows;
   for (std::string line; std::getline(lines, line);) {
     std::smatch parts;
     if (!std::regex_match(line, parts, row)) continue;
-    // As a word of its own.
+    // The code must be a whole word, not the beginning of a longer code.
     std::string pattern = R"(\b)" +
                           std::regex_replace(parts[1].str(), std::regex(R"(\.)"), R"(\.)") +
                           R"((?![\w.-]*\d))";
@@ -164,13 +166,15 @@ std::string rows_of_codes(const std::string& handout, const std::string& referen
   return rows;
 }
 
-// A student has no other page that explains them.
+// Adds the meanings of the codes to the handout, because a student has no other page that explains
+// them.
 void add_codes(const labs::Sources& sources, std::vector<SourceFile>& files) {
   for (SourceFile& file : files) {
     if (file.path != "handout.md") continue;
     const std::string rows = rows_of_codes(file.text, references(sources));
     if (rows.empty()) continue;
-    static const std::regex three(R"(\|[^|\n]*\|[^|\n]*\|[^|\n]*\|)");  // sources have a third
+    // rows about sources have three columns
+    static const std::regex three(R"(\|[^|\n]*\|[^|\n]*\|[^|\n]*\|)");
     const bool wide = std::regex_search(rows, three);
     file.text += "\n## What the codes stand for\n\n";
     file.text += wide ? "| code | what it says | |\n| --- | --- | --- |\n"
@@ -179,7 +183,7 @@ void add_codes(const labs::Sources& sources, std::vector<SourceFile>& files) {
   }
 }
 
-// The handout, and the pictures and meshes that lie beside it.
+// Adds the handout, and the pictures and meshes in its folder.
 Result<void> add_handout(const fs::path& folder, std::vector<SourceFile>& files) {
   std::error_code error;
   std::vector<fs::path> found;

@@ -1,4 +1,4 @@
-// What a student starts with.
+// The files that a student starts with.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace glassbox::app {
 
-// The files of a folder that builds by itself: the handout and its pictures, the contract, student.cpp without its solutions, the
-// visible cases and the runner, and what a compiler and a debugger need to know. An error if a line of a solution were left.
+// A folder that builds on its own: the handout and its pictures, the contract (student.h),
+// student.cpp without its solutions, the visible cases and the runner, and settings for compiler
+// and debugger. An error if a line of a solution were left.
 Result<std::vector<labs::SourceFile>> make_starter(const labs::Sources& sources,
                                                    const labs::Lab& lab);
 

@@ -11,7 +11,7 @@ namespace glassbox::app {
 
 namespace {
 
-// The camera of a view: where its matrices come from.
+// A camera that gives the view's matrices.
 Camera camera_of(const View& view) {
   Camera camera;
   camera.world_from_eye = inverse_rigid(view.eye_from_world);
@@ -25,7 +25,8 @@ Camera camera_of(const View& view) {
   return camera;
 }
 
-// What a lab's projection can be asked for: a window around the gaze, with the picture's own aspect.
+// Whether a lab's projection function can make the view's projection: a window centred on the gaze,
+// with the picture's own aspect.
 bool has_plain_lens(const View& view) {
   const auto& m = view.clip_from_eye;
   const double aspect = double(view.viewport.width()) / double(view.viewport.height());
@@ -38,7 +39,8 @@ struct Drawing {
   std::string failure;
 };
 
-// The lab's functions as one of the catalogue's drawers, answered by whoever does.
+// Makes the lab's functions a drawer for the catalogue of extreme cases. `answering` gives their
+// results: the student's or the reference's.
 study::Drawer drawer_of(const labs::Lab& lab, const labs::LabDrawing& drawing,
                         labs::Answering& answering, Drawing& went) {
   constexpr int kProjection = 4, kStereo = 9;

@@ -1,4 +1,4 @@
-// The catalogue's cases of a lab, put to the pipeline with a student's functions in it.
+// Tests the extreme cases of a lab: draws each with a student's functions in the pipeline.
 #pragma once
 
 #include <optional>
@@ -16,19 +16,20 @@ namespace glassbox::app {
 
 struct StiffCase {
   const study::ExtremeCase* what = nullptr;
-  // By the case's own judge: with the student's functions in the pipeline, with the reference's in the same places, and what naive code
-  // makes of it. Absent: the case does not show in a picture that the lab draws.
+  // The verdicts of the case's own judge: `yours` with the student's functions in the pipeline,
+  // `reference` with the reference's instead, `naive` for naive code. `yours` and `reference` are
+  // absent if the case is not visible in a picture that the lab draws.
   std::optional<study::Outcome> yours, reference;
   study::Outcome naive;
-  std::string broke;  // how the student's code ended; empty: well
-  // Where no answer within the contract would hold, the reference's does not either.
+  std::string broke;  // how the student's code ended if it failed; empty: normally
+  // The reference fails too, so no answer within the contract is expected to pass.
   bool out_of_reach() const { return yours && broke.empty() && !reference->passes(); }
   bool gives_up() const {
     return yours && (!broke.empty() || (!yours->passes() && reference->passes()));
   }
 };
 
-// Those that the lab's handout names under "Stiff cases", in its order.
+// The cases that the lab's handout names under "Stiff cases", sorted by code.
 Result<std::vector<const study::ExtremeCase*>> cases_of_lab(const labs::Sources& sources,
                                                             const labs::Lab& lab);
 

@@ -1,4 +1,5 @@
-// glassbox lab stiff: where a student's functions give up, beside the reference.
+// glassbox lab stiff: shows in which extreme cases a student's functions fail, next to the
+// reference.
 #pragma once
 
 #include <optional>

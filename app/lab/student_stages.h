@@ -1,4 +1,5 @@
-// The functions of a lab's folder as a program, and the sandbox that it runs in.
+// Builds the functions of a student's folder as a program, together with the sandbox that it runs
+// in.
 #pragma once
 
 #include <optional>
@@ -12,16 +13,17 @@ namespace glassbox::app {
 
 class StudentStages {
 public:
-  // Compiles what has changed: the lab's stages, or what is timed of it. An error is what kept it from being tried; a student's own
-  // mistakes are in program().messages.
+  // Compiles what has changed: the lab's stages, or (if `timed`) the functions whose time is
+  // measured. An error says what prevented the build; a student's own mistakes are in
+  // program().messages instead.
   Result<void> build(const labs::Sources& sources, const LabFolder& folder, Progress& progress,
                      bool timed = false);
 
-  // The lab's starter as a program of the same kind, after build().
+  // Builds the lab's starter as a program of the same kind. Call it after build().
   Result<labs::StageProgram> build_starter(const labs::Sources& sources, const LabFolder& folder,
                                            bool timed) const;
 
-  // Both as build() made them.
+  // The sandbox and the program that build() has made.
   const labs::grading::Sandbox& sandbox() const { return *sandbox_; }
   const labs::StageProgram& program() const { return program_; }
 

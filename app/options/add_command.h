@@ -1,11 +1,12 @@
-// Adding a subcommand to a program.
+// Adds a subcommand to a program.
 #pragma once
 
 #include "app/options/cli_fwd.h"
 
 namespace glassbox::app {
 
-// The command lives as long as the program: CLI11 writes its options into it, and calls it back.
+// Adds a command that lives as long as the program, because CLI11 writes its options into it and
+// calls it back.
 template <class Command>
 void add_command(CLI::App& app, int& exit_code) {
   static Command command;

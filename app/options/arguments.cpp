@@ -17,14 +17,14 @@ namespace glassbox::app {
 
 namespace {
 
-// The whole of `text` as a number, or nothing.
+// Reads all of `text` as one number. Returns false if it is not one.
 bool read_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() && !text.empty();
 }
 
-// N whole numbers from 0 that an int can hold, or nothing.
+// N whole numbers from 0 that fit into an int; nothing if the text is anything else.
 template <std::size_t N>
 std::optional<std::array<int, N>> read_whole_numbers(const std::string& text, char separator) {
   const std::vector<std::string> parts = split(text, separator);

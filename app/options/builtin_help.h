@@ -1,4 +1,4 @@
-// The built-in scenes, as help texts list them.
+// The list of built-in scenes for help texts.
 #pragma once
 
 #include <string>

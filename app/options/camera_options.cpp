@@ -52,7 +52,8 @@ bool has_pose(const CameraOptions& options) {
   return options.eye || options.look_at || options.up;
 }
 
-// The scene is framed: nothing says where the camera stands or looks, though something may say what is up.
+// Whether the scene is framed automatically: no option gives the camera's position or direction
+// (--up may still be given).
 bool is_framed(const CameraOptions& options) {
   return !options.eye && !options.look_at;
 }
@@ -81,7 +82,7 @@ Result<Camera> named_camera(const Scene& scene, const std::string& name) {
   return fail("--camera " + name, "no camera has this name or index", "the scene has " + known);
 }
 
-// The automatic camera, with the `up` and the angle of view that are asked for.
+// Options for the automatic camera, with the `up` and the angle of view from the command line.
 FramingOptions asked_framing(const CameraOptions& options) {
   FramingOptions framing;
   framing.fovy_degrees = kDefaultFovDegrees;
@@ -92,7 +93,8 @@ FramingOptions asked_framing(const CameraOptions& options) {
   return framing;
 }
 
-// The pose of --eye, --look-at and --up; what is missing comes from the automatic camera and the scene's centre.
+// The pose from --eye, --look-at and --up. A missing eye is the automatic camera's, a missing
+// target the scene's centre.
 Result<Camera> posed_camera(const CameraOptions& options, const Camera& automatic,
                             const Box<World>& bounds) {
   const auto& m = automatic.world_from_eye;
@@ -175,8 +177,8 @@ Result<Planes> enclosing_planes(const Camera& camera, const Box<World>& bounds) 
   return Planes{planes->near, planes->far};
 }
 
-// With one plane asked for and the other found, the found one must not stand on the wrong side. A plane asked for that
-// cannot be is left for make_view to refuse.
+// If only one plane is given, the automatic one must not be on the wrong side of it, so it is
+// moved. An invalid plane is kept, for make_view to refuse.
 Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
   constexpr double kMaxRatio = 1000;
   const double extent = found.far.value_or(0) - found.near;

@@ -1,4 +1,4 @@
-// Which way to look: the camera options of the command line, and the camera that they and the scene give.
+// The camera options of the command line, and the camera that results from them and the scene.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace glassbox::app {
 
 struct CameraOptions {
-  std::optional<std::string> camera;  // name or index; "none" ignores those of the scene
+  std::optional<std::string> camera;  // name or index; "none": do not use the scene's cameras
   std::optional<std::array<double, 3>> eye;
   std::optional<std::array<double, 3>> look_at;
   std::optional<std::array<double, 3>> up;
@@ -23,15 +23,17 @@ struct CameraOptions {
   std::optional<std::array<double, 4>> frustum;
   std::optional<double> near;
   std::optional<double> far;  // may be infinite
-  Formulation formulation;    // how the camera's two matrices are made
+  Formulation formulation;    // how the view and projection matrices are computed
 };
 
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
-// The pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing; with --up alone,
-// framing for that direction. The lens: that
-// camera's own or, with --fov, --ortho or --frustum, the one asked for. Near and far planes: as asked for, else the
-// camera's, else such that they enclose the scene.
+// Chooses the camera.
+//
+// Pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing;
+// with --up alone, automatic framing with that up vector. Lens: that camera's own, or the one given
+// by --fov, --ortho or --frustum. Near and far planes: as given, else the camera's, else such that
+// they enclose the scene.
 Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect);
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-// Options whose value is one of some names.
+// Options whose value is one of several names.
 #pragma once
 
 #include <initializer_list>
@@ -10,11 +10,11 @@
 
 namespace glassbox::app {
 
-// An option that takes one of the names of `choices`, in either case.
+// The names that an option accepts (upper or lower case), with their values.
 template <class Enum>
 using Choices = std::vector<std::pair<std::string, Enum>>;
 
-// Of values that have a name_of.
+// The choices for values that have a name_of.
 template <class Enum>
 Choices<Enum> choices_of(std::initializer_list<Enum> values) {
   Choices<Enum> choices;

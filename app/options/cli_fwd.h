@@ -1,4 +1,5 @@
-// CLI11 by name alone, for headers: all of it costs every file that includes one of them some seconds to compile.
+// Forward declarations of CLI11 for headers: including all of it costs each source file some
+// seconds of compile time.
 #pragma once
 
 namespace CLI {

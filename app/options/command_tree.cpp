@@ -24,7 +24,8 @@ OptionFacts facts_of(const CLI::Option& option) {
     facts.repeats = option.get_expected_max() > 1;
   } else if (option.get_expected_max() > 0) {
     const std::string type = option.get_type_name();
-    facts.value = type.substr(0, type.find(':'));  // without what CLI11 adds of validators
+    // without the description of validators that CLI11 appends
+    facts.value = type.substr(0, type.find(':'));
   }
   facts.help = option.get_description();
   facts.group = option.get_group();
@@ -32,7 +33,7 @@ OptionFacts facts_of(const CLI::Option& option) {
   return facts;
 }
 
-// What is written as it stands, unlike "FILE" and "WxH".
+// Whether the word is typed literally, unlike the placeholders "FILE" and "WxH".
 bool is_literal(const std::string& word) {
   const auto is_one_of_them = [](unsigned char c) {
     return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-' || c == '_';
@@ -40,7 +41,8 @@ bool is_literal(const std::string& word) {
   return !word.empty() && word != "-" && std::ranges::all_of(word, is_one_of_them);
 }
 
-// 012 becomes 12; another base is an error, which the answer says.
+// Removes leading zeros: 012 becomes 12. Returns an error text if the number has another base, else
+// "".
 std::string without_leading_zeros(std::string& word) {
   const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
   const std::size_t digits = word.find_first_not_of('0', sign);
@@ -85,7 +87,7 @@ ValueKinds kinds_of(const OptionFacts& option) {
     } else if (is_literal(part)) {
       kinds.choices.push_back(part);
     } else if (option.is_positional() && part != "LAB" && part != "ID" && part != "CASE") {
-      kinds.files = true;  // such as the REFERENCE and TEST of diff
+      kinds.files = true;  // such as the arguments REFERENCE and TEST of diff
     }
   }
   return kinds;

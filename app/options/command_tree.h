@@ -1,4 +1,5 @@
-// The program's subcommands and options as data: what help, completion and the manual are made of.
+// The program's subcommands and options as data, from which help, completion and the manual are
+// made.
 #pragma once
 
 #include <string>
@@ -11,13 +12,13 @@ class App;
 namespace glassbox::app {
 
 struct OptionFacts {
-  std::vector<std::string> names;  // "-o", "--output"; none where the place on the line says it
+  std::vector<std::string> names;  // "-o", "--output"; empty for a positional argument
   std::string positional;          // "SCENE"
   std::string value;               // "WxH", "back|front|none"; empty for a flag and a positional
   std::string help;
   std::string group;
   bool required = false;
-  bool repeats = false;  // a positional that takes any number of words
+  bool repeats = false;  // a positional argument that takes any number of words
 
   bool is_positional() const { return names.empty(); }
 };
@@ -30,28 +31,28 @@ struct CommandFacts {
   std::vector<CommandFacts> commands;
 };
 
-// What is hidden from the help text is not in it.
+// The tree of commands and options, without those that the help text hides.
 CommandFacts command_tree(const CLI::App& app);
 
-// ---- what may stand where a value is expected ----
+// ---- what a value can be ----
 
 struct ValueKinds {
   std::vector<std::string> choices;  // "back", "front", "none"; "auto" of "S|auto"
   bool scenes = false;               // names of the built-in scenes
   bool files = false;
-  bool directories = false;  // and nothing else
+  bool directories = false;  // only directories
   bool commands = false;     // names of subcommands
 };
 
 ValueKinds kinds_of(const OptionFacts& option);
 
-// Makes an empty word an error of usage wherever an option takes the name of a file or directory.
+// Makes an empty word a usage error wherever an option takes the name of a file or directory.
 void refuse_empty_names(CLI::App& app);
 
-// Whether an option takes a whole number, as its type says.
+// Whether the option's type is a whole number.
 bool takes_whole_number(const OptionFacts& option);
 
-// Whole numbers are decimal wherever an option takes one: CLI11 reads 012 as octal and 0x10 as hexadecimal.
+// Makes all whole-number options decimal: CLI11 would read 012 as octal and 0x10 as hexadecimal.
 void read_as_decimal(CLI::App& app);
 
 }  // namespace glassbox::app

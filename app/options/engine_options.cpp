@@ -42,10 +42,11 @@ int parse_threads(const std::string& text) {
   return int(threads);
 }
 
-// Of the whole program: what else works on all threads, as the compression of pictures does, has no more either.
+// Sets the number of threads for the whole program, because other work, such as the compression of
+// pictures, uses threads too.
 void set_threads(const std::string& text, EngineOptions& options) {
   using Control = oneapi::tbb::global_control;
-  // Until the process is gone: a limit that ends at its exit wakes a thread.
+  // Never destroyed: a limit that is lifted at exit wakes a thread.
   static auto& most = *new std::optional<Control>;
   options.tile.threads = parse_threads(text);
   most.emplace(Control::max_allowed_parallelism, std::size_t(options.tile.threads));

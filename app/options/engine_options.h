@@ -1,4 +1,5 @@
-// Which engine draws a picture, and how. No byte of the picture depends on it, so that a picture's recipe does not say it.
+// Which engine draws a picture, and how. It does not change a byte of the picture, so it is not in
+// a picture's recipe.
 #pragma once
 
 #include <string>
@@ -15,27 +16,27 @@
 
 namespace glassbox::app {
 
-// More than any machine has: beyond it, it is a slip of the finger.
+// More threads than any machine has; a larger number is probably a typing error.
 inline constexpr int kMostThreads = 1024;
 
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;
   TileOptions tile;
-  std::vector<const CLI::Option*> of_tiles;  // those that only the tile engine has
+  std::vector<const CLI::Option*> of_tiles;  // options that only the tile engine has
 };
 
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
-// --target alone.
+// Adds --target only.
 CLI::Option* add_target_option(CLI::App& command, Target& target);
 
-// Options of the one engine with the other.
+// Refuses options of one engine if the other is chosen.
 Result<void> check_engine_options(const EngineOptions& options);
 
 Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
                        const EngineOptions& options);
 
-// "the tile engine, 2 threads, avx512", "the staged engine".
+// The engine in words: "the tile engine, 2 threads, avx512", "the staged engine".
 std::string engine_text(const EngineOptions& options);
 nlohmann::ordered_json engine_json(const EngineOptions& options);
 

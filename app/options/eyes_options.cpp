@@ -91,7 +91,8 @@ Result<ChosenPair> choose_pair(const Scene& scene, const View& centre,
     return fail("--window", "an infinite one says nothing about how far the eyes are apart",
                 "give --eye-separation");
   }
-  // The window is looked at before it is used: separation zero would hide what is wrong with it.
+  // The window is checked with a provisional separation, because with separation zero an invalid
+  // window would not be noticed.
   chosen.pair.half_separation = chosen.pair.window / kWindowsPerSeparation / 2;
   if (const Result<void> ok = check_pair(centre, chosen.pair); !ok) {
     return tl::unexpected(ok.error());

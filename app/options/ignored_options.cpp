@@ -11,7 +11,7 @@ namespace glassbox::app {
 
 namespace {
 
-// "--shade flat" as it was given; empty where it was not.
+// The option as it was given, "--shade flat"; empty if it was not given.
 std::string given(const PictureOptions& picture, const std::string& name) {
   const std::vector<std::string> words = words_given(picture);
   const auto option = std::ranges::find(words, name);
@@ -23,7 +23,7 @@ void tell(const std::string& words, const std::string& why) {
   if (!words.empty()) fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", words, why);
 }
 
-// Made of another plane of the framebuffer when all is drawn.
+// Whether the picture is made from another plane of the framebuffer after everything is drawn.
 bool is_of_a_plane(Show show) {
   return show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
 }
@@ -39,7 +39,7 @@ void tell_of_ignored(const PictureOptions& picture) {
     }
   }
   if (settings.show != Show::kColor) {
-    // Flat faces have normals of their own.
+    // Flat shading uses face normals, so --shade does change a picture of normals.
     const bool flat_normals = settings.show == Show::kNormal && settings.shading == Shading::kFlat;
     if (!flat_normals) tell(given(picture, "--shade"), show + " has no light");
     tell(given(picture, "--transfer"), show + " stores no light");

@@ -1,4 +1,4 @@
-// Options that the picture asked for has no use for.
+// Notes about options that have no effect on the picture.
 #pragma once
 
 #include <string>
@@ -9,16 +9,17 @@
 
 namespace glassbox::app {
 
-// A note on standard error for each of them: the same words are right for another picture, so they are no error.
+// Prints a note on standard error for each such option. They are no errors, because the same
+// options may be useful for another picture.
 void tell_of_ignored(const PictureOptions& picture);
 
-// Options of a command that are of no use for `why`.
+// Options of a command that have no effect, for the reason `why`.
 struct IgnoredOptions {
   bool are_ignored = false;
   std::vector<std::string> names;
   std::string why;
 };
-// The same note for those of them that were given.
+// Prints the same note for those of the options that were given.
 void tell_of_ignored(const CLI::App& command, const std::vector<IgnoredOptions>& all);
 
 }  // namespace glassbox::app

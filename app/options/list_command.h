@@ -1,4 +1,4 @@
-// A subcommand `list`: what there is, in words and as JSON.
+// A subcommand `list`, which prints the items there are, as text and as JSON.
 #pragma once
 
 #include <optional>

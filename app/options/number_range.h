@@ -1,4 +1,4 @@
-// Options that are numbers between two limits.
+// Options whose value is a number between two limits.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace glassbox::app {
 
-// A check as CLI::Range(least, most), which takes "nan": it is neither below nor above.
+// Like CLI::Range(least, most), but refuses "nan", which CLI::Range accepts because it is neither
+// below nor above.
 inline CLI::Validator number_between(double least, double most) {
   const std::string range = fmt::format("[{:g} - {:g}]", least, most);
   const auto refuse = [=](std::string& text) -> std::string {

@@ -1,4 +1,4 @@
-// Options that name where a report goes.
+// Options that name the files of a report.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace glassbox::app {
 
-// --json FILE|-: `what` as JSON.
+// Adds --json FILE|-, which writes `what` as JSON.
 CLI::Option* add_json_output(CLI::App& command, std::optional<std::string>& target,
                              const std::string& what = "the same");
 
-// --html FILE: a page. `help` says of what.
+// Adds --html FILE, which writes a page. `help` says about what.
 CLI::Option* add_html_output(CLI::App& command, std::optional<std::string>& target,
                              const std::string& help);
 
-// --max-mb N: more megabytes than that are not written; `of` says of what. (32 bits: CLI11 wraps a negative number of 64.)
+// Adds --max-mb N: an output of more megabytes is refused; `of` says which output. (32 bits,
+// because CLI11 would wrap a negative number of 64 bits around.)
 CLI::Option* add_max_megabytes(CLI::App& command, std::uint32_t& target, const std::string& of);
 
 }  // namespace glassbox::app

@@ -70,7 +70,8 @@ Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& pictu
   const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
   if (!view) {
     Error error = view.error();
-    if (error.place == "projection form") error.place = "--projection";  // as it was asked for
+    // the option that the user gave
+    if (error.place == "projection form") error.place = "--projection";
     return tl::unexpected(error);
   }
   return ChosenView{*camera, *view};

@@ -1,5 +1,5 @@
-// The options that decide on a picture: its size, the camera, and how it is drawn. Every subcommand that makes a picture
-// takes them, and a picture's recipe is made of them.
+// The options that determine a picture: its size, the camera, and how it is drawn. Every subcommand
+// that makes a picture takes them, and a picture's recipe consists of them.
 #pragma once
 
 #include <optional>
@@ -28,38 +28,40 @@ struct PictureOptions {
   CameraOptions camera;
   EyesOptions eyes;
   RenderSettings settings;
-  std::optional<TextureFilter> filter;      // of all textures; absent: as each says
-  std::vector<const CLI::Option*> options;  // those that add_picture_options has added
+  std::optional<TextureFilter> filter;      // for all textures; absent: each texture's own
+  std::vector<const CLI::Option*> options;  // the options that add_picture_options has added
 };
 
 void add_picture_options(CLI::App& command, PictureOptions& picture);
 
-// The scene that is drawn: its textures filtered as the options say.
+// The scene as it is drawn, with the texture filter of the options.
 Scene as_asked(Scene scene, const PictureOptions& picture);
 Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
                                Progress& progress, const LoadLimits& limits = {});
 
-// For commands that follow what is drawn to pixel centres: a note where the picture has several samples.
+// For commands that examine pixel centres only: prints a note if the picture has several samples
+// per pixel.
 void tell_of_centres(const PictureOptions& picture);
 
-// The options that the user gave, of these, as words: "--size", "640x480".
+// Those of the options that the user gave, as words: "--size", "640x480".
 std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
 
-// Whoever gives these words gets this picture.
+// The words that draw this picture again.
 std::vector<std::string> words_given(const PictureOptions& picture);
 
-// The view of the scene that the options ask for, and the camera it comes from. With --seen-by it is that eye's view.
+// The view of the scene that the options give, and the camera that it is computed from. With
+// --seen-by it is that eye's view.
 struct ChosenView {
   Camera camera;
   View view;
 };
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
 
-// choose_view() with other settings, of a picture `factor` times as wide and high.
+// Like choose_view(), but with other settings, and for a picture `factor` times as wide and high.
 Result<View> choose_view(const Scene& scene, const PictureOptions& picture,
                          const RenderSettings& settings, int factor);
 
-// The camera between the eyes, and the eyes.
+// The camera between the eyes, and the two eyes.
 struct ChosenEyes {
   Camera camera;
   View centre;

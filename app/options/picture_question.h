@@ -1,4 +1,5 @@
-// A command that asks something about the picture of a scene: `glassbox COMMAND SCENE [picture options] [--json FILE|-]`.
+// Commands that ask something about the picture of a scene: `glassbox COMMAND SCENE [picture
+// options] [--json FILE|-]`.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,7 @@
 
 namespace glassbox::app {
 
-// An answer, for programs and for people.
+// An answer as JSON and as text.
 struct Answer {
   nlohmann::ordered_json json;
   std::string text;
@@ -26,19 +27,19 @@ public:
   using Ask = std::function<Result<Answer>(const Scene&, const View&)>;
   using AskScene = std::function<Result<Answer>(const Scene&)>;
 
-  // SCENE, the options of the picture, and --json.
+  // Adds SCENE, the picture options, and --json.
   void add_to(CLI::App& command);
 
   const std::string& scene_name() const { return scene_; }
   const PictureOptions& picture() const { return picture_; }
 
-  // "teapot, 640 x 480"
+  // The scene and the size: "teapot, 640 x 480"
   std::string title() const;
 
-  // Loads the scene, chooses the view, asks, and gives the answer: as text, as JSON (after the scene's name and the
-  // picture's size), or both. The exit code.
+  // Loads the scene, chooses the view, calls `ask`, and prints the answer as text, writes it as
+  // JSON (after the scene's name and the picture's size), or both. Returns the exit code.
   int answer(const Ask& ask) const;
-  // The same where whoever is asked chooses the view, or the eyes.
+  // The same for an `ask` that chooses the view, or the eyes, by itself.
   int answer_of_scene(const AskScene& ask) const;
 
 private:

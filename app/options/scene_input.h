@@ -1,4 +1,4 @@
-// The SCENE of a command line: a file, a built-in scene, or "-" for standard input.
+// The argument SCENE of a command line: a file, a built-in scene, or "-" for standard input.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +13,30 @@ namespace glassbox::app {
 
 class Progress;
 
-// What --help says of it.
+// The text about SCENE in --help.
 inline constexpr const char* kSceneHelp =
     "a file (glTF, GLB, OBJ, PLY), a built-in scene, or -: standard input";
 
-// Standard input has the limits of a file. It is read once, to its end; where it is a terminal, that is an error.
+// Loads the scene. Standard input has the same limits as a file and is read once, to its end. It is
+// an error if it is a terminal.
 Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
 
-// The same, and the bytes that came from standard input; none of files and built-in scenes.
+// The same, with the bytes that came from standard input; no bytes for files and built-in scenes.
 struct SceneAndBytes {
   Scene scene;
   std::vector<std::byte> bytes;
 };
 Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits = {});
 
-// Loads it as the phase "loading" of a command's progress, and says the warnings about it there.
+// Loads the scene as the phase "loading" of a command's progress, and prints its warnings there.
 Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
                                const LoadLimits& limits = {});
 
-// What a line says of the scene: "standard input" for "-", else the word itself.
+// The scene's name in a report: "standard input" for "-", else the word itself.
 std::string scene_title(const std::string& word);
 
-// What outputs are named after: "duck" of "models/duck.glb", "teapot" of "teapot:32", "stdin" of "-".
+// The name that outputs get: "duck" for "models/duck.glb", "teapot" for "teapot:32", "stdin" for
+// "-".
 std::string scene_stem(const std::string& word);
 
 }  // namespace glassbox::app

@@ -44,7 +44,7 @@ void add_strength(CLI::App& command, const std::string& name, double& value,
       ->group("Eyes (stereo)");
 }
 
-// None: drawn.
+// How the second eye is warped; nothing if it is drawn.
 std::optional<views::SecondEyeSettings> parse_second_eye(const std::string& text) {
   const std::string word = CLI::detail::to_lower(text);
   if (word == "drawn") return std::nullopt;
@@ -62,13 +62,14 @@ bool is_recoloured(const StereoPictureOptions& stereo) {
   return stereo.recolour.desaturate != 0 || stereo.recolour.brighten != 0;
 }
 
-// An anaglyph's bytes as they are, each channel from its eye: drawn into one colour buffer.
+// Whether each channel is copied unchanged from its eye, so that both eyes can be drawn into one
+// colour buffer.
 bool is_masked(const StereoPictureOptions& stereo) {
   return !stereo.form.layout && !is_recoloured(stereo) &&
          stereo.anaglyph.method.value_or(AnaglyphMethod::kMask) == AnaglyphMethod::kMask;
 }
 
-// Both eyes' pictures, as they are to be laid out.
+// Both eyes' pictures as an anaglyph or in the chosen layout.
 Result<Image<Rgba8>> put_together(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const StereoPictureOptions& stereo) {
   if (stereo.form.layout) return lay_out(left, right, *stereo.form.layout);
@@ -93,7 +94,7 @@ AnaglyphMasks masks_for(Glasses glasses) {
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
 }
 
-// `width` columns from `first` on; nothing of a plane that was not drawn.
+// `width` columns, starting at `first`. Empty for a plane that was not drawn.
 template <class Pixel>
 Image<Pixel> columns_of(const Image<Pixel>& wide, int first, int width) {
   if (wide.pixels.empty()) return {};
@@ -104,7 +105,7 @@ Image<Pixel> columns_of(const Image<Pixel>& wide, int first, int width) {
   return cut;
 }
 
-// Both eyes' pictures from frusta that are not skewed, aligned and cropped.
+// Draws both eyes with symmetric frusta (not skewed), then aligns and crops the pictures.
 Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen,
                                     const RenderSettings& settings,
                                     const StereoPictureOptions& stereo) {
@@ -128,7 +129,7 @@ Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen
   return picture;
 }
 
-// The left eye drawn, and the right one warped from it.
+// Draws the left eye and warps the right one from it.
 Result<StereoPicture> draw_and_warp(Renderer& renderer, const Scene& scene,
                                     const ChosenEyes& chosen, const RenderSettings& settings,
                                     const StereoPictureOptions& stereo, views::SecondEye& second) {

@@ -24,7 +24,7 @@ bool is_option(std::string_view word) {
   return word.size() > 1 && word[0] == '-';
 }
 
-// The subcommand that the words have reached, and its name as it is typed.
+// The innermost subcommand on the command line, and its full name as typed.
 struct Reached {
   const CLI::App* app;
   std::string name;
@@ -34,13 +34,14 @@ Reached reached_by(const CLI::App& program) {
   Reached reached{&program, program.get_name()};
   while (true) {
     const std::vector<CLI::App*> chosen = reached.app->get_subcommands();
-    // Words that a command does not know end what it hands on.
+    // After a word that a command does not know, the next words are not its subcommand's.
     if (chosen.empty() || !reached.app->remaining().empty()) return reached;
     reached = {chosen.front(), reached.name + " " + chosen.front()->get_name()};
   }
 }
 
-// The word that is to blame: where a subcommand is expected the first, else an option, whose value then stands about.
+// The word that caused the error: the first unknown word if a subcommand is expected, else the
+// first unknown option (its value is then unknown too).
 std::optional<std::string> unknown_word(const CLI::App& app, const CommandFacts& command) {
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) return std::nullopt;
@@ -60,7 +61,7 @@ bool has_option(const CommandFacts& command, const std::string& name) {
   });
 }
 
-// The subcommand that has the option which was given before any.
+// The subcommand that has the option, if the option was given before the subcommand.
 std::optional<std::string> command_with(const CommandFacts& program, const std::string& name) {
   const auto found = std::ranges::find_if(
       program.commands, [&](const CommandFacts& one) { return has_option(one, name); });
@@ -117,9 +118,9 @@ std::string problem_with(const CommandFacts& command, const Reached& reached,
   return "there is no use for the word " + in_quotes(word);
 }
 
-// What CLI11 says, where that is not how anybody speaks.
+// CLI11's error in plain words, if its own are hard to understand.
 std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& error) {
-  const std::string what = printable(error.what(), 2000);  // repeats the word that is wrong
+  const std::string what = printable(error.what(), 2000);  // contains the word that is wrong
   if (what == "A subcommand is required") {
     return "a subcommand is missing; " + list_of(command.commands);
   }
@@ -147,7 +148,7 @@ std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& e
 
 std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
   const Reached reached = reached_by(program);
-  // A word that is not known may be why another one is missing.
+  // If a required word is missing, the reason may be an unknown word.
   const bool of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   const CommandFacts command = command_tree(*reached.app);

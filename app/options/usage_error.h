@@ -1,4 +1,4 @@
-// What to say of a command line that is not understood.
+// The message for a command line that cannot be parsed.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ class ParseError;
 
 namespace glassbox::app {
 
-// One line: what is wrong, the word that was probably meant where one is near, and where help is.
+// One line: what is wrong, the word that was probably meant if there is a similar one, and the
+// command for help.
 std::string usage_problem(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace glassbox::app

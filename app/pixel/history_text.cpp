@@ -21,7 +21,7 @@ std::string cut(const std::string& text, std::size_t width) {
   return printable(text, text.size() > width ? width - 3 : width);
 }
 
-// "12 of teapot", with the material where it has a name.
+// The face and its mesh, "12 of teapot", with the material if it has a name.
 std::string surface_text(const Scene& scene, const PixelEvent& event) {
   const Mesh& mesh = scene.meshes[scene.instances[event.instance].mesh];
   const std::string& material = scene.materials[mesh.material].name;
@@ -56,7 +56,7 @@ std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& e
                      *event.stored_by, event.code, event.stored, event.distance - by.distance);
 }
 
-// What a row has no room for; empty where it says everything.
+// A note that does not fit into the row; empty if the row is enough.
 std::string note_of(const PixelHistory& history, const PixelEvent& event) {
   std::string text;
   switch (event.touch) {

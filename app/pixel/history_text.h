@@ -8,7 +8,7 @@
 
 namespace glassbox::app {
 
-// One row for each event; of the triangles that miss the pixel's centre the nearest few, or all.
+// One row per event. Of the triangles that miss the pixel's centre, only the few nearest, or all.
 std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses);
 
 }  // namespace glassbox::app

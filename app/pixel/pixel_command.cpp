@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The point of the world that lies `distance` along the gaze behind the pixel's centre.
+// The world-space point seen at the pixel's centre, at `distance` along the gaze from the eye.
 Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double distance) {
   const auto& m = view.clip_from_eye;
   const double clip_z = double(m.at(2, 2)) * -distance + double(m.at(2, 3));
@@ -32,7 +32,7 @@ Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double
   return unproject(view, {pixel.x + 0.5, pixel.y + 0.5, ndc_z});
 }
 
-// What the picture has at the pixel in the end.
+// The final contents of the pixel in the picture.
 struct SeenPixel {
   Rgba8 color;
   std::optional<NumberedTriangle> triangle;  // none: a line, a point or the background
@@ -81,17 +81,19 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
-// Whether these are the words of options that add_picture_options knows, as words_given has them, and nothing else is among
-// them: no "--" or "++" that would change what the words after it mean.
+// Whether the words are options that add_picture_options knows, written as words_given writes them,
+// and nothing else. In particular there is no "--" or "++", which would change the meaning of the
+// words after it.
 bool are_picture_options(const std::vector<std::string>& words) {
   CLI::App app;
   PictureOptions picture;
   add_picture_options(app, picture);
   try {
     app.parse(
-        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last first
+        // CLI11 expects the words in reverse order
+        std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Error&) {
-    return false;  // --help, too
+    return false;  // --help throws as well
   }
   return words_given(picture) == words;
 }

@@ -1,4 +1,5 @@
-// glassbox pixel SCENE --at X,Y: what is seen in one pixel of a picture, and how it came about.
+// glassbox pixel SCENE --at X,Y: shows what is visible in one pixel of a picture, and the history
+// of its colour.
 #pragma once
 
 #include <string>
@@ -21,11 +22,11 @@ private:
 
   PictureQuestion question_;
   PixelAt at_;
-  bool all_ = false;  // list all near misses
+  bool all_ = false;  // list all triangles that narrowly miss the pixel's centre
 };
 
-// The command line that shows pixel (x, y) of the picture that the recipe makes; empty if the recipe, which comes from
-// a file, is not one that this program writes.
+// The command line that shows pixel (x, y) of the picture that the recipe makes. Empty if the
+// recipe, which comes from a file, is not one that this program writes.
 std::string pixel_command_line(const Recipe& recipe, PixelAt pixel);
 
 }  // namespace glassbox::app

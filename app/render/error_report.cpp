@@ -24,16 +24,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongPath = 1000;
 
-// A number of a stage, with its bounds in the unit that is printed.
+// A quantity of a stage, with its error bounds in the unit that is printed.
 struct Row {
   const char* stage;
   const char* number;
   const char* unit;
   const BoundSummary& bounds;
-  double units = 1;  // printed units in one of the summary's
+  double units = 1;  // printed units per unit of the summary
 };
 
-// The parts whose time an engine tells, and what they compute.
+// A part of the run that the engine times, with the quantities it computes.
 struct Part {
   const char* name;
   double ms;
@@ -65,7 +65,7 @@ std::vector<Part> parts_of(const ErrorReport& report) {
 
 // ---- where ----
 
-// Of an edge the triangle.
+// For an edge, the triangle that it belongs to is named.
 const char* kind_of(const BoundPlace& place) {
   if (!place.line || *place.line == LineKind::kEdge) return "triangle";
   return *place.line == LineKind::kLine ? "line" : "point";
@@ -78,7 +78,7 @@ std::string place_text(const BoundPlace& place) {
   return fmt::format("{}, {} {}", whose, place.line ? "end" : "corner", *place.corner);
 }
 
-// What shows the place stage by stage.
+// The command that shows the place stage by stage.
 std::string command_for(const ErrorReport& report, const BoundPlace& place) {
   if (report.scene == "-") return {};
   if (place.x >= 0) {
@@ -86,7 +86,7 @@ std::string command_for(const ErrorReport& report, const BoundPlace& place) {
                        report.picture,
                        {"--at", fmt::format("{},{}", place.x, place.y)}});
   }
-  if (place.line && *place.line != LineKind::kEdge) return {};  // step follows triangles
+  if (place.line && *place.line != LineKind::kEdge) return {};  // `step` examines triangles only
   return shell_line(
       {{"step", report.scene}, report.picture, {"--triangle", fmt::format("{}", place.number)}});
 }
@@ -100,7 +100,7 @@ Json place_json(const ErrorReport& report, const BoundPlace& place) {
   return json;
 }
 
-// ---- what may be otherwise, and what is left out ----
+// ---- decisions that may be wrong, and what is left out ----
 
 struct Doubt {
   const char* key;
@@ -173,7 +173,8 @@ std::string parts_text(const ErrorReport& report) {
   return text;
 }
 
-// The picture's own place, and where vertices are worst.
+// The commands that show the place with the largest bound in the picture, and the vertex with the
+// largest.
 std::string commands_text(const ErrorReport& report) {
   std::string text;
   for (const BoundSummary* bounds : {&report.errors.snapped, &report.errors.picture}) {

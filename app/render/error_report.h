@@ -1,4 +1,4 @@
-// render --report: of each stage, how far its numbers may be off, and how long it took.
+// render --report: for each stage, the bounds of its errors, and its time.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,15 @@
 namespace glassbox::app {
 
 struct ErrorReport {
-  std::string scene;                 // as it was given
+  std::string scene;                 // as the user gave it
   std::vector<std::string> picture;  // the words of its options: --size 320x180
   int width = 0, height = 0;
   View view;
   RenderSettings settings;
-  std::string engine;     // what drew the picture: "the tile engine, 2 threads, avx512"
+  std::string engine;     // the engine that drew the picture: "the tile engine, 2 threads, avx512"
   Statistics statistics;  // of that engine
   PictureErrors errors;
-  std::optional<views::SecondEyeError> second_eye;  // of a pair whose right eye was warped
+  std::optional<views::SecondEyeError> second_eye;  // for a pair whose right eye was warped
 };
 
 std::string error_report_text(const ErrorReport& report);

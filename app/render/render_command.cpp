@@ -34,13 +34,13 @@
 
 namespace glassbox::app {
 
-// The picture, and what there is to say about it.
+// The picture, and the data for reports about it.
 struct DrawnPicture {
   Camera camera;
-  View view;  // of the camera between the eyes where there are two
+  View view;  // if there are two eyes, of the camera between them
   Image<Rgba8> image;
   Framebuffer planes;
-  // Of each eye; its name is empty where there is one.
+  // The statistics of each eye with its name, which is empty if there is only one.
   std::vector<std::pair<std::string, Statistics>> stages;
   std::string eyes_text;
   nlohmann::ordered_json eyes_json;
@@ -53,7 +53,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-// Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
+// Floats represent every integer up to 2^24. Ids up to 2^24 - 1 therefore stay exact, also when 1
+// is added.
 constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
 
 Result<void> write_ids(const std::string& path, const Image<std::uint32_t>& ids) {
@@ -80,7 +81,7 @@ bool nothing_drawn(const DrawnPicture& drawn) {
   return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
 }
 
-// The times of all eyes together, without counts.
+// The times of all eyes added up, without counts.
 Statistics times_of_all(const DrawnPicture& drawn) {
   Statistics sum;
   for (const auto& [eye, one] : drawn.stages) {
@@ -92,7 +93,7 @@ Statistics times_of_all(const DrawnPicture& drawn) {
   return sum;
 }
 
-// What to tell somebody whose picture shows the background only.
+// The explanation for a picture that shows only the background.
 const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
   settings.cull = Cull::kNone;
   if (renderer.render(view, settings).statistics.covered > 0) {
@@ -189,7 +190,8 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
   return check_outputs(paths);
 }
 
-// So that others can tell how the picture was made. Nobody has what came through a pipe.
+// The recipe, which tells others how the picture was made. Empty for a scene from a pipe, which
+// nobody could read again.
 std::vector<TextEntry> RenderCommand::recipe_text() const {
   if (scene_ == "-") return {};
   std::vector<std::string> words = words_given(picture_);
@@ -306,7 +308,7 @@ int RenderCommand::run() {
   const Result<DrawnPicture> drawn = draw(*scene, renderer);
   if (!drawn) return refuse(drawn.error());
   {
-    // Ctrl-C waits until what is being written is whole.
+    // Ctrl-C waits until the file that is being written is complete.
     const StopRequest stop;
     progress.phase("writing " + output);
     if (const auto written = write_pictures(output, *drawn); !written) {
@@ -328,10 +330,11 @@ int RenderCommand::run() {
   return report(output, *drawn, times);
 }
 
-// A run of its own: what draws the picture stays as it is, and is timed without being watched.
+// Computes the errors in a separate run, so that the drawing of the picture is neither changed nor
+// slowed down.
 Result<void> RenderCommand::write_error_report(const Scene& scene, Renderer& renderer,
                                                const DrawnPicture& drawn) const {
-  // Of a pair, the left eye is what was drawn.
+  // The report on a pair is about the left eye, which is always drawn.
   const bool is_pair = drawn.eyes.has_value();
   std::vector<std::string> words = words_given(picture_);
   if (is_pair) words.insert(words.end(), {"--seen-by", "left"});
@@ -391,7 +394,7 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
     for (const auto& [eye, statistics] : drawn.stages) {
       json[eye.empty() ? "stages" : "stages_" + eye] = to_json(statistics);
     }
-    // The tile engine's eyes take turns, and are timed together.
+    // The tile engine draws the eyes alternately and times them together.
     if (engine_.engine == EngineKind::kTile && drawn.stages.size() > 1) {
       json["stages_right"].erase("ms");
     }

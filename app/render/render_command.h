@@ -1,4 +1,4 @@
-// glassbox render SCENE: a picture, and the other planes of the framebuffer if asked for.
+// glassbox render SCENE: draws a picture, and writes other planes of the framebuffer if asked for.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct RunTimes {
 
 class RenderCommand {
 public:
-  // Adds the subcommand; when it is chosen, `exit_code` gets its result.
+  // Adds the subcommand. When it runs, its result is stored in `exit_code`.
   void add_to(CLI::App& app, int& exit_code);
 
 private:
@@ -42,9 +42,9 @@ private:
   Result<void> write_error_report(const Scene& scene, Renderer& renderer,
                                   const DrawnPicture& drawn) const;
   std::string stats_text(const DrawnPicture& drawn, const RunTimes& times) const;
-  // What there is to say when all is written; the exit code.
+  // Prints what is to be reported when all files are written. Returns the exit code.
   int report(const std::string& image, const DrawnPicture& drawn, const RunTimes& times) const;
-  // The paths of all outputs, as far as they can be judged before anything is computed.
+  // Checks the paths of all outputs as far as possible before anything is computed.
   Result<void> check_other_outputs(const std::string& image) const;
 
   std::string scene_ = "teapot";

@@ -1,11 +1,11 @@
-// Comma-separated values.
+// Writes comma-separated values.
 #pragma once
 
 #include <string>
 
 namespace glassbox::app {
 
-// A field as RFC 4180 asks for: in quotes where it has a comma, a quote or a line's end.
+// A field as in RFC 4180: in quotes if it contains a comma, a quote or a line break.
 inline std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -1,4 +1,4 @@
-// What the program's exit says.
+// The program's exit codes.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@ namespace glassbox::app {
 
 inline constexpr int kSuccess = 0;
 inline constexpr int kFailure = 1;   // something failed, or a difference was found
-inline constexpr int kBadInput = 2;  // usage, or a file that is refused
+inline constexpr int kBadInput = 2;  // wrong usage, or a file that is refused
 
-// An error repeats what was typed and what stands in files: both may be anything. Longer than this is no line to read.
+// Errors repeat words of the user and texts from files, which can be very long. Longer messages are
+// cut.
 inline constexpr std::size_t kLongestMessage = 4000;
 
 inline int refuse(const Error& error) {

@@ -1,4 +1,4 @@
-// How far a right eye's picture is off, as reports have it.
+// The error of a right eye's picture as JSON for reports.
 #pragma once
 
 #include <nlohmann/json.hpp>

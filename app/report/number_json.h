@@ -1,4 +1,5 @@
-// Points, vectors, colours and rectangles as JSON arrays, matrices as arrays of rows. Numbers that are not finite become null.
+// Points, vectors, colours and rectangles as JSON arrays, matrices as arrays of rows. Numbers that
+// are not finite become null.
 #pragma once
 
 #include <cmath>
@@ -11,13 +12,13 @@
 
 namespace glassbox {
 
-// A number, or null where it is infinite or NaN: JSON has no numbers for those.
+// The number, or null if it is infinite or NaN: JSON cannot represent those.
 inline nlohmann::ordered_json finite_json(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-// A number that may be infinite, such as the distance of the far plane: then it is the word "inf" or
-// "-inf". NaN becomes null.
+// A number that may be infinite, such as the distance of the far plane; then it becomes the string
+// "inf" or "-inf". NaN becomes null.
 inline nlohmann::ordered_json finite_or_inf(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return finite_json(value);

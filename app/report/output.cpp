@@ -15,7 +15,7 @@ namespace glassbox::app {
 
 namespace {
 
-// Without links and dots, the same for two names of one file.
+// The absolute path without links and dots, which is the same for two names of one file.
 std::filesystem::path whole_path(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
@@ -32,7 +32,7 @@ Result<void> write_text(const std::string& target, const std::string& text) {
 }
 
 Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json) {
-  // Names come from files and may be anything but UTF-8; they are written with replacement characters then.
+  // Names come from files and may not be valid UTF-8: invalid bytes are replaced.
   return write_text(
       target, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

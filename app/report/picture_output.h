@@ -1,4 +1,5 @@
-// Where `render` puts its picture: a file, or "-", standard output, for a pipe.
+// Where `render` writes its picture: to a file, or for "-" to standard output, which must be a pipe
+// or a file.
 #pragma once
 
 #include <optional>
@@ -13,13 +14,14 @@ namespace glassbox::app {
 
 enum class StreamFormat { kPng, kPpm };
 
-// Before a long run: an error for a directory, an extension that is none of a picture, a terminal, and a format asked
-// for where the extension says it. `usual` is the name that a file in a directory would have.
+// The check before a long run. Errors: a directory, an extension that no picture format has, a
+// terminal, and a format option when the extension gives the format already. `usual` is the name
+// that a file in a directory would get.
 Result<void> check_picture_output(const std::string& output,
                                   const std::optional<StreamFormat>& format,
                                   const std::string& usual);
 
-// PNG where no format is given. A file is written wholly or not at all.
+// Writes the picture, as PNG if no format is given. A file is written completely or not at all.
 Result<void> write_picture(const std::string& output, const std::optional<StreamFormat>& format,
                            const Image<Rgba8>& image, std::span<const TextEntry> text);
 

@@ -1,4 +1,4 @@
-// A picture in a page.
+// Pictures inside an HTML page.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace glassbox::app {
 
-// data:image/png;base64,..., of which a browser shows the very bytes.
+// The picture as data:image/png;base64,..., whose bytes a browser shows unchanged.
 Result<std::string> picture_uri(const Image<Rgba8>& image);
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-// The name under which the user called the program.
+// The name by which the user called the program.
 #pragma once
 
 #include <cstdlib>
@@ -6,7 +6,7 @@
 
 namespace glassbox::app {
 
-// What commands that the program suggests begin with: the launcher of a clone hands over its own name.
+// The program's name in suggested commands. The launcher script of a clone passes its own name on.
 inline std::string program_name() {
   const char* invoked_as = std::getenv("GLASSBOX_INVOKED_AS");
   return invoked_as != nullptr ? invoked_as : "glassbox";

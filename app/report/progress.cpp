@@ -15,7 +15,8 @@ namespace glassbox::app {
 namespace {
 
 constexpr const char* kWipe = "\r\033[K";
-constexpr std::size_t kLongestPhase = 60;  // the line must not wrap, or it would not be wiped whole
+// shorter than a line: a wrapped line would not be erased completely
+constexpr std::size_t kLongestPhase = 60;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// A sign of life on standard error while work takes longer than a second; nothing where that is no terminal.
+// Shows progress on standard error while work takes longer than a second. Shows nothing if that is
+// not a terminal.
 #pragma once
 
 #include <chrono>
@@ -16,11 +17,11 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // What is being done.
+  // Sets the text that says what is being done.
   void phase(const std::string& what);
-  // A line of its own on standard error, terminal or not.
+  // Prints a line of its own on standard error, terminal or not.
   void say(const std::string& message);
-  // Stops and wipes the line; nothing is shown after it.
+  // Stops and erases the line. Nothing is shown afterwards.
   void done();
 
 private:

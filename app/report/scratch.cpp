@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 const std::string kPrefix = "glassbox-scratch-";
 constexpr const char* kLock = "in-use";
 
-// The lock at `path`, which is held until the descriptor is closed; -1 if another holds it or there is none. `flags`: O_CREAT to make
-// it.
+// Takes the lock file at `path`, which is held until the descriptor is closed. Returns -1 if
+// another process holds it, or if there is none. With O_CREAT in `flags` it is created.
 int take_lock(const fs::path& path, int flags) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
   if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -27,7 +27,8 @@ int take_lock(const fs::path& path, int flags) {
   return -1;
 }
 
-// Whether the directory is this user's and nobody's any more. One without a lock is being made, unless it is an hour old.
+// Whether the directory is this user's and no process uses it any more. One without a lock file is
+// just being made, unless it is an hour old.
 bool is_abandoned(const fs::path& directory) {
   struct stat status = {};
   if (::lstat(directory.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
@@ -59,7 +60,8 @@ Scratch::Scratch() {
   std::string name = (temporary / (kPrefix + "XXXXXX")).string();
   if (::mkdtemp(name.data()) == nullptr || ::chmod(name.c_str(), 0711) != 0) return;
   path_ = name;
-  // It gets its name when it is held: whoever finds a lock that nobody holds removes the directory.
+  // The lock file gets its final name after the lock is taken, because another process removes a
+  // directory whose lock nobody holds.
   const fs::path unnamed = path_ / "to-be-in-use";
   lock_ = take_lock(unnamed, O_CREAT);
   fs::rename(unnamed, path_ / kLock, error);

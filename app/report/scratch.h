@@ -1,4 +1,4 @@
-// A directory for what a command makes on the way.
+// A directory for a command's temporary files.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,9 @@
 
 namespace glassbox::app {
 
-// Below the system's temporary directory; removed with the object, and where the program was killed, by the next that makes one:
-// whoever uses such a directory holds a lock in it. Others may pass through it, but not list it.
+// A directory below the system's temporary directory. It is removed with the object; if the program
+// was killed, the next program that makes one removes it. Each user of such a directory holds a
+// lock in it, so that unused ones are recognised. Other users may pass through it, but not list it.
 class Scratch {
 public:
   Scratch();
@@ -17,9 +18,9 @@ public:
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
-  // Where there could be none, an error.
+  // The directory's path. An error if it could not be made.
   Result<std::filesystem::path> path() const;
-  // A new directory in it that nobody else may enter.
+  // Makes a new directory in it that other users cannot enter.
   Result<std::filesystem::path> own(const std::string& name) const;
 
 private:

@@ -1,4 +1,4 @@
-// Command lines that the program suggests.
+// Command lines that the program suggests to the user.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace glassbox::app {
 
-// The program's name and the words of all parts, as a POSIX shell reads them back; empty where shell_quoted has nothing for
-// one of them.
+// The program's name and the words of all parts, quoted for a POSIX shell. Empty if shell_quoted
+// cannot quote one of them.
 inline std::string shell_line(const std::vector<std::vector<std::string>>& parts) {
   auto line = shell_quoted(program_name());
   for (const std::vector<std::string>& words : parts) {

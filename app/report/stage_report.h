@@ -1,4 +1,4 @@
-// The stages of a run, what went in and what came out, for people and for machines.
+// The stages of a run, with what went in and what came out, as text and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace glassbox::app {
 
-// A table of one line per stage, in order, of what the engine counts (docs/engines.md).
+// A table with one line per stage, in order, of the engine's counts (docs/engines.md).
 std::string stage_table(const Statistics& statistics, EngineKind engine);
 
-// How long the stages took.
+// A table of the stages' times.
 std::string time_table(const Statistics& statistics);
 
-// 1234567 -> "1,234,567".
+// The number with separators: 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n);
 
 nlohmann::ordered_json to_json(const Statistics& statistics);

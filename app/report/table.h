@@ -1,4 +1,4 @@
-// Tables of text, and the units of their times.
+// Text tables, and units for their times.
 #pragma once
 
 #include <string>
@@ -6,17 +6,18 @@
 
 namespace glassbox::app {
 
-// Rows of as many words, printed in columns as wide as their widest word: the first `left` stand to the left, the others,
-// numbers, to the right. Columns without a word are left out.
+// Rows with the same number of words, printed in columns as wide as their widest word. The first
+// `left` columns are aligned to the left, the others (numbers) to the right. Empty columns are left
+// out.
 using Row = std::vector<std::string>;
 std::string table(const std::vector<Row>& rows, std::size_t left);
 
-// In which times are told.
+// The unit in which times are printed.
 struct TimeUnit {
   double ns = 1;
   const char* name = "ns";
 };
-// The one in which the shortest of them has digits before the point.
+// The unit in which the shortest time has digits before the decimal point.
 TimeUnit time_unit(double shortest_ns);
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-// Text for a terminal, 100 columns wide.
+// Lays out text for a terminal, 100 columns wide.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@ namespace glassbox::app {
 
 inline constexpr std::size_t kTextWidth = 100;
 
-// `text` broken at blanks; the first line begins with `first`, the others with as many blanks. Ends with a line break.
+// `text` broken into lines at blanks. The first line begins with `first`, the others with as many
+// blanks. Ends with a line break.
 inline std::string wrapped(std::string_view first, std::string_view text) {
   std::string out(first);
   std::size_t column = first.size();

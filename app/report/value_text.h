@@ -1,4 +1,4 @@
-// Values as words of a report.
+// Values as text in reports.
 #pragma once
 
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace glassbox::app {
 
-// "(255, 0, 0, 255)", the four bytes of a colour.
+// The four bytes of a colour: "(255, 0, 0, 255)".
 inline std::string bytes_text(const Rgba8& c) {
   return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
 }
 
-// An error or the bound of one, by three digits; "unknown" where there is no bound.
+// An error or its bound with three digits; "unknown" if there is no bound.
 inline std::string number_or_unknown(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
 }

@@ -20,7 +20,8 @@ namespace glassbox::app {
 
 namespace {
 
-// To read from a closed standard input, and to write to a closed output, stays the error that it was.
+// Opens the number of a closed stream so that it still fails as before: reading from standard
+// input, writing to an output.
 void keep_open(int stream) {
   if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) return;
   static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
@@ -38,16 +39,17 @@ bool is_about_threads(const std::exception& error) {
 
 std::atomic<bool> a_worker_waits = false;
 
-// For a thread that cannot go on while the others can: it does nothing until the process ends.
+// For a thread that cannot continue while the others can: it waits until the process ends.
 [[noreturn]] void wait_for_the_end() {
   a_worker_waits = true;
   for (;;) ::pause();
 }
 
-// Called for an exception that no function catches. oneTBB's worker threads start each other, so
-// that no caller sees it when one of them cannot. Such a worker has no task at that moment, and
-// the other threads draw the picture. A worker that starts threads while the process ends may call
-// a function of an object that is gone: it comes here without an exception.
+// Called for an exception that no function catches. oneTBB's worker threads start each other, so no
+// caller catches the exception when one of them cannot be started. Such a worker has no task at
+// that moment, and the other threads draw the picture. A worker that starts threads while the
+// process ends may call a function of an object that is already destroyed; then this is called
+// without an exception.
 [[noreturn]] void end_in_words() noexcept {
   const bool is_main_thread = ::gettid() == ::getpid();
   const std::exception_ptr error = std::current_exception();
@@ -73,11 +75,11 @@ void begin_run() {
 }
 
 int end_run(int exit_code) {
-  if (exit_code == kBadInput) return exit_code;  // which is told
+  if (exit_code == kBadInput) return exit_code;  // the error has been reported already
   errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return refuse_output(errno != 0 ? errno : EIO);
-  // Other workers may still be starting threads, which oneTBB's destructors do not expect.
+  // Other workers may still be starting threads, which would crash in oneTBB's destructors.
   if (a_worker_waits) std::_Exit(exit_code);
   return exit_code;
 }

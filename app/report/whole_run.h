@@ -1,18 +1,20 @@
-// What every run of the program begins and ends with.
+// The begin and the end of every run of the program.
 #pragma once
 
 #include <exception>
 
 namespace glassbox::app {
 
-// Before anything is opened. A closed standard stream stays closed, but no file that is opened later takes its number; a file that
-// grows beyond its limit is an error in place of a signal; what a thread throws and nobody catches is told, with exit code 1.
+// Call it before anything is opened. A closed standard stream stays closed, but no file that is
+// opened later gets its number. A file that grows beyond its limit becomes an error instead of a
+// signal. An exception that a thread does not catch is reported, with exit code 1.
 void begin_run();
 
-// Whether all that was printed has arrived: `exit_code`, or kBadInput and why not.
+// Checks that all output was really written. Returns `exit_code`, or kBadInput after printing what
+// failed.
 int end_run(int exit_code);
 
-// What no command expected, in one line: the exit code.
+// Reports an unexpected exception in one line. Returns the exit code.
 int tell(const std::exception& error);
 
 }  // namespace glassbox::app

@@ -1,4 +1,5 @@
-// Stages 2 to 4 of a stepped triangle: the three matrices, their factors, and the slides' ways to them.
+// Stages 2 to 4 of a stepped triangle: the three matrices, their factors, and how the slides
+// compute them.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -29,7 +30,7 @@ std::string rows(const glm::dmat4& m) {
   return matrix_rows(m, kIndent, 9);
 }
 
-// The largest distance of two entries, in what `distance` measures.
+// The largest `distance` between corresponding entries of two matrices.
 template <class Distance>
 auto largest_over(int columns, const glm::dmat4& a, const glm::dmat4& b, Distance distance) {
   decltype(distance(0.0, 0.0)) largest{};
@@ -54,7 +55,7 @@ std::string other_floats(const glm::dmat4& a, const glm::dmat4& b) {
 
 // ---- world from object ----
 
-// From the root down to the node.
+// The nodes from the root down to the given one.
 std::vector<std::uint32_t> path_to(const Scene& scene, std::uint32_t node) {
   std::vector<std::uint32_t> path;
   for (; node != kNone; node = scene.nodes[node].parent) path.push_back(node);
@@ -77,7 +78,7 @@ std::string axes_text(const Camera& camera, const View& view) {
   return text + rows(view.eye_from_world.columns);
 }
 
-// Eye from world by moving, turning and rolling.
+// eye_from_world as the product of a translation, a rotation about an axis and a roll.
 std::string axis_angle_text(const Camera& camera, const View& view) {
   const AxisAngleFactors factors = axis_angle_factors(camera.world_from_eye);
   const glm::dmat4& pose = camera.world_from_eye.columns;
@@ -99,7 +100,8 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
 }
 
-// By how much eye_from_world differs from that of the usual formulation; empty where it is that.
+// The difference between eye_from_world and that of the usual formulation; empty if it is the usual
+// one.
 std::string view_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual || stepped.formulation.view == ViewForm::kUvn) return "";
   const glm::dmat4& a = stepped.chosen.view.eye_from_world.columns;
@@ -137,7 +139,7 @@ struct LensText {
   }
 };
 
-// Which entries follow from the planes (projection.h).
+// The formula of the entries that follow from the near and far planes (projection.h).
 std::string depth_formula(const View& view) {
   const bool reversed = view.depth_range == DepthRange::kReversed;
   if (!view.perspective) {
@@ -151,7 +153,7 @@ std::string depth_formula(const View& view) {
                   : "[2][2] = -f/(f-n), [2][3] = -n f/(f-n), w = -z";
 }
 
-// Which entries follow from what, for the slides' forms.
+// The formulas of the other entries, for the forms that the slides use.
 std::string entries_text(const View& view, ProjectionForm form) {
   const double a = view.clip_from_eye.at(0, 0), b = view.clip_from_eye.at(1, 1);
   const double n = view.near, f = view.far, aspect = b / a;
@@ -201,7 +203,8 @@ std::string lens_text(const Camera& camera, const View& view, ProjectionForm for
   return text + sentence(depth_formula(view)) + rows(view.clip_from_eye.columns);
 }
 
-// A perspective matrix in two steps: any pyramid to the regular one, the regular one to the box. Empty for parallel views.
+// A perspective matrix in two steps: from the viewing pyramid to the regular one, and from that to
+// the box. Empty for parallel views.
 std::string two_steps_text(const View& view) {
   const auto factors = perspective_factors(view.clip_from_eye);
   if (!factors) return "";
@@ -216,7 +219,8 @@ std::string two_steps_text(const View& view) {
   return text + sentence("their product is clip_from_eye, bit for bit");
 }
 
-// By how much clip_from_eye differs from that of the usual formulation; empty where it is that.
+// The difference between clip_from_eye and that of the usual formulation; empty if it is the usual
+// one.
 std::string projection_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual || stepped.formulation.projection == ProjectionForm::kPerspective) return "";
   const glm::dmat4& a = stepped.chosen.view.clip_from_eye.columns;

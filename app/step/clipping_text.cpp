@@ -1,4 +1,4 @@
-// Stage 5 of a stepped triangle: the planes, one after the other.
+// Stage 5 of a stepped triangle: clipping by one plane after the other.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +36,8 @@ std::string distances_table(const SteppedTriangle& stepped, const StepTarget& ta
   return text;
 }
 
-// Each vertex that a plane left: where it comes from among those before, and its position.
+// The polygon after clipping by a plane: for each vertex, which vertices before it comes from, and
+// its position.
 std::string polygon_text(const ClipStep& step) {
   std::string text;
   for (std::size_t i = 0; i < std::size_t(step.after.count); ++i) {
@@ -67,7 +68,7 @@ std::string cut_text(const SteppedTriangle& stepped) {
   return text;
 }
 
-// What --cull-stage object says of the triangle before anything is clipped.
+// The result of --cull-stage object for the triangle, before anything is clipped.
 std::string early_culling_text(const SteppedTriangle& stepped) {
   if (!stepped.object_culling) return "";
   if (!stepped.object_culling->test) {

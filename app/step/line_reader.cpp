@@ -31,7 +31,7 @@ private:
   std::istream& in_;
 };
 
-// The words up to the cursor; the last one is empty after a blank.
+// The words before the cursor; the last one is empty after a blank.
 std::vector<std::string> words_before(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream in(text);
@@ -63,12 +63,13 @@ public:
     el_set(edit_, EL_PROMPT, &Terminal::prompt_of);
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
-    el_set(edit_, EL_SIGNAL, 1);  // Control-C leaves the terminal as it was
-    // The narrow call would make wide copies of these words and never free them.
+    el_set(edit_, EL_SIGNAL, 1);  // Control-C restores the terminal
+    // The narrow call (el_set) would make wide copies of these words and never free them.
     el_wset(edit_, EL_ADDFN, L"complete", L"completes a word", &Terminal::complete_word);
     el_set(edit_, EL_BIND, "^I", "complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
-    // The end of the input typed between two prompts, while the terminal still edits lines itself, arrives as NUL.
+    // Between two prompts the terminal itself edits lines. An end of input typed then arrives as
+    // NUL.
     el_set(edit_, EL_BIND, "^@", "em-delete-or-list", nullptr);
   }
   ~Terminal() override {

@@ -53,7 +53,7 @@ private:
         ++line_;
         column_ = 1;
       } else if ((static_cast<unsigned char>(text_[at_]) & 0xc0) != 0x80) {
-        ++column_;  // not for the later bytes of a character in UTF-8
+        ++column_;  // counts characters: the later bytes of one in UTF-8 do not count
       }
     }
   }
@@ -62,7 +62,7 @@ private:
     advance((found == std::string_view::npos ? text_.size() : found + end.size()) - at_);
   }
 
-  // Blanks, comments, and the brackets that some programs draw.
+  // Skips blanks, comments, and the characters by which some programs draw large brackets.
   void skip_to_token() {
     for (;;) {
       const char c = peek();
@@ -82,17 +82,18 @@ private:
     }
   }
 
-  // The length of a no-break space, byte order mark, box-drawing character or piece of a tall bracket; 0 for none.
+  // The length in bytes of a no-break space, byte order mark, box-drawing character or piece of a
+  // tall bracket; 0 for anything else.
   std::size_t drawn_separator() const {
     if (starts_with("\u00a0")) return 2;
     if (starts_with("\ufeff")) return 3;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(peek(i)); };
-    const bool box = byte(0) == 0xe2 && (byte(1) == 0x94 || byte(1) == 0x95);    // 2500 .. 257f
-    const bool bracket = byte(0) == 0xe2 && byte(1) == 0x8e && byte(2) >= 0x9b;  // 239b ..
+    const bool box = byte(0) == 0xe2 && (byte(1) == 0x94 || byte(1) == 0x95);    // U+2500 .. U+257F
+    const bool bracket = byte(0) == 0xe2 && byte(1) == 0x8e && byte(2) >= 0x9b;  // U+239B ..
     return box || bracket ? 3 : 0;
   }
 
-  // U+2212, which typesetting and some libraries write, counts as '-'.
+  // The minus sign U+2212, which typesetting and some libraries write, counts as '-'.
   std::size_t sign_length() const {
     if (peek() == '+' || peek() == '-') return 1;
     return starts_with("\u2212") ? 3 : 0;
@@ -117,7 +118,8 @@ private:
                   "leave only the sixteen numbers, with blanks or commas between them");
   }
 
-  // 'view matrix 3' and "cuda:0" are names, "0.5" and "NaN" are quoted numbers.
+  // Takes a quoted name. 'view matrix 3' and "cuda:0" are names, but "0.5" and "NaN" are quoted
+  // numbers.
   bool take_quoted_name() {
     const char quote = peek();
     if (quote != '"' && quote != '\'') return false;
@@ -130,7 +132,7 @@ private:
     return true;
   }
 
-  // JavaScript writes NaN as null where it writes JSON.
+  // JavaScript writes NaN as null in JSON.
   static bool is_nan(std::string_view word) {
     return equals_ignoring_case(word, "nan") || word == "null";
   }
@@ -138,14 +140,14 @@ private:
     return equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
   }
 
-  // nan and inf are numbers; other names are kept as labels.
+  // Takes a name. nan and inf are numbers; other names are kept as labels.
   Result<void> take_name(std::size_t sign) {
     std::size_t length = sign;
     while (is_letter(peek(length)) || is_digit(peek(length)) || peek(length) == '.') ++length;
     const std::string_view word = text_.substr(at_ + sign, length - sign);
     const bool nan = is_nan(word);
     if (nan || is_infinite(word)) {
-      // "nan(ind)", "nan(0x400000)"
+      // NaN can be followed by details: "nan(ind)", "nan(0x400000)"
       if (nan && peek(length) == '(') {
         const std::size_t end = text_.find(')', at_ + length);
         if (end != std::string_view::npos) length = end + 1 - at_;
@@ -164,7 +166,7 @@ private:
 
   bool negative(std::size_t sign) const { return sign == 3 || (sign == 1 && peek() == '-'); }
 
-  // Digits with a point and an exponent (e, or Fortran's d), then perhaps a C suffix.
+  // Takes digits with a point and an exponent (e, or d in Fortran), then perhaps a suffix as in C.
   Result<void> take_number(std::size_t sign) {
     const char before = at_ > 0 ? text_[at_ - 1] : ' ';
     if (sign > 0 && (before == ')' || before == ']' || is_letter(before))) {
@@ -174,7 +176,7 @@ private:
       push(MatrixToken::Kind::kName, 3);
       return {};
     }
-    std::string plain = negative(sign) ? "-" : "";  // as from_chars wants it
+    std::string plain = negative(sign) ? "-" : "";  // the number in the notation of from_chars
     std::size_t length = sign;
     int point = -1, digits = 0, decimals = 0;
     bool leading = true;
@@ -212,10 +214,11 @@ private:
     double value = 0;
     const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (error == std::errc::result_out_of_range) {
-      // Which tells nothing of the direction; a number that is too small is as good as 0.
+      // from_chars does not tell whether the number is too large or too small; strtod returns
+      // infinity or about 0.
       value = std::strtod(plain.c_str(), nullptr);
     }
-    if (std::isinf(float(value))) {  // the stages work in float
+    if (std::isinf(float(value))) {  // the stages compute in float
       return refuse(word_length(), "is too large for a float", "numbers go up to 3.4e38");
     }
     MatrixToken& token = push(MatrixToken::Kind::kNumber, length);
@@ -225,7 +228,7 @@ private:
     return {};
   }
 
-  // "4x4", as Blender's matrices begin.
+  // Whether this is a size such as "4x4", with which Blender's matrices begin.
   bool is_size() const {
     return peek() >= '1' && peek() <= '9' && peek(1) == 'x' && is_digit(peek(2)) && ends_at(3);
   }
@@ -234,7 +237,7 @@ private:
     return text_.substr(std::min(text_.size(), at_ + offset)).starts_with(word);
   }
 
-  // "1.#INF", "-1.#IND", "1.#QNAN0": what old C libraries of Windows print.
+  // Takes "1.#INF", "-1.#IND", "1.#QNAN0", which old C libraries of Windows print.
   Result<void> take_old_special(std::size_t sign, std::size_t length) {
     const bool infinite = starts_with_at(length, "#INF");
     const double magnitude = infinite ? std::numeric_limits<double>::infinity()
@@ -253,7 +256,8 @@ private:
     return is_digit(next) || ((next == '+' || next == '-') && is_digit(peek(length + 2)));
   }
 
-  // What may follow a number. '*' is refused with it: a factor for the whole matrix, or an expression.
+  // Whether a number can end here. A following '*' is refused: it would be a factor for the whole
+  // matrix, or an expression.
   bool ends_at(std::size_t length) const {
     const char c = peek(length);
     if (starts_with_at(length, "//") || starts_with_at(length, "/*")) return true;

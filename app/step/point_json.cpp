@@ -1,4 +1,4 @@
-// A point step as JSON: its matrices, what was found in them, and each point's walk.
+// The result for points as JSON: the matrices, the findings, and each point's walk.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// In the order of Shape, Severity and VertexFate.
+// Names in the order of the enumerators of Shape, Severity and VertexFate.
 constexpr const char* kShapes[] = {"not-finite", "identity",  "translation",           "rigid",
                                    "similarity", "scaled",    "scaled-after-rotation", "sheared",
                                    "flat",       "projective"};
@@ -83,7 +83,7 @@ Json projection_json(const GivenMatrix& given, const ApiDialect& dialect) {
   return json;
 }
 
-// ---- what was found in them ----
+// ---- findings ----
 
 Json findings_json(const std::vector<Finding>& findings) {
   Json json = Json::array();

@@ -1,4 +1,4 @@
-// The beginning of a point step's text: what the three matrices are.
+// The first part of the text about points: what the three matrices are.
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"
@@ -47,7 +47,7 @@ std::string model_text(const GivenMatrix& model) {
   return text + matrix_rows(model.m, "  ") + indented(affine_sentence(facts_of(model.m)));
 }
 
-// `lens`: the projection that goes with the view; ProjectionKind::kNone where none is known.
+// `lens` is the projection that belongs to the view; ProjectionKind::kNone if none is known.
 std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
   const MatrixFacts facts = facts_of(view.m);
   std::string text = indented(affine_sentence(facts));
@@ -76,7 +76,7 @@ std::string view_text(const MatrixSetup& setup) {
   return text + matrix_rows(setup.view.m, "  ") + view_sentences(setup.view, lens);
 }
 
-// "depth 0 at near 0.1, 1 at far 100"
+// The depths at the planes in words: "0 at the near plane 0.1, 1 at the far plane 100"
 std::string reading_text(const DepthReading& r) {
   if (!r.possible) return "none";
   const char* low = r.from_minus_one ? "-1" : "0";

@@ -1,4 +1,4 @@
-// The parts of what is said of a point step, by file.
+// The parts of the text about points, by source file.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@ namespace glassbox::app {
 
 // ---- point_matrices_text.cpp ----
 
-// What the three matrices are.
+// Describes the three matrices.
 std::string matrices_text(const MatrixSetup& setup);
 
-// "rigid exactly: a turn by 30 degrees about (0, 1, 0), then a translation by (1, 2, 3)".
+// An affine matrix in words: "rigid exactly: a turn by 30 degrees about (0, 1, 0), then a
+// translation by (1, 2, 3)".
 std::string affine_sentence(const MatrixFacts& facts);
 
 // ---- point_walk_text.cpp ----
 
-// One point's way from object space to the window.
+// Follows one point from object space to the window.
 std::string walk_text(const PointStep::Walk& walk, const PointStep& step);
 
-// "visible at (640.00, 360.00)", "outside the near plane: its distance along the gaze is 0.05, and ...",
-// "behind the eye (w = -3)"
+// Where the point ends: "visible at (640.00, 360.00)", "outside the near plane: its distance along
+// the gaze is 0.05, and ...", "behind the eye (w = -3)"
 std::string fate_text(const VertexChain& chain, const PointStep& step);
 
 }  // namespace glassbox::app

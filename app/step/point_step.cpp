@@ -55,7 +55,8 @@ void choose_dialect(const ApiDialect* asked, PointStep& step) {
   }
 }
 
-// A viewport of negative height, as Vulkan has it, turns y over: the same as a clip space with y the other way.
+// A viewport of negative height, as in Vulkan, turns y over. This is treated as a clip space whose
+// y points the other way.
 void take_window(const std::optional<std::array<double, 4>>& asked, PointStep& step) {
   MatrixSetup& setup = step.setup;
   if (asked) step.window = *asked;

@@ -1,5 +1,6 @@
-// glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE: points through one's own matrices, space by space, with a check
-// of each matrix, and where a point vanishes the convention that would make it visible.
+// glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE: carries points through the
+// user's own matrices, space by space, and checks each matrix. If a point is not visible, searches
+// for the convention that would make it visible.
 #pragma once
 
 #include <array>
@@ -21,11 +22,11 @@ namespace glassbox::app {
 
 struct PointStepOptions {
   std::vector<glm::dvec4> points;
-  std::vector<glm::dvec2> expected;  // where the first of them should appear in the window
-  // Sources, as read_matrix_source has them.
+  std::vector<glm::dvec2> expected;  // window positions where the first points should appear
+  // Sources of matrices, in the form that read_matrix_source accepts.
   std::optional<std::string> model, view, projection;
   std::optional<NumberOrder> order;
-  const ApiDialect* dialect = nullptr;          // nullptr: to be guessed
+  const ApiDialect* dialect = nullptr;          // nullptr: guess it
   std::optional<std::array<double, 4>> window;  // x, y, width, height
   std::optional<Hand> world;
   bool bits = false;
@@ -34,20 +35,22 @@ struct PointStepOptions {
 struct PointStep {
   struct Walk {
     VertexChain chain;
-    double open_px = 0;  // what the digits of the matrices add to the bounds in the window
+    // uncertainty in the window from the digits of the matrices, in addition to the bounds
+    double open_px = 0;
     std::optional<glm::dvec2> expected;
   };
 
   MatrixSetup setup;
-  // What the projection does. ProjectionKind::kNone where none was given, or it is not one: nothing is said in its terms.
+  // What the projection does. ProjectionKind::kNone if none was given, or if it is no projection;
+  // the report then does not use it.
   ProjectionFacts lens;
   std::string dialect_reason;
   std::array<double, 4> window{0, 0, 1280, 720};
-  Viewport viewport;  // the same, made ready for to_screen
+  Viewport viewport;  // the window in the form that to_screen needs
   bool bits = false;
   std::vector<Walk> walks;  // in the order of the points
   std::vector<Finding> findings;
-  ConventionsReport conventions;  // only where a projection was given
+  ConventionsReport conventions;  // only if a projection was given
 };
 
 Result<PointStep> step_points(const PointStepOptions& options);

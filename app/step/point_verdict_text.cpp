@@ -1,4 +1,5 @@
-// The text of a point step, and the end of it: where the points are, what is wrong, and what would bring them into the picture.
+// The last part of the text about points: where they are, what is wrong, and what would make them
+// visible.
 #include <algorithm>
 
 #include <fmt/format.h>

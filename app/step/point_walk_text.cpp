@@ -1,4 +1,4 @@
-// The middle of a point step's text: each point's way from object space to the window.
+// The middle part of the text about points: each point's way from object space to the window.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ std::size_t widest(const std::vector<std::string>& texts) {
   return width;
 }
 
-// [ matrix ] [ before ]   [ after ] +- bound, with as many digits as the width allows.
+// [ matrix ] [ before ]   [ after ] +- bound, with as many digits as fit into the width.
 std::string product_text(const TransformStep& step, bool bits) {
   std::string text;
   for (const int digits : {6, 5, 4, 3, 2}) {
@@ -58,7 +58,7 @@ std::string step_text(int number, const char* from_to, const char* matrix,
   return text + "\n" + product_text(step, bits);
 }
 
-// Where the eye sees it, in words.
+// The point's position as seen from the eye, in words.
 std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
   const glm::vec4& eye = chain.to_eye.after;
   const ProjectionFacts& p = step.lens;
@@ -66,7 +66,7 @@ std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
     return {};
   }
   const double along = p.looks_down_minus_z ? -double(eye.z) : double(eye.z);
-  // What is rounding beside the distance is shown as 0.
+  // Coordinates that are only rounding errors compared with the distance are shown as 0.
   const double rounding = 1e-6 * std::abs(along);
   const auto side = [&](double x, const char* plus, const char* minus) {
     if (std::abs(x) < rounding) x = 0;
@@ -78,7 +78,7 @@ std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
                               side(double(eye.y), " up", " down")));
 }
 
-// The way through one matrix, which most programs take.
+// Compares with the product of all matrices as one, which most programs use.
 std::string at_once_text(const VertexChain& chain) {
   const int factors = int(!is_identity(chain.to_world.matrix)) +
                       int(!is_identity(chain.to_eye.matrix)) +
@@ -92,7 +92,7 @@ std::string at_once_text(const VertexChain& chain) {
       most == 0 ? " bits" : fmt::format(" to within {:.1e}", most));
 }
 
-// "z + w" of the plane 0 <= z + w.
+// The left-hand form of a plane: "z + w" for the plane 0 <= z + w.
 std::string plane_form(const ClipPlane& plane) {
   std::string form;
   for (const auto& [coefficient, name] :
@@ -104,7 +104,7 @@ std::string plane_form(const ClipPlane& plane) {
       form += std::string(coefficient < 0 ? " - " : " + ") + name;
     }
   }
-  // w - x reads better than -x + w.
+  // "w - x" reads better than "-x + w".
   if (form.size() == 6 && form[0] == '-') form = std::string("w - ") + form[1];
   return form;
 }
@@ -120,7 +120,8 @@ std::string planes_table(const VertexChain& chain) {
   return text;
 }
 
-// The window of the frustum at the vertex's distance, against where it is: why an x or y plane decided so.
+// Compares the point with the frustum's extent at its distance: the reason why it is outside the
+// plane.
 std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
   const ProjectionFacts& p = step.lens;
   const std::size_t plane = std::size_t(chain.deciding_plane);
@@ -225,13 +226,14 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
   const double scale = step.setup.dialect.z_from_minus_w ? 0.5 : 1;
   text += fmt::format("     depth {} {}", brief(s.depth, 9), bound_text(s.bound.z * scale));
   const ProjectionFacts& p = step.lens;
-  // The derivative of alpha + beta/d turned round (SPEC C, bound 8).
+  // The error of the distance follows from that of the depth by the derivative of depth = alpha +
+  // beta/d: dd = d^2/|beta| times the depth's error (SPEC C, bound 8).
   if (p.kind == ProjectionKind::kPerspective && !p.depth_lost && p.w_offset == 0) {
     const double w = double(chain.clip.w) / p.w_scale;
     text += fmt::format(": known to {:.1e} of distance", s.bound.z * w * w / std::abs(p.beta));
   }
   text += "\n";
-  // Beneath the bounds it would not be seen.
+  // If it is smaller than the bounds, it is not worth reporting.
   if (walk.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
     text +=
         sentence(fmt::format("the digits of the matrices as printed leave this open by {:.1e} px "

@@ -25,7 +25,7 @@ using Tokens = std::vector<MatrixToken>;
 
 constexpr std::size_t kMaxBytes = 1 << 16;
 
-// A number, and the name before it: "x" of "x = 1" and "x: 1", the constructor's of "mat4(1".
+// A number with the name before it: "x" in "x = 1" and "x: 1", the constructor's name in "mat4(1".
 struct Labelled {
   MatrixToken token;
   std::string_view label;
@@ -42,7 +42,8 @@ bool is_count(const Tokens& tokens, std::size_t i) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// "[3]" that counts elements and is none: after a name ("m[16]", "m[4][4]"), or before '=' ("[0] = 1").
+// Whether "[3]" is a subscript or a size and not an element: after a name ("m[16]", "m[4][4]"), or
+// before '=' ("[0] = 1").
 bool is_subscript(const Tokens& tokens, std::size_t i, bool after_name) {
   if (!is_mark(tokens, i, "[") || !is_count(tokens, i + 1) || !is_mark(tokens, i + 2, "]")) {
     return false;
@@ -50,13 +51,14 @@ bool is_subscript(const Tokens& tokens, std::size_t i, bool after_name) {
   return after_name || is_mark(tokens, i + 3, "=");
 }
 
-// The length in "Float32Array(16) [1, 0, ...]".
+// Whether this is the length in "Float32Array(16) [1, 0, ...]".
 bool is_length(const Tokens& tokens, std::size_t i) {
   return is_mark(tokens, i, "(") && is_count(tokens, i + 1) && is_mark(tokens, i + 2, ")") &&
          is_mark(tokens, i + 3, "[{");
 }
 
-// The 0 of "row 0: 1 0 0 0", and the keys of {"0": 1, "1": 0, ...}, as JavaScript writes typed arrays.
+// Whether this is a key: the 0 in "row 0: 1 0 0 0", or one in {"0": 1, "1": 0, ...}, which is how
+// JavaScript writes typed arrays.
 bool is_key(const Tokens& tokens, std::size_t i) {
   return is_count(tokens, i) && (is_mark(tokens, i + 1, ":") ||
                                  (is_mark(tokens, i + 1, "\"'") && is_mark(tokens, i + 2, ":")));
@@ -75,7 +77,7 @@ Error count_error(const std::string& name, std::size_t count) {
           remedy};
 }
 
-// gdb's "0 <repeats 15 times>": how often; nothing where something else stands there.
+// The number of repetitions in gdb's "0 <repeats 15 times>"; nothing if there is something else.
 std::optional<double> repeats_at(const Tokens& tokens, std::size_t i) {
   const bool is_one = is_mark(tokens, i, "<") && i + 4 < tokens.size() &&
                       tokens[i + 1].text == "repeats" && is_count(tokens, i + 2) &&
@@ -91,7 +93,7 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const MatrixToken& token = tokens[i];
     if (is_subscript(tokens, i, after_name) || is_length(tokens, i)) {
-      i += 2;  // and after_name stays: m[4][4]
+      i += 2;  // after_name is kept, for m[4][4]
       continue;
     }
     if (const auto repeats = repeats_at(tokens, i)) {
@@ -115,7 +117,7 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
   return numbers;
 }
 
-// gdb shows the members of GLM's unions by each of their names, x = r = s and so on; one is enough.
+// gdb shows each member of GLM's unions under all its names, such as x = r = s. Keeps one of them.
 void drop_second_names(std::vector<Labelled>& numbers) {
   const auto is = [](const Labelled& n, std::string_view names) {
     return n.label.size() == 1 && names.find(n.label[0]) != std::string_view::npos;
@@ -126,12 +128,13 @@ void drop_second_names(std::vector<Labelled>& numbers) {
   std::erase_if(numbers, [&](const Labelled& n) { return is(n, "rgbastpq"); });
 }
 
-// "15": 1 ends what JavaScript writes for a typed array as JSON.
+// "15": 1 is the last entry of a typed array that JavaScript writes as JSON.
 bool is_last_key(const Tokens& tokens, std::size_t i) {
   return tokens[i].text == "15" && is_mark(tokens, i + 1, "\"") && is_key(tokens, i);
 }
 
-// The layouts whose order is known, by constructors and by members with known names; nullptr for none.
+// The name of the layout if it always writes matrices by columns, recognised by a constructor or a
+// member's name; nullptr for others.
 const char* known_by_columns(const Tokens& tokens, std::size_t i) {
   if (is_last_key(tokens, i)) return "a typed array of JavaScript";
   if (tokens[i].kind != Kind::kName) return nullptr;
@@ -164,9 +167,10 @@ void recognise(const Tokens& tokens, MatrixText& matrix) {
   }
 }
 
-// Half a unit of the last digit, counted for all numbers alike: in fixed notation by decimals; otherwise by the significant
-// digits of the longest, because programs leave out zeros at the end. Four digits or fewer were typed, and mean what they
-// say. Never less than float's own rounding.
+// The uncertainty of each number is half a unit of its last digit. In fixed notation the last digit
+// follows from the number of decimals. Otherwise it follows from the significant digits of the
+// longest number, because programs drop trailing zeros. Numbers with four digits or fewer were
+// probably typed and count as exact. The uncertainty is never less than float's own rounding.
 void estimate_uncertainty(const std::vector<Labelled>& numbers, MatrixText& matrix) {
   const int decimals = numbers.front().token.decimals;
   bool fixed = decimals > 0;

@@ -38,7 +38,7 @@ struct Staged {
 
 // ---- another choice ----
 
-// What the words can say.
+// What a user's words can change.
 struct Request {
   PictureOptions picture;
   std::optional<std::uint32_t> triangle;
@@ -61,8 +61,9 @@ void add_options(CLI::App& app, Request& request) {
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-// The stages for more words: picture options, --triangle N, --pick X,Y and --vertex K. What they do not say stays as `choice` has
-// it. A picked triangle stays the same when the picture changes afterwards.
+// Computes the stages for additional words: picture options, --triangle N, --pick X,Y and --vertex
+// K. Everything that they do not mention stays as in `choice`. A picked triangle stays the same
+// when the picture changes later.
 Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
                        const std::vector<std::string>& more) {
   CLI::App app;
@@ -72,7 +73,7 @@ Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
   std::vector<std::string> words = choice.words;
   words.insert(words.end(), more.begin(), more.end());
   try {
-    // CLI11 wants the last first.
+    // CLI11 expects the words in reverse order.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Error& error) {
     return fail("", error.what(), "glassbox step --help lists the picture options");
@@ -82,7 +83,7 @@ Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
     target.vertex.reset();
     if (*request.vertex != "all") target.vertex = (*request.vertex)[0] - '0';
   }
-  // --filter may be another one by now.
+  // The words may contain another --filter.
   std::optional<Scene> refiltered;
   if (request.picture.filter) refiltered = as_asked(loaded, request.picture);
   const Scene& scene = refiltered ? *refiltered : loaded;
@@ -93,7 +94,8 @@ Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
   return Staged{{words_given(request.picture), target}, stage_texts(scene, *stepped, target, bits)};
 }
 
-// The options that a restage takes, by their names, with the words that each may have; none for numbers.
+// The names of the options that restage accepts, each with its possible values; no values for
+// numbers.
 using OptionWords = std::map<std::string, std::vector<std::string>>;
 
 OptionWords restage_options() {
@@ -108,7 +110,7 @@ OptionWords restage_options() {
   return options;
 }
 
-// What may stand at the end of a command, for completion.
+// The words that can complete a command.
 std::vector<std::string> step_candidates(const std::vector<std::string>& words,
                                          const OptionWords& options) {
   const bool first = words.size() == 1;
@@ -124,7 +126,7 @@ std::vector<std::string> step_candidates(const std::vector<std::string>& words,
     if (option != options.end() && !option->second.empty()) return option->second;
     if (!words[0].starts_with("--")) return {};
   }
-  // All options at once would be no help.
+  // All options at once would not help, so they are offered after "-" only.
   if (words.back().starts_with("-")) {
     for (const auto& [name, choices] : options) candidates.push_back(name);
   }
@@ -147,7 +149,7 @@ std::vector<std::string> split_words(const std::string& text) {
   return words;
 }
 
-// How long a common subsequence of a[i...] and b[j...] can be.
+// [i][j]: the length of the longest common subsequence of a[i...] and b[j...].
 using Lengths = std::vector<std::vector<std::size_t>>;
 
 Lengths common_lengths(const std::vector<std::string>& a, const std::vector<std::string>& b) {
@@ -161,7 +163,8 @@ Lengths common_lengths(const std::vector<std::string>& a, const std::vector<std:
   return length;
 }
 
-// What has changed between two texts, as lines that begin with "- " and "+ "; of those that both have, only the heading.
+// The lines that differ between two texts, marked "- " and "+ ". Common lines are left out, except
+// the heading.
 std::string changed_lines(const std::string& before, const std::string& after) {
   const std::vector<std::string> a = split_lines(before), b = split_lines(after);
   const Lengths length = common_lengths(a, b);
@@ -205,7 +208,7 @@ private:
 
   void show() const { fmt::print("{}", stages()[at_].text); }
 
-  // False: it was the last command.
+  // Carries out a command. Returns false if it was the last one.
   bool obey(const std::string& line) {
     const std::vector<std::string> words = split_words(line);
     const std::string command = words.empty() ? "n" : words.front();
@@ -242,7 +245,7 @@ private:
     for (const StageText& stage : stages()) fmt::print("{}\n", stage.text);
   }
 
-  // "triangle 7" is "--triangle 7".
+  // Turns "triangle 7" into "--triangle 7" and applies it.
   void aim(std::vector<std::string> words) {
     if (words.size() != 2) {
       fmt::print("  {} needs one word more: {}\n", words[0],
@@ -255,7 +258,8 @@ private:
     change(now_.choice, words);
   }
 
-  // Another triangle is shown as it is; another picture by what it changes.
+  // Applies a change. For another triangle the stage is shown whole; for another picture, only the
+  // lines that change.
   void change(const StepChoice& choice, const std::vector<std::string>& more) {
     Result<Staged> staged = restage(scene_, bits_, choice, more);
     if (!staged) {

@@ -1,4 +1,5 @@
-// Stepping through a triangle's stages by hand, at a prompt: next, back, jump, another camera or triangle, and what that changes.
+// A prompt at which the user steps through a triangle's stages: next, back, jump, other cameras or
+// triangles, and what they change.
 #pragma once
 
 #include <string>
@@ -10,14 +11,14 @@
 
 namespace glassbox::app {
 
-// What is looked at: the words of the picture options, "--eye 1,2,3", and the triangle.
+// What is examined: the words of the picture options, such as "--eye 1,2,3", and the triangle.
 struct StepChoice {
   std::vector<std::string> words;
   StepTarget target;
 };
 
-// Reads commands until "quit" or the end of the input, and writes to standard output. `terminal`: with line editing, history and
-// completion; otherwise from any standard input.
+// Reads commands until "quit" or the end of the input, and writes to standard output. If
+// `terminal`, with line editing, history and completion; otherwise from any standard input.
 void step_by_hand(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
                   bool bits, bool terminal);
 

@@ -1,4 +1,4 @@
-// Stage 6 of a stepped triangle as the slides draw it without depth.
+// Stage 6 of a stepped triangle in the slides' form, which has no depth.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +18,7 @@ namespace glassbox::app {
 
 namespace {
 
-// (x, y, z) over w, in double.
+// (x, y, z)/w in double.
 glm::dvec3 divided(const Transform<Clip, EyeLeft>& m, const Point<Eye, double>& eye) {
   const Point<EyeLeft, double> left(eye.x, eye.y, -eye.z);
   const Point<Clip, double> p = m * left;
@@ -29,7 +29,8 @@ std::string point_text(const glm::dvec3& p) {
   return fmt::format("({}, {}, {})", brief(p.x, 9), brief(p.y, 9), brief(p.z, 9));
 }
 
-// How far x_s and y_s over the window's half sides are from the run's NDC.
+// Divides x_s and y_s by the window's half sides and tells how far the results are from the run's
+// NDC.
 std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorner& corner) {
   const NdcVertex ndc = divide(ClipVertex{corner.clip, {}});
   const double d = p.z;
@@ -42,7 +43,7 @@ std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorne
                      ulps == 0 ? std::string(", the same floats") : " to " + counted(ulps, "ulp"));
 }
 
-// The window is centred on the gaze of an eye at the origin.
+// Whether the window is centred on the gaze of an eye at the origin.
 bool is_centred(const View& view) {
   const auto& m = view.clip_from_eye;
   return m.at(0, 2) == 0 && m.at(0, 3) == 0 && m.at(1, 2) == 0 && m.at(1, 3) == 0;

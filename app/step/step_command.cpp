@@ -121,7 +121,7 @@ void add_conventions(CLI::App& command, PointStepOptions& o) {
       ->group(kGroup);
 }
 
-// --size is among the picture's options.
+// --size is one of the picture's options.
 void add_window(CLI::App& command, PointStepOptions& o) {
   command
       .add_option_function<std::string>(
@@ -147,7 +147,8 @@ constexpr const char* kStepFooter =
     "does).\n"
     "Several points tell more than one. docs/step.md has the whole story.";
 
-// Whether a point that goes through its own matrices has no use for the option, or a scene's triangle has none.
+// Whether the option has an effect: for points through the user's own matrices (`of_points`), or
+// else for a scene's triangle.
 bool is_for(const CLI::Option& option, bool of_points) {
   const bool own_matrices = option.get_group() == kGroup;
   if (!of_points) return !own_matrices;
@@ -220,7 +221,8 @@ int StepCommand::run() {
                  "give a scene and a triangle, or points and matrices"});
 }
 
-// Two kilobytes each: of a triangle that fills a picture JSON has hundreds of megabytes, or thousands.
+// Refuses too much JSON. A fragment takes about two kilobytes, so a triangle that fills a picture
+// can take hundreds or thousands of megabytes.
 Result<void> StepCommand::check_size(std::size_t fragments) const {
   constexpr double kMegabytesOfFragment = 2.15e-3;
   const double megabytes = double(fragments) * kMegabytesOfFragment;

@@ -1,17 +1,22 @@
-// glassbox step: a triangle of a scene, or points through one's own matrices, through every space with each number.
+// glassbox step: carries a triangle of a scene, or points with the user's own matrices, through
+// every space and shows each number.
 //
-// step_command reads the options and takes one of two ways, each of which works everything out first and then tells it:
+// step_command reads the options and takes one of two ways. Each first computes everything and then
+// prints it:
 //
 //   glassbox step SCENE --triangle N | --pick X,Y
-//     stepped_triangle    the run of this triangle alone (render/trace), with its bounds
-//     triangle_stages     its stages as texts, object to picture; stage_parts.h names the longer ones: camera_text (the
-//                         matrices), clipping_text, singular_text, fragment_text
-//     prompt, line_reader the same by hand, stage by stage, with other cameras and triangles
+//     stepped_triangle    the run for this triangle only (render/trace), with its error bounds
+//     triangle_stages     the texts of its stages, from object to picture; stage_parts.h lists the
+//                         longer ones: camera_text (the matrices), clipping_text, singular_text,
+//                         fragment_text
+//     prompt, line_reader the same stage by stage at a prompt, with other cameras and triangles
 //
 //   glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE
-//     matrix_tokens, printed_matrix  a matrix as some program printed it
-//     matrices/           what the matrices are, what is wrong with them, which change of convention would show the points
-//     point_step          all of it for some points, which pipeline/vertex_chain.h carries from space to space
+//     matrix_tokens, printed_matrix  reads a matrix as some program printed it
+//     matrices/           what the matrices are, what is wrong with them, and which change of
+//                         convention would make the points visible
+//     point_step          all of this for some points, which pipeline/vertex_chain.h carries from
+//                         space to space
 //     point_matrices_text, point_walk_text, point_verdict_text, point_json   the answer
 //
 // number_text writes numbers for both.
@@ -33,7 +38,7 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  // SCENE and what goes with it; the picture's options, too.
+  // SCENE and the options that belong to it, with those of the picture.
   void add_triangle(CLI::App& command);
   int run();
   int run_triangle();
@@ -51,7 +56,7 @@ private:
   PointStepOptions points_;
   bool bits_ = false;
   std::optional<std::string> json_output_;
-  std::uint32_t max_megabytes_ = 200;  // of JSON
+  std::uint32_t max_megabytes_ = 200;  // limit for JSON
 };
 
 }  // namespace glassbox::app

@@ -12,7 +12,7 @@ namespace glassbox::app {
 
 namespace {
 
-// The view by the usual formulation.
+// The view by the usual formulation of its matrices; nothing if the options use that one already.
 std::optional<View> usual_view(const Scene& scene, const PictureOptions& picture) {
   if (picture.camera.formulation == Formulation{}) return std::nullopt;
   PictureOptions usual = picture;
@@ -30,7 +30,7 @@ std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
   return object_culling(*draw, view, settings);
 }
 
-// The number of the triangle that is seen in a pixel.
+// The number of the triangle that is visible in a pixel.
 Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, PixelAt pixel) {
   const Result<ChosenView> chosen = choose_view(scene, picture);
   if (!chosen) return tl::unexpected(chosen.error());

@@ -1,4 +1,5 @@
-// A triangle of a scene, carried through every stage for one camera: what `glassbox step SCENE` shows.
+// A triangle of a scene, carried through every stage for one camera, as `glassbox step SCENE` shows
+// it.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace glassbox::app {
 
 struct StepTarget {
   std::uint32_t triangle = 0;    // number in the whole scene
-  std::optional<int> vertex;     // 0, 1 or 2: of the triangle's corners
+  std::optional<int> vertex;     // 0, 1 or 2: the corner to show; absent: all three
   std::optional<PixelAt> pixel;  // the fragment to look at
 
   bool wants(std::size_t corner) const { return !vertex || std::size_t(*vertex) == corner; }
@@ -26,25 +27,26 @@ struct StepTarget {
 
 struct SteppedTriangle {
   ChosenView chosen;
-  Formulation formulation;    // how the two matrices of `chosen` were made
-  std::optional<View> usual;  // the view as it is made otherwise, where that is another way
-  Trace trace;                // of this triangle alone
+  Formulation formulation;    // how the two matrices of `chosen` were computed
+  std::optional<View> usual;  // the view by the usual formulation, if that is another one
+  Trace trace;                // of this triangle only
   NumberedTriangle place;
-  // None: the triangle has no area as modelled, and is not drawn.
+  // None if the triangle has no area as modelled, so that it is not drawn.
   std::optional<TracedTriangle> triangle;
   DrawBounds draw_bounds;
   TriangleBounds bounds;
-  // With --cull-stage object: what the test before clipping says, or why there is none.
+  // With --cull-stage object: the result of the test before clipping, or why there is none.
   std::optional<ObjectCulling> object_culling;
-  int seen = 0;  // pixels of the finished picture that show it
+  int seen = 0;  // number of pixels of the finished picture that show it
 };
 
-// One run. The number exists.
+// Runs the pipeline once for the triangle with this number, which must exist.
 Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& picture,
                                      std::uint32_t triangle);
 
-// Aims at a triangle by its number, or at what a pixel shows; at nothing else where neither is given. An error where there is no
-// such triangle or pixel, or nothing is seen there. `dashes`: what the names of options begin with in errors.
+// Sets the target to the triangle with the given number, or to the one visible in the given pixel;
+// leaves it as it is if neither is given. An error if there is no such triangle or pixel, or if
+// nothing is visible there. `dashes` is the prefix of option names in errors.
 Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& picture,
                  std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
                  const std::string& dashes);

@@ -18,7 +18,7 @@ namespace glassbox::app {
 
 namespace {
 
-// What the texts of all stages are made from.
+// The data from which the texts of all stages are made.
 struct Context {
   const Scene& scene;
   const SteppedTriangle& stepped;
@@ -28,7 +28,7 @@ struct Context {
   const TracedTriangle& triangle() const { return *stepped.triangle; }
 };
 
-// The coordinates of each corner asked for, one a line, headed by its name.
+// The coordinates of each chosen corner, one per line, after the corner's name.
 template <class Coordinates>
 std::string corners_text(const Context& c, const Coordinates& coordinates) {
   std::string text;
@@ -84,7 +84,8 @@ std::string eye_text(const Context& c) {
 
 // ---- clip ----
 
-// How many floats lie between the run's clip coordinates and those by way of world and eye space in double.
+// The distance, in floats, between the run's clip coordinates and those computed in double via
+// world and eye space.
 std::uint64_t ulps_from_chain(const View& view, const TracedCorner& corner) {
   const glm::dvec4 chain = view.clip_from_eye.columns * glm::dvec4(to_glm(corner.eye), 1);
   const glm::vec4 run = to_glm(corner.clip);
@@ -111,7 +112,7 @@ std::string clip_text(const Context& c) {
 
 // ---- NDC and screen ----
 
-// Corner k where the vertex is one, nothing where clipping made it.
+// k if the vertex is corner k; nothing if clipping made it.
 std::optional<std::size_t> corner_of(const TracedVertex& vertex) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (vertex.clip.weights[k] == 1) return k;
@@ -119,7 +120,7 @@ std::optional<std::size_t> corner_of(const TracedVertex& vertex) {
   return {};
 }
 
-// The vertices of the clipped polygon that are asked for, one a block.
+// The chosen vertices of the clipped polygon, one block each.
 template <class Lines>
 std::string vertices_text(const Context& c, const Lines& lines) {
   std::string text;
@@ -155,7 +156,7 @@ std::string snap_text(std::int32_t snapped, const SnapStability& snap) {
                          : fmt::format("(not sure: {:.1e} px from the next)", snap.to_boundary));
 }
 
-// From the screen to object space again.
+// The way back from the screen to object space.
 std::string way_back_text(const Context& c) {
   const auto& corners = c.stepped.bounds.corners;
   if (std::none_of(corners.begin(), corners.end(),

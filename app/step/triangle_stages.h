@@ -1,4 +1,4 @@
-// The stages of a stepped triangle as text, one after the other.
+// The texts of all stages of a stepped triangle.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace glassbox::app {
 
 struct StageText {
-  std::string name;  // one word, to jump to: "clip"
+  std::string name;  // one word, which the prompt can jump to: "clip"
   std::string text;  // ends with a line break
 };
 
-// From "object" to "picture"; fewer where the triangle ends before.
+// The texts from "object" to "picture"; fewer if the triangle ends in an earlier stage.
 std::vector<StageText> stage_texts(const Scene& scene, const SteppedTriangle& stepped,
                                    const StepTarget& target, bool bits);
 

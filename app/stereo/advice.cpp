@@ -16,18 +16,19 @@ namespace glassbox::app {
 
 namespace {
 
-// The next number of three digits towards zero; for numbers above 0.
+// Rounds a positive number down to three significant digits.
 double rounded_down(double value) {
   const double unit = power_of_ten(int(std::floor(logarithm_10(value))) - 2);
   return std::floor(value / unit) * unit;
 }
 
-// As the command line takes it: six digits, which all of rounded_down's fit into.
+// The number as an option's value, with six digits. Results of rounded_down fit into these.
 std::string option_number(double value) {
   return std::isinf(value) ? "inf" : fmt::format("{:g}", value);
 }
 
-// Infinity has its limit too: on the display, nothing may lie further behind the window than the pupils are apart.
+// The parallax budget, with one more limit behind the window: on the display, parallax must not
+// exceed the distance between the pupils.
 ParallaxBudget bearable(const StereoFindings& found) {
   const double pupils_px = kPupilDistanceMm / found.question.display.width_mm *
                            double(found.chosen.centre.viewport.width());
@@ -38,12 +39,14 @@ struct Eyes {
   double separation = 0, window = 0;
 };
 
-// The farthest that the eyes may be apart with this window, but no more than they are or than a thirtieth of its
-// distance, whichever is more; none where the window leaves no room or is not one that the camera can have.
+// The largest separation that the budget allows with this window, but no more than the current
+// separation or a thirtieth of the window's distance, whichever is larger. None if the budget
+// allows no separation, or if the camera cannot have this window.
 std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   const View& centre = found.chosen.centre;
   if (!(window > 0) || std::isinf(window)) return {};
-  if (!check_pair(centre, {window * 1e-9, window})) return {};  // however close the eyes are
+  // fails for any separation, so it is the window that is not possible
+  if (!check_pair(centre, {window * 1e-9, window})) return {};
   const double at_most =
       std::max(found.chosen.eyes.pair.half_separation, window / kWindowsPerSeparation / 2);
   const double half =
@@ -52,21 +55,21 @@ std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   return Eyes{rounded_down(2 * half), window};
 }
 
-// With the window that there is, as the command line would take it.
+// Eyes with the current window, rounded as it is on the command line if that is possible.
 std::optional<Eyes> eyes_for_same_window(const StereoFindings& found) {
   const double window = found.chosen.eyes.pair.window;
   const auto same = eyes_for(found, std::strtod(option_number(window).c_str(), nullptr));
   return same ? same : eyes_for(found, window);
 }
 
-// With a window of three digits, not behind this distance.
+// Eyes with a window of three digits, not farther than this distance.
 std::optional<Eyes> eyes_before(const StereoFindings& found, double distance) {
   if (!(distance > 0) || std::isinf(distance)) return {};
   const auto rounded = eyes_for(found, rounded_down(distance));
   return rounded ? rounded : eyes_for(found, distance);
 }
 
-// With the window where both ends of what is seen reach the budget.
+// Eyes with the window at which the nearest and the farthest visible depth both reach the budget.
 std::optional<Eyes> best_eyes(const StereoFindings& found) {
   return eyes_before(found, best_window(found.chosen.centre, *found.depth.seen, bearable(found)));
 }
@@ -139,7 +142,7 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
   const ColourFindings& colour = found.colour;
   if (!colour.suggestion) return;
   const double now = colour.mean_rivalry;
-  const MethodFindings* best = nullptr;  // of those with colours
+  const MethodFindings* best = nullptr;  // the best method that keeps colours
   for (const MethodFindings& method : colour.methods) {
     const bool grey =
         method.method == AnaglyphMethod::kTrue || method.method == AnaglyphMethod::kGrey;
@@ -164,7 +167,7 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
 }
 
 void advise_on_content(const StereoFindings& found, std::vector<Advice>& all) {
-  constexpr double kLittle = 0.01;  // of the picture
+  constexpr double kLittle = 0.01;  // share of the picture
   if (found.information.share >= kLittle) return;
   all.push_back(
       {"There is little for the eyes to compare: upright edges, thin things and textures "

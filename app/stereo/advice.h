@@ -1,4 +1,4 @@
-// What to change about a pair, in words and as options.
+// Suggests changes to a pair of eyes, in words and as options.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace glassbox::app {
 
 struct Advice {
   std::string text;
-  std::vector<std::string> options;  // to be given in place of those there were; may be none
+  std::vector<std::string> options;  // options that replace the current ones; may be empty
 };
 
-// None where all is well. Separations and windows come from comfort.h, for the depth that is seen; they have three
-// digits and are rounded so that the budget is kept.
+// The suggestions; none if all is well. Separations and windows are computed by comfort.h for the
+// visible depths. They have three digits and are rounded such that the budget is kept.
 std::vector<Advice> advise(const Scene& scene, const StereoFindings& found);
 
 }  // namespace glassbox::app

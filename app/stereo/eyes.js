@@ -1,4 +1,4 @@
-// One picture at a time, or both side by side; and the eyes in turn.
+// Shows one picture, or both side by side, or the two eyes alternately.
 
 const kEyeNotes = {
   anaglyph: () => `Through ${manifest.anaglyph.glasses} glasses, the lens of the left eye first. Method: ${manifest.anaglyph.method}.`,
@@ -54,7 +54,7 @@ function setUpEyes() {
   }
   byId("swap").addEventListener("click", () => { stopWiggling(); swapEyes(); });
   byId("wiggle").addEventListener("click", wiggle);
-  // Who wants little motion swaps the eyes by hand.
+  // If the user prefers reduced motion, the eyes are swapped by hand only.
   const heed = () => { byId("wiggle").hidden = calm.matches; if (calm.matches) stopWiggling(); };
   calm.addEventListener("change", heed);
   heed();

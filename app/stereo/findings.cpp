@@ -14,7 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What `draw` makes, and how long that takes when the engine has its threads and memory: the second time.
+// Returns the result of `draw` and its time. The second call is timed, when the engine already has
+// its threads and memory.
 template <class Draw>
 auto timed_when_warm(const Draw& draw, double& ms) {
   draw();
@@ -62,7 +63,7 @@ DepthFindings find_depth(const Scene& scene, const ChosenEyes& chosen,
 
 // ---- vertical parallax ----
 
-// The eye-space point that the centre's picture shows at a pixel's centre.
+// The eye-space point that is visible at a pixel's centre in the centre's picture.
 Point<Eye, double> eye_point(const View& centre, int x, int y, double distance) {
   const auto& m = centre.clip_from_eye;
   const double w = centre.perspective ? distance : 1;
@@ -74,7 +75,7 @@ Point<Eye, double> eye_point(const View& centre, int x, int y, double distance) 
   return {solved(x_ndc, 0), solved(y_ndc, 1), -distance};
 }
 
-// y of a point in an eye's picture, px upwards.
+// The y of a point in an eye's picture, in px, upwards.
 double picture_y(const View& eye, const Point<Eye, double>& p) {
   const auto& m = eye.clip_from_eye;
   const auto row = [&](int i) {
@@ -153,7 +154,7 @@ Result<ColourFindings> find_colour(const Image<Rgba8>& left, const Image<Rgba8>&
   found.white_leak = white_leak(*seen);
   found.measured_lenses = seen->lenses.measured;
   for (const auto& method : all_anaglyph_methods()) {
-    // Methods that were published for other glasses are not offered.
+    // Methods that were published for other glasses are skipped.
     if (const auto one = find_method(left, right, method.value, question.glasses)) {
       found.methods.push_back(*one);
     }

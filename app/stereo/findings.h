@@ -1,4 +1,4 @@
-// Everything that can be said about a pair of eyes in a scene: what `glassbox stereo` reports.
+// All findings about a pair of eyes in a scene, which `glassbox stereo` reports.
 #pragma once
 
 #include <array>
@@ -25,13 +25,14 @@
 
 namespace glassbox::app {
 
-// What the pair is held against.
+// The requirements that the pair is compared with.
 struct StereoQuestion {
-  double budget_percent = kComfortablePercent;  // of the width, before the window and behind it
+  // of the width, in front of the window and behind it
+  double budget_percent = kComfortablePercent;
   Display display;
   AnaglyphMethod method = AnaglyphMethod::kMask;
   Glasses glasses = Glasses::kRedCyan;
-  double target_rivalry = 0.1;  // the mean over both pictures
+  double target_rivalry = 0.1;  // for the mean over both pictures
 };
 
 // One value for each eye.
@@ -40,11 +41,11 @@ struct BothEyes {
   T left, right;
 };
 
-// The depth in the pictures.
+// The depth that is visible in the pictures.
 struct DepthFindings {
-  ParallaxTable planes;           // of the near plane, the window and the far plane
-  std::optional<DepthSpan> seen;  // by either eye; none where nothing is drawn
-  Parallax nearest, farthest;     // of what is seen
+  ParallaxTable planes;           // at the near plane, the window and the far plane
+  std::optional<DepthSpan> seen;  // by either eye; none if nothing is drawn
+  Parallax nearest, farthest;     // of the visible depths
   ParallaxBudget budget;
   BothEyes<Image<float>> disparity;
   BothEyes<DisparitySummary> summary;
@@ -54,18 +55,19 @@ struct DepthFindings {
   WindowViolations violations;
   DisplayedParallax farthest_displayed, nearest_displayed;
 
-  // Of both eyes' pixels, in [0, 1].
+  // The share of both eyes' pixels, in [0, 1].
   double share_beyond_budget() const;
-  // The largest parallax seen on either side, per cent of the width.
+  // The largest visible parallax, in front of the window or behind it, in per cent of the width.
   double largest_percent() const;
 };
 
 // Vertical parallax, px.
 struct VerticalFindings {
-  // By how much the eyes' matrices disagree on y and w: 0 px exactly where they have the same bits, else the largest
-  // difference at the corners of what is seen.
+  // The largest vertical difference between the eyes' pictures of a visible point. It is exactly 0
+  // px if the eyes' matrices agree on y and w bit for bit.
   double skewed_px = 0;
-  // What cameras that are toed in would have: the largest of what the centre's picture shows, and where.
+  // The largest vertical parallax that toed-in cameras would have for a point visible in the
+  // centre's picture; (x, y) is the point's pixel.
   double toed_in_px = 0;
   int x = 0, y = 0;
 };
@@ -81,40 +83,41 @@ struct ColourFindings {
   Image<Rgba8> anaglyph;
   BothEyes<Image<float>> rivalry;
   double mean_rivalry = 0, worst_rivalry = 0;
-  GhostMaps ghosts;                          // signed
-  BothEyes<double> mean_ghost, worst_ghost;  // of their sizes
+  GhostMaps ghosts;                          // with signs
+  BothEyes<double> mean_ghost, worst_ghost;  // of the absolute values
   Ghosts white_leak;
   bool measured_lenses = false;
-  std::vector<MethodFindings> methods;   // all that there are for these glasses
-  std::optional<Suggestion> suggestion;  // where the target is missed
+  std::vector<MethodFindings> methods;   // all methods for these glasses
+  std::optional<Suggestion> suggestion;  // if the target is missed
 };
 
-// What culling by the camera between the eyes would lose (E20).
+// What would be lost if triangles were culled by the camera between the eyes (E20).
 struct CullingFindings {
-  std::uint64_t triangles = 0;           // in the view of an eye
-  BothEyes<std::uint64_t> pixels{0, 0};  // that would show something else
+  std::uint64_t triangles = 0;           // visible to an eye, but culled
+  BothEyes<std::uint64_t> pixels{0, 0};  // that would change
 };
 
 struct CostFindings {
-  double one_ms = 0, both_ms = 0;  // one run each, on this machine, at this time
+  double one_ms = 0, both_ms = 0;  // one run each, on this machine
   double ratio() const { return one_ms > 0 ? both_ms / one_ms : 0; }
 };
 
 struct StereoFindings {
   ChosenEyes chosen;
   StereoQuestion question;
-  StereoRendering rendering;  // with distance and id
+  StereoRendering rendering;  // with the distance and id planes
   DepthFindings depth;
   VerticalFindings vertical;
   ColourFindings colour;
   StereoInformation information;
-  Image<std::uint8_t> information_map;  // InformationMark
+  Image<std::uint8_t> information_map;  // values of InformationMark
   OrderEvidence pair_order, anaglyph_order;
   CullingFindings culling;
   CostFindings cost;
 };
 
-// Runs for the camera between the eyes, for both eyes, and for both with the centre's culling. `renderer` draws the scene.
+// Draws for the camera between the eyes, for both eyes, and for both with culling by the centre.
+// `renderer` draws the scene.
 Result<StereoFindings> find_stereo(const Scene& scene, Renderer& renderer, const ChosenEyes& chosen,
                                    const RenderSettings& settings, const StereoQuestion& question);
 

@@ -1,6 +1,6 @@
-// How many pixels have which parallax, and what other colours cost.
+// Charts of how many pixels have which parallax, and of what other colours cost.
 
-// The colour that the map has for a disparity.
+// The colour of a disparity in the map.
 function disparityColour(px) {
   const {limit, colours} = manifest.scales.disparity, middle = (colours.length - 1) / 2;
   const share = limit > 0 ? clamp(px / limit, -1, 1) : 0;
@@ -19,12 +19,14 @@ function striped(colour) {
   return context.createPattern(tile, "repeat");
 }
 
-// Disparities of the left eye's pixels: bars in the map's colours, striped beyond the budget; the window is at 0.
+// A histogram of the left eye's disparities. Bars have the map's colours and stripes beyond the
+// budget; the window is at 0.
 function histogramChart(theme) {
   const {histogram, budget_in_front_px: front, budget_behind_px: behind, budget_percent: percent} = manifest.disparity;
   const {first_px: first, bin_px: bin, counts} = histogram, all = counts.reduce((sum, one) => sum + one, 0);
   const x = linearAxis([first, first + bin * counts.length, -front, behind, 0]), highest = Math.sqrt(Math.max(...counts) / all);
-  // An empty bin at either end: Chart.js makes bars as wide as they are apart. It would move their axis by half a bar.
+  // An empty bin at either end: Chart.js makes bars as wide as they are apart, and would otherwise
+  // move the axis by half a bar.
   const bars = [0, ...counts, 0].map((count, i) => ({x: first + (i - .5) * bin, y: Math.sqrt(count / all), low: first + (i - 1) * bin, high: first + i * bin}));
   const colours = bars.map(({x: px}) => px < -front || px > behind ? striped(disparityColour(px)) : disparityColour(px));
   return pointChart({
@@ -44,7 +46,8 @@ function histogramLabel() {
   return `Histogram: ${all} pixels between ${signed(first, 1)} and ${signed(first + bin * counts.length, 1)} px of parallax, the budget from ${signed(-front, 1)} to ${signed(behind, 1)} px`;
 }
 
-// Mean rivalry against mean colour difference of what recolouring can reach; what was chosen is marked.
+// The mean rivalry against the mean colour difference that recolouring can reach. The chosen
+// setting is marked.
 function compromiseChart(theme) {
   const {recolour, target_rivalry: target} = manifest.anaglyph, all = [...recolour.curve, recolour];
   const x = linearAxis([0, ...all.map((one) => one.ciede2000)]), y = linearAxis([0, target, ...all.map((one) => one.rivalry)]);

@@ -1,4 +1,4 @@
-// The report for programs, and for the page's script.
+// The report as JSON, which is also the data for the page's script.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -22,7 +22,7 @@ Rgba8 mixed(const Rgba8& a, const Rgba8& b, double share) {
   return {between(a.r, b.r, share), between(a.g, b.g, share), between(a.b, b.b, share), 255};
 }
 
-// Marks stand out where nothing else has a colour.
+// Turns the picture into dark greys, so that coloured marks stand out.
 Rgba8 dimmed(const Rgba8& pixel) {
   const auto level = std::uint8_t((299 * pixel.r + 587 * pixel.g + 114 * pixel.b) / 2000 + 16);
   return {level, level, level, pixel.a};
@@ -42,7 +42,8 @@ Image<Rgba8> marked(const Image<Rgba8>& picture, const Image<Mark>& marks,
 
 Rgba8 disparity_colour(double px, double limit_px) {
   const double share = limit_px > 0 ? std::clamp(px / limit_px, -1.0, 1.0) : 0;
-  // Two steps each way: light and dark of a hue tell small disparities from large ones without colour.
+  // Two steps on each side, to a medium and to a dark colour: large disparities differ from small
+  // ones in brightness too, so that the map can be read without seeing colours.
   const Rgba8& middle = share < 0 ? kOrange : kBlue;
   const Rgba8& end = share < 0 ? kFarthestOut : kFarthestIn;
   const double size = std::abs(share);
@@ -51,7 +52,7 @@ Rgba8 disparity_colour(double px, double limit_px) {
 
 Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudget& budget,
                                double limit_px) {
-  constexpr int kStripe = 4;  // px
+  constexpr int kStripe = 4;  // width of a stripe, px
   Image<Rgba8> out(disparity.width, disparity.height, kNothing);
   for (int y = 0; y < disparity.height; ++y) {
     for (int x = 0; x < disparity.width; ++x) {

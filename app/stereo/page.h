@@ -1,4 +1,4 @@
-// The report as one HTML page that needs nothing else: no network, no other file.
+// The report as one HTML page that needs no network and no other file.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ struct StereoPageOrigin {
   std::string command;  // the command line that made the page
 };
 
-// A page has some ten pictures: an error where they would be more than a browser likes to open.
+// A page has about ten pictures. An error if they would be too large for a browser.
 Result<void> check_page_size(int width, int height);
 
-// `report` is stereo_json's, after the scene's name and the picture's size.
+// `report` is the JSON of stereo_json, which follows the scene's name and the picture's size.
 Result<std::string> make_stereo_page(const StereoFindings& found,
                                      const nlohmann::ordered_json& report,
                                      const StereoPageOrigin& origin);

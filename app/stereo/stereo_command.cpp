@@ -119,7 +119,7 @@ Result<void> StereoCommand::check_options() const {
   return check_report_outputs(html_output_, json_output_);
 }
 
-// What makes this report again.
+// The command line that makes this report again.
 std::string StereoCommand::command_line() const {
   std::vector<std::string> page;
   if (html_output_) page = {"--html", *html_output_};

@@ -1,4 +1,5 @@
-// glassbox stereo SCENE: what two eyes see of a scene, what disturbs them, and what to change.
+// glassbox stereo SCENE: reports what two eyes see of a scene, what disturbs them, and what to
+// change.
 #pragma once
 
 #include <optional>
@@ -30,7 +31,8 @@ private:
   StereoQuestion question_;
   EngineOptions engine_;
   std::optional<std::string> html_output_, json_output_;
-  std::vector<const CLI::Option*> options_;  // those of the report that a command line repeats
+  // the report's options, which a repeated command line needs
+  std::vector<const CLI::Option*> options_;
 };
 
 }  // namespace glassbox::app

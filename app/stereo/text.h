@@ -1,4 +1,4 @@
-// The report in the terminal.
+// The report as text for the terminal.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace glassbox::app {
 
-// A distance and what is there.
+// The parallax at a distance, and the name of what is there.
 struct ParallaxRow {
   std::string name;
   Parallax parallax;
   DisplayedParallax displayed;
 };
-// From near to far: planes, window, and what is seen.
+// The rows from near to far: the planes, the window, and the visible depths.
 std::vector<ParallaxRow> parallax_rows(const StereoFindings& found);
 
-// What a report says in words.
+// The parts of a report that are sentences.
 struct StereoWords {
   std::vector<Verdict> verdicts;
   std::vector<Advice> advice;

@@ -29,7 +29,7 @@ Verdict about_parallax(const StereoFindings& found) {
       depth.nearest.percent, depth.farthest.percent, found.question.budget_percent);
   const double share = depth.share_beyond_budget();
   if (share == 0) return {"parallax", Level::kGood, "within the budget: " + seen};
-  constexpr double kFew = 0.01;  // of the pixels: too few to tire anybody
+  constexpr double kFew = 0.01;  // share of the pixels: too few to tire the eyes
   return {"parallax", share < kFew ? Level::kWarning : Level::kBad,
           fmt::format("beyond the budget in {:.3g} % of the pixels: {}", 100 * share, seen)};
 }

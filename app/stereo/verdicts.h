@@ -1,4 +1,4 @@
-// The findings in a line each.
+// The findings as verdicts of one line each.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace glassbox::app {
 
 enum class Level { kGood, kWarning, kBad, kFact };
 
-// For programs: stable.
+// A name for JSON, which does not change between versions.
 constexpr const char* name_of(Level level) {
   constexpr const char* kNames[] = {"good", "warning", "bad", "fact"};
   return kNames[std::size_t(level)];
@@ -22,10 +22,10 @@ struct Verdict {
   std::string text;
 };
 
-// In the order of importance.
+// The verdicts in the order of importance.
 std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found);
 
-// What a violation cuts: "trunk, ground and 3 others".
+// The names of the objects that a violation cuts: "trunk, ground and 3 others".
 std::string names_of_cut(const Scene& scene, const WindowViolation& violation);
 
 }  // namespace glassbox::app

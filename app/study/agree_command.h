@@ -1,4 +1,4 @@
-// glassbox study agree ONE OTHER: whether two runs state the same orders.
+// glassbox study agree ONE OTHER: checks whether two runs find the same configurations faster.
 #pragma once
 
 #include <string>

@@ -1,11 +1,12 @@
-// Which build of the program this is.
+// Identifies the build of the program.
 #pragma once
 
 #include <string>
 
 namespace glassbox::app {
 
-// "0.1.0, build 3f2a9c01": the version, and a checksum of the program file, which another build does not have.
+// "0.1.0, build 3f2a9c01": the version, and a checksum of the program file, which differs between
+// builds.
 std::string version_and_build();
 
 }  // namespace glassbox::app

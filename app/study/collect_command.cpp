@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every .json file there, by name.
+// Reads every .json file in the directory, in the order of the names.
 Result<std::vector<study::PartFile>> read_parts(const std::string& directory) {
   std::error_code error;
   std::vector<std::string> paths;

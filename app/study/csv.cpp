@@ -24,7 +24,7 @@ std::string comparison(const ConfigurationResult& result) {
   return fmt::format("{},{},{}", *result.predicted_error, check->ratio, check->finding ? 1 : 0);
 }
 
-// The last fields of a line: threads, repetitions, times, standing.
+// The fields of a line about time: threads, repetitions, times, standing.
 std::string times(const Timing* timing, study::Standing standing) {
   if (timing == nullptr) return ",,,,,,untimed";
   return fmt::format("{},{},{},{},{},{},{}", timing->threads, timing->repetitions,
@@ -34,7 +34,7 @@ std::string times(const Timing* timing, study::Standing standing) {
 
 std::string experiment_lines(const study::ExperimentResult& experiment, const std::string& origin) {
   std::string text;
-  std::map<int, std::vector<study::Standing>> all;  // by number of threads
+  std::map<int, std::vector<study::Standing>> all;  // for each number of threads
   for (const int threads : study::thread_counts(experiment))
     all[threads] = study::standings(experiment, threads);
   for (std::size_t i = 0; i < experiment.configurations.size(); ++i) {

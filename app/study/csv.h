@@ -1,4 +1,4 @@
-// Results of the study as a table for spreadsheets and scripts.
+// The study's results as a table for spreadsheets and scripts.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace glassbox::app {
 
-// A line for each configuration and number of threads, after one with the names of the columns (docs/study.md).
+// A line of column names, then a line for each configuration and number of threads (docs/study.md).
 std::string study_csv(const study::StudyResults& results);
 
 }  // namespace glassbox::app

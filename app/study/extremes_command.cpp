@@ -31,14 +31,14 @@ std::string sweep_names() {
   return names + "all";
 }
 
-// The number of "C-80", and both of "C-80 to C-86".
+// The numbers in an id: first and last are equal for "C-80", and 80 and 86 for "C-80 to C-86".
 std::pair<int, int> numbers_of(const std::string& id) {
   int first = -1, last = -1;
   const int found = std::sscanf(id.c_str(), "%*[Cc]-%d to C-%d", &first, &last);
   return {first, found == 2 ? last : first};
 }
 
-// A case that was left out has its reason as the answer.
+// The error for a case that does not exist. If it was left out on purpose, the error says why.
 tl::unexpected<Error> no_such_case(const std::string& id) {
   const int number = numbers_of(id).first;
   for (const study::LeftOut& each : study::left_out_cases()) {

@@ -1,4 +1,5 @@
-// glassbox study extremes: the cases that break pipelines, and stiffness as curves.
+// glassbox study extremes: draws the cases that break pipelines, and measures how errors grow
+// (sweeps).
 #pragma once
 
 #include <optional>

@@ -26,16 +26,16 @@ using study::Standing;
 struct XY {
   double x, y;
 };
-constexpr XY kGap{NAN, NAN};  // between two lines of one plot
+constexpr XY kGap{NAN, NAN};  // separates two lines of one plot
 
-// A curve or a cloud of points: gnuplot's words for its style, and its data.
+// A curve or a set of points: its data, and its style in gnuplot's words.
 struct Plot {
-  std::string title;  // empty: not in the key
+  std::string title;  // empty: not in the legend
   std::string style;
   std::vector<XY> points;
 };
 
-// Okabe and Ito's colours, with a shape each, as the page has them.
+// Colours of Okabe and Ito, and a shape for each series, the same as in the page.
 constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                     "#e69f00", "#56b4e9", "#000000"};
 constexpr int kShapes[] = {7, 5, 9, 13, 3, 2, 15, 1};
@@ -47,7 +47,7 @@ int shape_of(std::size_t series) {
   return kShapes[series % std::size(kShapes)];
 }
 
-// Between single quotes, where only the quote itself has a meaning.
+// Puts the text in single quotes. Within them gnuplot interprets only the quote itself.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text)
@@ -57,7 +57,8 @@ std::string quoted(const std::string& text) {
 
 // ---- axes ----
 
-// Powers of ten with a place for 0 a decade below the least value, and for what is no number one above the greatest.
+// A logarithmic axis with powers of ten. 0 is placed one decade below the least value, and infinite
+// values or NaN one decade above the greatest.
 class LogarithmicAxis {
 public:
   explicit LogarithmicAxis(const std::vector<double>& values) {
@@ -98,8 +99,8 @@ private:
 
 struct Series {
   std::string name, scene;
-  std::size_t number = 0;  // of the name, among all names
-  bool first = true;       // of this name: the others share its entry in the key
+  std::size_t number = 0;  // index of the name among all names
+  bool first = true;       // the first of its name; the others share its entry in the legend
   std::vector<std::size_t> members;
 
   std::string title() const { return first ? name : std::string(); }
@@ -144,7 +145,7 @@ std::string commands_of(const std::string& svg, const std::string& title, const 
   return text + plot + "\nset output\n";
 }
 
-// The measure's name.
+// The label of the axis of errors: the measure's name with its unit.
 std::string error_label(const ExperimentResult& result) {
   const std::string& measure = result.configurations.front().measure;
   return with_unit(measure.empty() ? "error" : measure, result.error_unit);
@@ -159,7 +160,7 @@ std::vector<double> errors_of(const ExperimentResult& result, bool predicted) {
   return errors;
 }
 
-// The Pareto fronts: of each set of competitors its stairs, one after the other.
+// The Pareto fronts: the points of each front, one front per group of configurations that compete.
 std::vector<std::vector<XY>> fronts_of(const ExperimentResult& result,
                                        const std::vector<Standing>& standing,
                                        const auto& place_of) {
@@ -209,7 +210,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
       (standing[i] == Standing::kFront ? front : dominated)
           .points.push_back(place_of(result.configurations[i]));
     }
-    // A bar from quartile to quartile.
+    // Bars from the lower to the upper quartile.
     Plot bars{"", fmt::format("with lines {} lw 1.5", colour_of(series.number)), {}};
     for (const std::size_t i : series.members) {
       const study::Timing* timing = timing_of(result.configurations[i], 1);

@@ -1,4 +1,4 @@
-// What gnuplot is told to draw a chart of the study.
+// Commands by which gnuplot draws a chart of the study.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace glassbox::app {
 
-// The chart as commands that end in a picture in the file `svg`.
+// The commands that draw the chart and write it to the file `svg`.
 std::string time_chart_commands(const study::ExperimentResult& result, const std::string& svg);
 std::string axis_chart_commands(const study::ExperimentResult& result, const std::string& svg);
 

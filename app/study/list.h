@@ -1,4 +1,4 @@
-// The experiments and what they ask.
+// glassbox study list: the experiments, and the question that each answers.
 #pragma once
 
 #include <string>

@@ -20,7 +20,8 @@ namespace {
 
 using study::Experiment;
 
-// The more rounds, the steadier the quartiles; the quick run has as few as the protocol allows.
+// More rounds give steadier quartiles. The quick run uses the least number that the protocol
+// allows.
 constexpr int kFullRepetitions = 21;
 
 Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& ids) {
@@ -40,7 +41,7 @@ Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& id
   return chosen;
 }
 
-// "2/4". Throws CLI::ValidationError.
+// Parses "2/4". Throws CLI::ValidationError if that fails.
 void parse_part(const std::string& text, MeasuringOptions& options) {
   int part = 0, parts = 0, end = 0;
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) == 2 &&

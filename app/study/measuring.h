@@ -1,4 +1,4 @@
-// The options of the subcommands that measure experiments, and the measuring.
+// The options of the subcommands that measure experiments, and the measuring itself.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,20 @@
 namespace glassbox::app {
 
 struct MeasuringOptions {
-  std::vector<std::string> ids;  // none: all experiments
+  std::vector<std::string> ids;  // empty: all experiments
   bool quick = false;
   std::optional<int> threads;
-  std::optional<std::string> file;  // to go on from
-  int part = 1, parts = 1;          // every parts-th of them, from the part-th on
+  std::optional<std::string> file;  // results of a run to continue
+  int part = 1, parts = 1;          // measures every parts-th experiment, starting with the part-th
 };
 
 void add_measuring_options(CLI::App& command, MeasuringOptions& options);
 
-// With progress on standard error. An experiment that there is not is an error, before anything is measured.
+// Measures the experiments and shows progress on standard error. An unknown experiment is an error
+// before anything is measured.
 Result<study::StudyResults> measure(const MeasuringOptions& options);
 
-// Those of the results that are named; one that they do not have is an error.
+// Those of the results that are named by `ids`. An error if one of them is missing.
 Result<study::StudyResults> chosen_of(const study::StudyResults& results,
                                       const std::vector<std::string>& ids);
 

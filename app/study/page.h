@@ -1,4 +1,4 @@
-// The results of the study as a page that needs no other file and no network.
+// The study's results as a page that needs no other file and no network.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace glassbox::app {
 
-// Charts, tables and findings; beside each experiment the command that measures it, at the end the page's own.
+// Charts, tables and findings, and for each experiment the command that measures it. `command`
+// makes the page itself; it is shown at the end.
 std::string study_page(const study::StudyResults& results, const std::string& command);
 
 }  // namespace glassbox::app

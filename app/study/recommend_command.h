@@ -1,4 +1,5 @@
-// glassbox study recommend: the cheapest way to draw a scene that is accurate enough, with the evidence.
+// glassbox study recommend: finds the cheapest way to draw a scene that is accurate enough, and
+// shows the evidence.
 #pragma once
 
 #include <optional>

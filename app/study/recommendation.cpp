@@ -28,13 +28,14 @@ using study::Quantity;
 using study::SceneVertices;
 using study::Way;
 
-// Candidates, and the way that each is.
+// Candidates, and the way of drawing that belongs to each.
 struct Compared {
   Comparison comparison;
   std::vector<Way> ways;
 };
 
-// Measures candidates on one scene: what draws them, and the reference, serve all of them.
+// Measures candidates on one scene. The drawers and the reference picture are shared by all of
+// them.
 class SceneMeasurement {
 public:
   SceneMeasurement(const Scene& scene, const PictureOptions& picture, Progress& progress)
@@ -61,7 +62,7 @@ public:
     return Judged{budget, std::move(compared->comparison), chosen};
   }
 
-  // What is recommended, all of it together.
+  // Measures all recommended options together, in one picture.
   Together together() {
     progress_.phase("measuring what is recommended together");
     Together found;
@@ -140,7 +141,7 @@ private:
     return all;
   }
 
-  // As each texture says, and what else changes it.
+  // The filters to compare: none (each texture's own), and every filter that changes the picture.
   std::vector<std::optional<TextureFilter>> filters() const {
     std::vector<std::optional<TextureFilter>> all{std::nullopt};
     for (const Way& way : study::single_turns(scene_, {}).all) {
@@ -171,11 +172,12 @@ private:
       const double error = study::color_error(drawers_.draw(way), reference_->image);
       all.comparison.candidates.push_back({title, way.options, true, error, {}});
       all.ways.push_back(way);
-      if (error < limit) return;  // more samples are all of this work and more
+      if (error < limit) return;  // more samples would only cost more time
     }
   }
 
-  // Of the candidates that fit: what fails is not recommended, whatever it costs.
+  // Times the candidates whose error is within the limit. The others cannot be recommended,
+  // whatever they cost.
   void add_times(Compared& compared, double limit) {
     Comparison& comparison = compared.comparison;
     comparison.item = "frame";
@@ -193,7 +195,8 @@ private:
     for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i].ns;
   }
 
-  // Into what is recommended together: the candidate that was chosen; the most accurate where none fits.
+  // Adds the chosen candidate to the options that are recommended together; the most accurate one
+  // if none was chosen.
   void take(const Compared& compared, std::optional<std::size_t> chosen) {
     const auto& candidates = compared.comparison.candidates;
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
@@ -220,8 +223,8 @@ private:
   study::ViewOf view_;
   study::Drawers drawers_;
   Progress& progress_;
-  std::optional<study::ReferencePicture> reference_;  // once a colour is asked for
-  Way joint_;                                         // what is recommended
+  std::optional<study::ReferencePicture> reference_;  // made when a colour budget needs it
+  Way joint_;                                         // all recommended options together
 };
 
 }  // namespace

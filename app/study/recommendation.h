@@ -1,4 +1,4 @@
-// What is measured on a scene to recommend a way to draw it, and the recommendation.
+// Measures a scene to recommend a way of drawing it.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,19 @@
 
 namespace glassbox::app {
 
-// One budget, all candidates for it, and the one that is recommended: none where none is accurate enough.
+// A budget, all candidates for it, and the recommended one; none if no candidate is accurate
+// enough.
 struct Judged {
   study::Budget budget;
   study::Comparison comparison;
   std::optional<std::size_t> chosen;
 };
 
-// All that is recommended, in one picture.
+// All recommended options together, in one picture.
 struct Together {
-  std::vector<std::string> options;   // of glassbox render
-  study::Quartiles ns;                // of a frame, with one thread
-  std::optional<double> color_error;  // where there is a budget for it
+  std::vector<std::string> options;   // options of glassbox render
+  study::Quartiles ns;                // time of a frame with one thread
+  std::optional<double> color_error;  // set if there is a budget for it
 };
 
 struct Recommendation {
@@ -36,18 +37,19 @@ struct Recommendation {
   Size size;
   std::vector<Judged> judged;
   Together together;
-  std::string command;  // draws so
+  std::string command;  // the command line that draws with these options
 
   bool meets_all() const;
 };
 
-// Measures what the budgets ask for, and nothing else. `words` are the scene and the options that decide on the view.
+// Measures only what the budgets need. `words` are the scene and the options that determine the
+// view.
 Result<Recommendation> recommend(const Scene& scene, const PictureOptions& picture,
                                  const std::vector<study::Budget>& budgets,
                                  const std::vector<std::string>& words, Progress& progress);
 
 std::string recommendation_text(const Recommendation& recommendation);
-// docs/study.md has the fields.
+// The fields are described in docs/study.md.
 nlohmann::ordered_json recommendation_json(const Recommendation& recommendation);
 
 }  // namespace glassbox::app

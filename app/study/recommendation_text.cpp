@@ -40,7 +40,7 @@ std::string table_of(const Judged& judged) {
   return table(rows, 1);
 }
 
-// What to do, in a sentence.
+// The recommendation in one sentence.
 std::string verdict(const Judged& judged) {
   const auto& candidates = judged.comparison.candidates;
   if (!judged.chosen) {

@@ -54,7 +54,7 @@ Result<study::StudyResults> StudyReportCommand::results() const {
   return kept && !measuring_.ids.empty() ? chosen_of(*kept, measuring_.ids) : kept;
 }
 
-// What makes the page again: from the results, or by measuring.
+// The command line that makes the page again, from stored results or by measuring.
 std::string StudyReportCommand::command() const {
   std::vector<std::string> words{"study", "report"};
   words.insert(words.end(), measuring_.ids.begin(), measuring_.ids.end());

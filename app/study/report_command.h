@@ -1,4 +1,4 @@
-// glassbox study report: results as a page, and as pictures for papers and slides.
+// glassbox study report: writes the results as a page, and as pictures for papers and slides.
 #pragma once
 
 #include <optional>

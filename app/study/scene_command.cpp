@@ -36,7 +36,7 @@ bool is_given(const std::vector<std::string>& words, const char* option) {
   return std::ranges::find(words, option) != words.end();
 }
 
-// What the user has set is not turned.
+// Settings that the user has given are held fixed.
 std::set<Knob> held_by(const std::vector<std::string>& words) {
   std::set<Knob> held;
   for (const auto& [option, knob] : {std::pair{"--shade", Knob::kShading},
@@ -48,10 +48,10 @@ std::set<Knob> held_by(const std::vector<std::string>& words) {
   return held;
 }
 
-// What a built-in scene has of levels; none for files, and for scenes without.
+// The levels of detail of a built-in scene; empty for files, and for scenes without levels.
 struct Levels {
   int asked = 0;
-  std::map<int, Scene> others;  // powers of two
+  std::map<int, Scene> others;  // by level; these are powers of two
 };
 
 Result<Levels> levels_of(const std::string& word) {
@@ -114,7 +114,7 @@ Result<void> StudySceneCommand::check_options() const {
   return check_outputs(paths);
 }
 
-// Makes the page again.
+// The command line that makes the page again.
 std::string StudySceneCommand::command() const {
   std::vector<std::string> own;
   if (quick_) own.emplace_back("--quick");
@@ -136,7 +136,7 @@ SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& 
   }
   eyes.pair = chosen->eyes.pair;
   const RenderSettings& settings = picture_.settings;
-  constexpr int kThreads = 1;  // as the ways above
+  constexpr int kThreads = 1;  // like the other ways
   Renderer renderer(scene, settings.transfer, EngineKind::kTile, {.threads = kThreads});
   for (const int layers : {1, 2}) {
     const auto legal = views::check_second_eye(scene, settings, layers);
@@ -156,7 +156,8 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   if (!chosen) return tl::unexpected(chosen.error());
   auto levels = levels_of(scene_);
   if (!levels) return tl::unexpected(levels.error());
-  // Levels are framed differently, by a little.
+  // Each level would be framed slightly differently, so the camera of the asked level is used for
+  // all.
   const bool pin = !levels->others.empty() && !picture_.eyes.seen_by;
   const PictureOptions picture = pin ? pinned(picture_, chosen->camera) : picture_;
 

@@ -1,4 +1,4 @@
-// glassbox study scene: error against time for every way to draw one's own scene.
+// glassbox study scene: measures error against time for every way to draw the user's own scene.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ private:
   std::string scene_;
   PictureOptions picture_;
   bool quick_ = false;
-  int threads_ = 0;  // the most; 0: all
+  int threads_ = 0;  // the largest number of threads; 0: all
   std::optional<std::string> json_output_, csv_output_, page_;
 };
 

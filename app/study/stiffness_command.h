@@ -1,4 +1,5 @@
-// glassbox study stiffness: the condition numbers of a scene in one view, with the bounds that follow.
+// glassbox study stiffness: reports the condition numbers of a scene in one view, and the error
+// bounds that follow.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// glassbox study: error against run time, and the cases that break pipelines.
+// glassbox study: measures error against run time, and the cases that break pipelines.
 #pragma once
 
 #include "app/options/cli_fwd.h"

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRemedy = "apt install gnuplot-nox, or leave --svg out";
 
-constexpr labs::ProcessLimits kChartLimits{.seconds = 300};  // a chart takes a second
+constexpr labs::ProcessLimits kChartLimits{.seconds = 300};  // a chart usually takes a second
 
-// What it says goes where our own messages go.
+// Runs gnuplot and prints its messages on standard error, like this program's own.
 labs::ProcessOutcome run_gnuplot(const std::string& script) {
   labs::ProcessOutcome outcome = labs::run_process({"gnuplot", script}, kChartLimits);
   fmt::print(stderr, "{}", outcome.said);
@@ -37,12 +37,13 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// "D-2", and for its second and third measures "D-2-2", "D-2-3".
+// The path of a chart without the ending: "D-2"; for the second and third measure of an experiment
+// "D-2-2" and "D-2-3".
 std::string stem_of(const std::string& directory, const std::string& id, std::size_t measure) {
   return directory + "/" + id + (measure == 0 ? "" : fmt::format("-{}", measure + 1));
 }
 
-// By way of a file of our own, so that a chart in the directory is whole or not there.
+// Draws into a temporary file first, so that a chart in the directory is complete or not there.
 Result<void> draw(const fs::path& scratch,
                   std::string (*commands)(const study::ExperimentResult&, const std::string&),
                   const study::ExperimentResult& result, const std::string& target) {

@@ -1,4 +1,4 @@
-// Charts of the study as SVG files, for papers and slides. gnuplot draws them.
+// Charts of the study as SVG files for papers and slides, drawn by gnuplot.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace glassbox::app {
 
-// An error where there is no gnuplot.
+// An error if gnuplot is not installed.
 Result<void> check_gnuplot();
 
-// DIRECTORY/D-4-time.svg and D-4-axis.svg of each experiment, D-4-2-time.svg and so on of its further measures; how many were written.
+// Writes DIRECTORY/D-4-time.svg and D-4-axis.svg for each experiment, and D-4-2-time.svg and so on
+// for its further measures. Returns the number of files.
 Result<int> write_svg_charts(const study::StudyResults& results, const std::string& directory);
 
 }  // namespace glassbox::app

@@ -82,7 +82,8 @@ std::string table_of(const ExperimentResult& result) {
   return table(rows, 2);
 }
 
-// Why, and for which ratios; or that nobody knows.
+// The explanation of a deviation from the theory, with the ratios that it covers; or a statement
+// that there is none.
 std::string explanation_of(const study::ConfigurationResult& result) {
   std::string known;
   if (const auto& e = result.explanation) {
@@ -93,7 +94,7 @@ std::string explanation_of(const study::ConfigurationResult& result) {
          (known.empty() ? "" : ", and by another ratio than this accounts for: " + known);
 }
 
-// Each explanation once, with how many configurations it explains.
+// Each explanation once, with the number of configurations that it explains.
 std::string findings_of(const ExperimentResult& result) {
   std::vector<std::pair<std::string, int>> told;
   for (const ConfigurationResult& each : result.configurations) {
@@ -114,7 +115,7 @@ std::string findings_of(const ExperimentResult& result) {
   return text;
 }
 
-// "load 1.2, 2300 MHz", of what is known.
+// The machine's state as far as it is known: "load 1.2, 2300 MHz".
 std::string state_text(const study::MachineState& state) {
   std::string text;
   if (std::isfinite(state.load)) text = fmt::format("load {:.1f}", state.load);

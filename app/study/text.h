@@ -1,4 +1,4 @@
-// Results of the study for people.
+// The study's results as text.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace glassbox::app {
 
-// One table for each experiment, with what the theory says and the findings below it.
+// One table for each experiment, followed by what the theory predicts and the findings.
 std::string study_text(const study::StudyResults& results);
 
-// The origin in one line: machine, compiler, flags, version, effort.
+// The origin of the results in one line: machine, compiler, flags, version, effort.
 std::string origin_text(const study::Origin& origin);
 
-// "w at the far end over w at the near end", with the unit where there is one: "offset [m]".
+// A name with its unit, if there is one: "offset [m]", "w at the far end over w at the near end".
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// The one in which the shortest of the experiment's times has digits before the point.
+// The unit in which the shortest of the experiment's times has digits before the decimal point.
 TimeUnit time_unit(const study::ExperimentResult& result);
 
 }  // namespace glassbox::app

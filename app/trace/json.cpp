@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Puts each number under its name.
+// Writes each number as a field with its name.
 struct JsonFields {
   Json& json;
 

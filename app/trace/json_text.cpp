@@ -12,12 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Names come from files and may be anything but UTF-8.
+// Names come from files and may not be valid UTF-8: invalid bytes are replaced.
 std::string dumped(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-// The first ones of everything are written: a few records should not be guessed at.
+// The first records of each kind are always written, so that the size of a short trace is not
+// estimated.
 constexpr std::uint64_t kAlways = 32;
 
 Trace head_of(const View& view, const RenderSettings& settings) {
@@ -81,7 +82,7 @@ std::uint64_t TraceText::bytes() const {
 
 std::string TraceText::finish(const std::string& scene_name) {
   std::string text = head_text(scene_, scene_name, head_.view, head_.settings, counter_.draws());
-  text.resize(text.rfind('\n'));  // without the last brace
+  text.resize(text.rfind('\n'));  // without the closing brace
   text += ",\n  \"triangles\": [\n" + std::exchange(triangles_.text, {});
   text += "\n  ],\n  \"fragments\": [\n" + std::exchange(fragments_.text, {});
   text += "\n  ],\n  \"round_trip\": " + dumped(to_json(round_trips_)) + "\n}\n";

@@ -1,5 +1,5 @@
-// A run as JSON text, schema "glassbox-trace/1", one record a line: written as the records come, so that no tree of the whole
-// run is ever in memory.
+// Writes a run as JSON text with the schema "glassbox-trace/1", one record per line. Records are
+// written as they arrive, so that the run is never in memory as a tree.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,14 @@
 
 namespace glassbox::app {
 
-// What a run is of, its view, settings, planes and draws, as a JSON object.
+// A JSON object with the scene, the view, settings, planes and draws of a run.
 std::string head_text(const Scene& scene, const std::string& scene_name, const View& view,
                       const RenderSettings& settings, const std::vector<TracedDraw>& draws);
 
 class TraceText : public TraceSink {
 public:
-  // `one_in`: only so many of the records are written, the others are counted, to know what the whole would take.
+  // Writes one record of every `one_in` and only counts the others. This gives an estimate of the
+  // whole text's size.
   TraceText(const Scene& scene, const View& view, const RenderSettings& settings,
             std::uint64_t one_in = 1);
 
@@ -27,14 +28,14 @@ public:
 
   const TraceCounts& counts() const { return counter_.counts(); }
 
-  // What the text has, or with one_in > 1 about what it would have, in bytes.
+  // The size of the text in bytes; with one_in > 1, an estimate of the whole text's size.
   std::uint64_t bytes() const;
 
-  // The whole text, for the scene of this name. What was collected is gone then.
+  // Returns the whole text, with this name of the scene. The collected records are then gone.
   std::string finish(const std::string& scene_name);
 
 private:
-  // Records as text, one a line.
+  // Records as text, one per line.
   struct Lines {
     std::string text;
     std::uint64_t written = 0;
@@ -45,7 +46,7 @@ private:
 
   const Scene& scene_;
   const std::uint64_t one_in_;
-  Trace head_;  // no draws, triangles and fragments
+  Trace head_;  // has no draws, triangles or fragments
   BoundsOfRun bounds_;
   RoundTrips round_trips_;
   TraceCounter counter_;

@@ -10,7 +10,7 @@ namespace glassbox::app {
 
 namespace {
 
-// "(5, 3)", "(5,)", "()"
+// The shape as a Python tuple: "(5, 3)", "(5,)", "()"
 std::string tuple_of(const std::vector<std::size_t>& shape) {
   std::string text = "(";
   for (std::size_t i = 0; i < shape.size(); ++i)
@@ -18,11 +18,12 @@ std::string tuple_of(const std::vector<std::size_t>& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-// What stands before an array's bytes.
+// The header that precedes an array's bytes.
 std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape) {
   std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
                                  tuple_of(shape));
-  // Magic, version and length take 10 bytes, and the whole a multiple of 64, the last of them a line break.
+  // Magic number, version and length take 10 bytes. The size of the whole header must be a multiple
+  // of 64, and its last byte a line break.
   constexpr std::size_t kBefore = 10, kMultiple = 64;
   const std::size_t whole = (kBefore + text.size() + 1 + kMultiple - 1) / kMultiple * kMultiple;
   text.resize(whole - kBefore - 1, ' ');

@@ -1,4 +1,5 @@
-// Arrays as NumPy's .npz: a zip archive with a .npy file for each (numpy.lib.format, version 1.0).
+// Writes arrays in NumPy's .npz format: a zip archive with one .npy file for each
+// (numpy.lib.format, version 1.0).
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,8 @@
 
 namespace glassbox::app {
 
-// The wanted arrays, and `about` as the bytes of an array of that name. The arrays' own bytes are gone then.
+// An archive of the wanted arrays, and of `about` as an array of bytes with this name. The bytes
+// are moved out of `arrays`.
 Result<std::vector<std::byte>> make_npz(TraceArrays& arrays, const std::string& about);
 
 }  // namespace glassbox::app

@@ -40,7 +40,8 @@ constexpr const char* kTraceFooter =
     "opens with numpy.load. The options of the picture are those of glassbox render.\n\n";
 
 constexpr double kMegabyte = 1e6;
-constexpr std::uint64_t kWorthSaying = 10'000'000;  // bytes
+// bytes; sizes below it are printed with decimals
+constexpr std::uint64_t kWorthSaying = 10'000'000;
 
 std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.{}f} MB", double(bytes) / kMegabyte, bytes < kWorthSaying ? 2 : 0);
@@ -68,7 +69,7 @@ void parse_stages(const std::string& text, TraceFilter& filter) {
   }
 }
 
-// The names of all arrays, and of the groups that they are in.
+// The names of all arrays, and of the groups that they belong to.
 std::vector<std::string> names_of(const TraceArrays& arrays) {
   std::vector<std::string> names;
   for (const Table& table : arrays.tables()) {
@@ -234,7 +235,8 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
 int TraceCommand::run() {
   if (const auto legal = check_words(); !legal) return refuse(legal.error());
   tell_of_centres(picture_);
-  filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();  // --max-mb stands in its place
+  // the limit is checked by --max-mb instead
+  filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();
   Progress progress;
   const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());

@@ -1,4 +1,4 @@
-// glassbox trace SCENE -o run.json|run.npz: a whole run as data.
+// glassbox trace SCENE -o run.json|run.npz: writes a whole run as data.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ private:
   Result<void> check_words() const;
   Result<void> check_filter(const Scene& scene) const;
   Result<void> check_size(std::uint64_t bytes, const TraceCounts& counts, Progress& progress) const;
-  // What was written, in words.
+  // These return a sentence about what was written.
   Result<std::string> write_json(const Scene& scene, const View& view, Progress& progress);
   Result<std::string> write_npz(const Scene& scene, const View& view, Progress& progress);
 

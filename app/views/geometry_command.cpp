@@ -30,7 +30,8 @@ namespace glassbox::app {
 
 namespace {
 
-// Exact matches have no error but that of their places, floats of some thousand pixels; a scale of 0 would take it for outliers.
+// The least sigma. Exact matches differ from the geometry only by the rounding of their positions
+// to float, some thousand pixels; with a sigma of 0 they would count as outliers.
 constexpr double kLeastSigma = 0.05;
 
 using PairOfNames = std::pair<std::string, std::string>;
@@ -249,7 +250,7 @@ Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
   return std::move(made->input);
 }
 
-// What makes this report again.
+// The command line that makes this report again.
 std::string ViewsGeometryCommand::command_line() const {
   std::vector<std::string> files, page;
   if (files_.has_pair()) files = {"--pair", files_.pair.first, files_.pair.second};
@@ -262,7 +263,7 @@ std::string ViewsGeometryCommand::command_line() const {
                      page});
 }
 
-// By the pose that was found, whose T is of length 1.
+// Rectifies the pair by the pose that was found, whose translation T has length 1.
 Result<std::optional<RectifiedPair>> ViewsGeometryCommand::rectified_pair(
     const GeometryInput& input, const GeometryReport& report) const {
   if (rectified_output_.first.empty()) return std::nullopt;

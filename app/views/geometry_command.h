@@ -1,4 +1,5 @@
-// glassbox views geometry: from two pictures' matches to the cameras that took them (S2-02 to S2-12).
+// glassbox views geometry: computes the cameras of two pictures from the matches between them
+// (S2-02 to S2-12).
 #pragma once
 
 #include <optional>
@@ -43,7 +44,7 @@ private:
   bool sigma_given_ = false;
   std::pair<std::string, std::string> pair_output_, rectified_output_;
   std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
-  std::vector<const CLI::Option*> options_;  // a command line repeats them
+  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
 };
 
 }  // namespace glassbox::app

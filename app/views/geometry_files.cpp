@@ -24,7 +24,7 @@ Result<std::string> text_of_file(const std::string& path) {
   });
 }
 
-// Parses a file, whose name its errors begin with.
+// Parses a file. Errors begin with the file's name.
 template <class Parse>
 auto parsed(const std::string& path, const Parse& parse) -> decltype(parse(std::string_view())) {
   const Result<std::string> text = text_of_file(path);
@@ -44,8 +44,9 @@ const views::NamedCamera* camera_named(const NamedCameras& cameras, const std::s
   return found == cameras.end() ? nullptr : &*found;
 }
 
-// The cameras of the pictures, in their order. Of two cameras the first is the left one where names do not tell: the file has neither,
-// or both pictures are named alike.
+// The cameras of the two pictures, in the pictures' order. Of exactly two cameras, the first is
+// taken for the left one if names do not decide: no camera has a picture's name, or both pictures
+// have the same name.
 Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
                                                    const GeometryFiles& files) {
   const std::string& file = *files.cameras;

@@ -1,4 +1,4 @@
-// Pair, matches and cameras from files.
+// Reads the pictures, matches and cameras of a pair from files.
 #pragma once
 
 #include <array>
@@ -13,17 +13,18 @@
 namespace glassbox::app {
 
 struct GeometryFiles {
-  std::pair<std::string, std::string> pair;  // pictures; empty: none
+  std::pair<std::string, std::string> pair;  // the pictures; empty: none
   std::optional<std::string> matches, cameras;
 
   bool has_pair() const { return !pair.first.empty(); }
 };
 
-// The cameras of such a pair, from its file: those that are named as the pictures are. Where two have other names, left and right.
+// The cameras of a pair from its file: those with the names of the pictures. If there are two
+// cameras with other names, they are left and right.
 Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files);
 
-// Cameras as read_pair_cameras takes them. Refused: pictures of unequal sizes, and files that the
-// readers of views/files refuse.
+// Reads a pair, with the cameras as in read_pair_cameras. Errors: pictures of different sizes, and
+// files that the readers of views/files refuse.
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files);
 
 }  // namespace glassbox::app

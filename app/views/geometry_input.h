@@ -1,4 +1,5 @@
-// What the geometry of two views is found from: matches, and what is known of the pictures and the cameras.
+// The input for the geometry of two views: the matches, and what is known about the pictures and
+// the cameras.
 #pragma once
 
 #include <array>
@@ -14,18 +15,19 @@
 
 namespace glassbox::app {
 
-// What became of the left picture's pixels in the right one (S2-03).
+// For the left picture's pixels: how many points are seen in the right picture, or why they are not
+// (S2-03).
 struct PixelFates {
   std::uint64_t seen = 0, hidden = 0, beside = 0, missing = 0, nothing = 0;
 };
 
 struct GeometryInput {
   std::string about;       // "room, 640 x 480", "matches.csv"
-  std::string made_how;    // how pair and matches came about, a line; empty of files
-  views::Matches matches;  // pixels from the pictures' top left corners
+  std::string made_how;    // one line on how pair and matches were made; empty for files
+  views::Matches matches;  // positions in pixels from the pictures' top left corners
   std::optional<std::array<views::Matrix3d, 2>> intrinsics;  // left, right
   std::optional<views::RelativePose> truth;                  // |T| in world units
-  std::vector<bool> is_outlier;  // of each match, where that is known; else empty
+  std::vector<bool> is_outlier;  // for each match, if it is known; else empty
   std::optional<PixelFates> fates;
   std::optional<std::array<Image<Rgba8>, 2>> pictures;
   std::array<std::string, 2> picture_names{"left", "right"};

@@ -1,4 +1,4 @@
-// The report of two views as JSON.
+// The report on two views as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,8 @@
 
 namespace glassbox::app {
 
-// Matrices by rows; px and degrees where names say so; null where nothing was found.
+// Matrices are written by rows. Names say which numbers are px or degrees. What was not found is
+// null.
 nlohmann::ordered_json geometry_json(const GeometryInput& input, const GeometryReport& report);
 
 }  // namespace glassbox::app

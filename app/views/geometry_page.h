@@ -1,4 +1,5 @@
-// The report of two views as one HTML page that needs nothing else: both pictures, a point in one and its line in the other.
+// The report on two views as one HTML page that needs no other file: it shows both pictures, and
+// for a point in one its epipolar line in the other.
 #pragma once
 
 #include <string>
@@ -16,8 +17,8 @@ struct GeometryPageOrigin {
   std::string command;  // the command line that made the page
 };
 
-// `report` is geometry_json's. Refused: an input without pictures, and pictures larger than a browser likes to open. The page has
-// the first 2000 matches.
+// Makes the page. `report` is the JSON of geometry_json. The page has the first 2000 matches.
+// Errors: an input without pictures, and pictures that are too large for a browser.
 Result<std::string> make_geometry_page(const GeometryInput& input,
                                        const nlohmann::ordered_json& report,
                                        const GeometryPageOrigin& origin);

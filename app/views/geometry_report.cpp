@@ -67,7 +67,8 @@ ResidualFacts facts_of(const std::vector<double>& residuals, const std::vector<b
   return {std::sqrt(squares / double(kept.size())), kept[kept.size() / 2], kept.back()};
 }
 
-// Two poses of one E are half a turn or opposite directions apart: the nearest one is the one that was chosen.
+// The four poses of an E differ by half a turn or by opposite directions, so the one close to the
+// chosen pose is the chosen one.
 std::vector<PoseCandidate> candidates_of(const GeometryReport& report) {
   const views::RelativePose& chosen = *report.analysis.pose;
   const auto& [left, right] = *report.question.intrinsics;

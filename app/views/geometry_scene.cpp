@@ -41,7 +41,7 @@ void add_real(CLI::App& command, const std::string& name, double& value, const s
 
 using Rotation = glm::dmat3;
 
-// Columns; the angle turns the first of the two axes to the second.
+// The rotation by an angle that turns the first of two axes towards the second. glm stores columns.
 Rotation about(int first, int second, double degrees) {
   const SinCos angle = sin_cos_degrees(degrees);
   Rotation turned(1.0);
@@ -51,10 +51,10 @@ Rotation about(int first, int second, double degrees) {
   return turned;
 }
 
-// The same camera elsewhere: x is right and y up in eye space, and the gaze is -z.
+// The same camera, moved and turned. In eye space x is right, y is up, and the gaze is -z.
 View moved(const View& view, const std::array<double, 3>& move, const std::array<double, 3>& turn) {
   constexpr int kX = 0, kY = 1, kZ = 2;
-  // To the right is from -z to x, up from -z to y, and clockwise from y to x.
+  // A turn to the right is from -z to x, a turn up from -z to y, and a clockwise turn from y to x.
   const Rotation own = about(kX, kZ, turn[0]) * about(kY, kZ, turn[1]) * about(kY, kX, turn[2]);
   const Rotation back = glm::transpose(own);
   glm::dmat4 step(back);

@@ -1,5 +1,5 @@
-// Pair, matches and truth from the rasterizer: cameras of all three scenarios (S2-02), and where each point is in the other picture
-// (S2-03).
+// Draws a pair with the rasterizer, for cameras of all three arrangements (S2-02), and computes the
+// true matches: where each point is in the other picture (S2-03).
 #pragma once
 
 #include <array>
@@ -25,21 +25,23 @@ const char* name_of(Arrangement arrangement);
 struct GeometryScene {
   std::optional<std::string> scene;
   PictureOptions picture;
-  std::optional<Arrangement> arrangement;     // absent: arbitrary with move or turn, else parallel
+  // absent: arbitrary if move or turn is given, else parallel
+  std::optional<Arrangement> arrangement;
   std::optional<std::array<double, 3>> move;  // right, up, forward; world units
   std::optional<std::array<double, 3>> turn;  // right, up, clockwise; degrees
-  views::MatchSampling sampling;              // of which the seed is the command's
-  std::vector<const CLI::Option*> options;    // those that add_geometry_scene_options has added
+  views::MatchSampling sampling;              // with the command's seed
+  // the options that add_geometry_scene_options has added
+  std::vector<const CLI::Option*> options;
 
   Arrangement chosen() const;
 };
 
 void add_geometry_scene_options(CLI::App& command, GeometryScene& scene);
 
-// What can be known before anything is drawn.
+// The checks that are possible before anything is drawn.
 Result<void> check_geometry_scene(const GeometryScene& scene);
 
-// The pair of the scene; and its cameras, as a file has them.
+// The pair of the scene, and its cameras in the form of a file.
 struct SceneGeometry {
   GeometryInput input;
   std::array<views::PinholeCamera, 2> cameras;

@@ -21,7 +21,7 @@ std::string heading(const std::string& name, const std::string& what) {
   return wrapped(fmt::format("{:<12}", name), what);
 }
 
-// Rounded first: what is nothing but rounding is no -0.
+// Rounded before printing, so that a tiny negative number is not printed as -0.
 std::string number(double value, int decimals) {
   const double unit = power_of_ten(decimals);
   return fmt::format("{:12.{}f}", std::round(value * unit) / unit + 0.0, decimals);
@@ -31,7 +31,7 @@ std::string six_decimals(double value) {
   return number(value, 6);
 }
 
-// F's entries are of very different sizes.
+// The entries of F differ greatly in size, so they are printed with an exponent.
 std::string four_digits(double value) {
   return fmt::format("{:12.3e}", value);
 }
@@ -41,13 +41,14 @@ std::string vector_line(const std::string& name, const Vector3d& vector, const s
                      number(vector.z(), 6), what);
 }
 
-// Beyond that many pixels an epipole's place is its direction's rounding.
+// Farther away than this many pixels, an epipole's position is only a rounding error of its
+// direction.
 std::string epipole_text(const Vector3d& epipole) {
   constexpr double kFar = 1e7;
   const views::Vector2d direction = epipole.head<2>();
   if (direction.norm() > kFar * std::abs(epipole.z())) {
     const views::Vector2d along = direction.normalized() * (direction.x() < 0 ? -1.0 : 1.0);
-    // Adding 0 makes 0 of -0.
+    // Adding 0 turns -0 into 0.
     return fmt::format("at infinity, along ({:.4f}, {:.4f})", along.x(),
                        std::round(along.y() * 1e4) / 1e4 + 0.0);
   }

@@ -1,4 +1,4 @@
-// The report of two views as text.
+// The report on two views as text.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace glassbox::app {
 
-// Lines of at most 100 columns.
+// The report in lines of at most 100 columns.
 std::string geometry_text(const GeometryInput& input, const GeometryReport& report);
 
-// One line: which kind of pair it is, and what that means. The page has it, too.
+// One line that says which kind of pair it is, and what that means. The page shows it too.
 std::string kind_sentence(views::PairKind kind);
-// log(1 - confidence)/log(1 - inliers^size), with its numbers.
+// The formula log(1 - confidence)/log(1 - inliers^size) for the number of samples, with its
+// numbers.
 std::string law_text(const GeometryReport& report);
 
 }  // namespace glassbox::app

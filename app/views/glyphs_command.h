@@ -1,4 +1,5 @@
-// glassbox views glyphs: walls of coloured discs, found in pictures, and the camera from them.
+// glassbox views glyphs: finds walls of coloured discs in pictures, and computes the camera from
+// them.
 #pragma once
 
 #include <array>
@@ -25,7 +26,7 @@ public:
 private:
   void add_layout(CLI::App& command);
   void add_rules(CLI::App& command);
-  // A rule that is not asked.
+  // Switches a rule off, so that regions need not fulfil it.
   void leave_out(const std::string& name);
   int sheet();
   int find();

@@ -1,4 +1,4 @@
-// What `glassbox views glyphs find` finds, and says of it.
+// The results of `glassbox views glyphs find`, and their reports.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct GlyphsReport {
   views::GlyphPoints points;
   views::LensKnown known = views::LensKnown::kCentre;
   std::optional<views::FoundPose> pose;
-  std::string no_pose;  // why there is none
+  std::string no_pose;  // the reason if no pose was found
   std::optional<views::PinholeCamera> truth;
   std::optional<views::PoseError> error;
   std::optional<views::GlyphScore> score;
@@ -34,10 +34,10 @@ struct GlyphsReport {
 std::string glyphs_text(const GlyphsReport& report);
 nlohmann::ordered_json glyphs_json(const GlyphsReport& report, const views::Wall& wall);
 
-// Refused: more pixels than a browser likes to open.
+// An error if the picture is too large for a browser.
 Result<void> check_glyphs_page(const Image<Rgba8>& picture);
 
-// The picture with what was found, as one HTML page that needs nothing else.
+// The picture with the glyphs found, as one HTML page that needs no other file.
 Result<std::string> make_glyphs_page(const Image<Rgba8>& picture, const GlyphsReport& report,
                                      const nlohmann::ordered_json& json,
                                      const std::string& command);

@@ -29,7 +29,7 @@ namespace glassbox::app {
 
 namespace {
 
-// "clouds", or "clouds:1024": the width of the generated planet; 0 where the word is something else.
+// The width of the generated planet for "clouds" or "clouds:1024"; 0 for any other word.
 Result<int> cloud_width(const std::string& word) {
   if (word == "clouds") return views::kCloudWidth;
   if (!word.starts_with("clouds:")) return 0;
@@ -45,7 +45,8 @@ Result<int> cloud_width(const std::string& word) {
   return width;
 }
 
-// From the mean to three standard deviations on both sides.
+// Component k as a grey picture, whose range is three standard deviations on either side of the
+// mean.
 Image<Rgba8> picture_of(const views::Bands& components, const views::Klt& klt, int k) {
   const double reach = 3 * std::sqrt(klt.eigenvalues[k]);
   return views::grey_of(components, k, -reach, reach);
@@ -151,7 +152,8 @@ Result<void> ViewsKltCommand::open() {
   return {};
 }
 
-// What is kept at a time: the bands, their components and what is made of them again, which goes into a file as bytes.
+// Refuses too much memory. In memory at the same time are the bands, their components, and the
+// reconstructed bands if they are written to a file.
 Result<void> ViewsKltCommand::check_memory(int kept) const {
   const int planes = 2 * files_.count + kept + (output_ ? files_.count : 0);
   return views::check_planes(std::uint64_t(files_.width), std::uint64_t(files_.height),

@@ -1,4 +1,4 @@
-// glassbox views klt: the directions in which the bands of pictures vary.
+// glassbox views klt: finds the directions in which the bands of pictures vary.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ public:
 private:
   int run();
   Result<void> check_outputs() const;
-  // Of the files in the folder, too: none is an input, or there twice.
+  // Checks the files in the output folder too: none may be an input or occur twice.
   Result<void> check_files(int kept) const;
-  // The sizes of the bands, into files_.
+  // Reads the sizes of the bands into files_.
   Result<void> open();
   Result<void> check_memory(int kept) const;
   Result<KltInput> read() const;
@@ -31,7 +31,7 @@ private:
   std::uint64_t most_bytes() const { return std::uint64_t(max_megabytes_) << 20; }
 
   std::vector<std::string> bands_;
-  views::BandFiles files_;  // of the generated planet without files
+  views::BandFiles files_;  // set for the generated planet too, which has no files
   bool is_planet_ = false;
   std::optional<int> kept_;
   std::uint32_t max_megabytes_ = 2048;

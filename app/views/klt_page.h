@@ -1,4 +1,5 @@
-// Bands and their components as one HTML page that needs nothing else: put together again from as many components as one likes.
+// The bands and their components as one HTML page that needs no other file. It reconstructs the
+// bands from any number of components.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,10 @@ struct KltPageOrigin {
   std::string command;  // the command line that made the page
 };
 
-// Refused: more samples than a browser likes to open.
+// An error if there are too many samples for a browser.
 Result<void> check_klt_page(std::uint64_t width, std::uint64_t height, std::uint64_t bands);
 
-// `json` is klt_json's.
+// `json` is the JSON of klt_json.
 Result<std::string> make_klt_page(const KltInput& input, const KltReport& report,
                                   const nlohmann::ordered_json& json, const KltPageOrigin& origin);
 

@@ -37,7 +37,8 @@ double share(double part, double all) {
   return all > 0 ? part / all : 0;
 }
 
-// Of eigenvalue `first` and those that rounding could exchange with it.
+// The number of eigenvalues in the group that begins with `first`: those that rounding could
+// exchange with it.
 int group_size(const KltReport& report, int first) {
   return int(std::ranges::count(report.groups, first));
 }

@@ -1,4 +1,4 @@
-// What `glassbox views klt` finds, and says of it.
+// The results of `glassbox views klt`, and their reports.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace glassbox::app {
 struct KltInput {
   std::string source;
   views::Bands bands;
-  // Of the generated planet: what its ground looks like, and the clouds that there are.
+  // Only for the generated planet: a picture of its ground, and the true opacity of its clouds.
   std::optional<Image<Rgba8>> ground;
   std::vector<double> opacity;
 };
@@ -25,14 +25,15 @@ struct KltInput {
 struct KltReport {
   views::Klt klt;
   int kept = 0;
-  views::Bands components;  // those that were kept
-  views::Bands again;       // the bands from them
-  std::vector<int> groups;  // of eigenvalues that rounding could exchange
-  double error = 0;         // mean square distance of the pixels from those that were reconstructed
-  double bound = 0;         // by what it may differ from the eigenvalues that were dropped
-  double correlation = 0;   // the largest of two components, as a share of the trace
+  views::Bands components;  // the kept components
+  views::Bands again;       // the bands reconstructed from the kept components
+  // for each eigenvalue, the first of those that rounding could exchange with it
+  std::vector<int> groups;
+  double error = 0;        // mean square distance between the pixels and the reconstructed ones
+  double bound = 0;        // of |error - the sum of the dropped eigenvalues|
+  double correlation = 0;  // the largest between two components, as a share of the trace
   std::optional<double> truth,
-      truth_of_band;  // |correlation| with the clouds: of component 1, and of the band that has most
+      truth_of_band;  // |correlation| with the clouds: of component 1; the largest of a band
 
   bool holds() const;
 };

@@ -14,9 +14,10 @@ namespace glassbox::app {
 
 namespace {
 
-// Whether a sample of the point's pixel or of one beside it is as deep as the point: their depths are those of pixels' centres, and
-// on a surface at 45 degrees to the gaze differ by a pixel's width over the distance, which is below a sixty-fourth in any picture of
-// more than a hundred pixels.
+// Whether the layers contain the point: some sample of its pixel or of a neighbouring one has
+// nearly the same depth. The samples' depths are those of pixel centres. On a surface at 45 degrees
+// to the gaze, depths within a pixel differ by a pixel's width relative to the distance, which is
+// less than 1/64 in any picture wider than a hundred pixels.
 bool is_in_layers(const views::LayeredImage& image, const Eigen::Vector4d& there) {
   constexpr double kNear = 1.0 / 64;
   if (!(there.w() > 0)) return false;
@@ -46,7 +47,7 @@ LayersAgainst against_scene(const views::LayerPicture& picture, const View& view
   settings.background = layers.background;
   settings.want_distance = true;
   Renderer renderer(scene, settings.transfer);
-  renderer.render(view, settings);  // what is made once is not part of a picture's time
+  renderer.render(view, settings);  // the first run also prepares the scene, so it is not timed
   const auto start = std::chrono::steady_clock::now();
   const Framebuffer truth = renderer.render(view, settings).buffers;
   LayersAgainst against;

@@ -1,4 +1,4 @@
-// A picture drawn from layers, beside what the scene itself looks like from there.
+// Compares a picture drawn from layers with a picture of the scene itself from the same view.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace glassbox::app {
 struct LayersAgainst {
   double psnr = 0;        // dB
   std::size_t wrong = 0;  // pixels that differ by more than views::kVisibleDifference in a channel
-  std::size_t missing = 0;  // holes where the scene shows something
-  std::size_t interior =
-      0;  // of these, such in a surface that the layers have there: between its samples
+  std::size_t missing = 0;  // holes where the scene is visible
+  // of these, holes in a surface that the layers contain, between its samples
+  std::size_t interior = 0;
   double render_ms = 0;
 };
 

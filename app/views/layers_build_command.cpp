@@ -35,9 +35,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kMostLayers = 255, kUsualLayers = 10;
 
-// "32,16", or "32". Throws CLI::ValidationError where that is no number of rays, or too many.
+// Parses "32,16" or "32". Throws CLI::ValidationError if that is no number of rays, or too many.
 views::RaySampling parse_rays(const std::string& text) {
-  constexpr int kMostStrata = 90;  // whose fourth power is the last below kMostRays
+  constexpr int kMostStrata = 90;  // the largest number whose fourth power is below kMostRays
   views::RaySampling sampling;
   const auto read = [&](const std::string& part, int most, int& number) {
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
@@ -230,7 +230,7 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   Built built;
   built.views = 1 + others.size();
   std::uint32_t rank = 0;
-  bool is_cut = false;  // the last pass of a view showed something
+  bool is_cut = false;  // the last allowed layer of a view was not empty, so there may be more
   const auto add = [&](const View& view) {
     progress.phase(others.empty() ? "peeling " + scene_title(*scene_)
                                   : fmt::format("peeling {}, view {} of {}", scene_title(*scene_),

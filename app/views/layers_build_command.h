@@ -1,4 +1,5 @@
-// glassbox views layers build: surfaces as one camera sees them, one behind the other, as a file.
+// glassbox views layers build: writes a file with the surfaces that one camera sees, and those
+// behind them.
 #pragma once
 
 #include <optional>
@@ -17,11 +18,11 @@ public:
   void add_to(CLI::App& layers, int& exit_code);
 
 private:
-  // The layers, and what is to be said of them.
+  // The layers, and the facts for the report about them.
   struct Built {
     views::StoredLayers layers;
     std::size_t views = 1;
-    std::size_t beside = 0;  // samples of other views that this camera does not see
+    std::size_t beside = 0;  // samples of other views that are outside this camera's picture
     std::vector<std::string> left_out;
     std::optional<views::RayCounts> rays;
   };

@@ -1,4 +1,4 @@
-// glassbox views layers: layered depth images made, and looked at from elsewhere.
+// glassbox views layers: makes layered depth images, and draws them from other views.
 #pragma once
 
 #include "app/options/cli_fwd.h"

@@ -195,7 +195,7 @@ int LayersDrawCommand::run() {
   const auto layers = views::decode_layers(*bytes, file_);
   if (!layers) return refuse(layers.error());
   drawing_.background = holes_.value_or(layers->background);
-  // Nothing is written before all of it is made, but for frames, which are many.
+  // Everything is computed before anything is written, except frames, of which there are many.
   Result<std::string> page;
   if (page_) {
     progress.phase("making " + *page_);
@@ -242,7 +242,7 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
                                 {"processor_ms_lower_quartile", times.processor_ms},
                                 {"times", times.count}};
     if (const auto& against = drawn.against) {
-      nlohmann::ordered_json psnr;  // null of the same picture
+      nlohmann::ordered_json psnr;  // null if both pictures are equal
       if (std::isfinite(against->psnr)) psnr = against->psnr;
       json["against"] = {{"scene", *against_},
                          {"psnr_db", psnr},

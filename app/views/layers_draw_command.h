@@ -1,4 +1,5 @@
-// glassbox views layers draw: a layered depth image from another view, or from many, and how far off the truth it is.
+// glassbox views layers draw: draws a layered depth image from one or many other views, and reports
+// the difference from the true picture.
 #pragma once
 
 #include <optional>
@@ -20,8 +21,8 @@ public:
 
 private:
   struct Times {
-    double median_ms = 0, lower_ms = 0;  // of so many pictures, and the quarter that took least
-    double processor_ms = 0;             // that such a quarter took of all threads' time
+    double median_ms = 0, lower_ms = 0;  // over `count` pictures; lower_ms is the lower quartile
+    double processor_ms = 0;             // lower quartile of the time of all threads together
     int count = 1;
   };
   struct Drawn {
@@ -36,7 +37,7 @@ private:
   int run_frames(const views::StoredLayers& layers, Progress& progress);
   int report(const Drawn& drawn) const;
 
-  const CLI::App* command_ = nullptr;  // with what was given
+  const CLI::App* command_ = nullptr;  // tells which options were given
   std::string file_;
   std::optional<std::string> output_, page_;
   std::optional<Size> size_;

@@ -1,4 +1,5 @@
-// The page of glassbox views layers draw --html: the layers side by side, and from wherever the reader looks at them.
+// The page of glassbox views layers draw --html: it shows the layers side by side, and draws them
+// from views that the reader chooses.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace glassbox::app {
 
-// `file` is what the layers are called. An error where they would be too many for a browser.
+// Makes the page. `file` is the name that it shows for the layers. An error if they are too many
+// for a browser.
 Result<std::string> make_layers_page(const views::StoredLayers& layers, const std::string& file);
 
 }  // namespace glassbox::app

@@ -21,7 +21,7 @@ namespace glassbox::app {
 
 namespace {
 
-// Calls visit with the place of each sample in the world.
+// Calls visit with the world position of each sample.
 template <class Visit>
 void for_each_place(const views::LayeredImage& image, const Visit& visit) {
   const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
@@ -41,8 +41,8 @@ bool has_to_be_framed(const CameraOptions& camera) {
   return !camera.eye && (camera.look_at || camera.up || camera.camera == "none");
 }
 
-// The samples as a scene of points with the camera of the layers, for what asks scenes where they are: all of them, or the two corners
-// of the box around them.
+// The samples as a scene of points, with the layers' camera, for functions that need a scene to
+// choose a view. It has all samples, or (if not `all`) the two corners of the box around them.
 Scene scene_of(const views::StoredLayers& layers, bool all) {
   Mesh mesh;
   const auto add = [&](const Eigen::Vector3f& p) {

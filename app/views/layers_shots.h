@@ -1,4 +1,4 @@
-// The views that glassbox views layers draw is asked for, and the frames of a sequence of them.
+// The views for glassbox views layers draw: single ones, and sequences of frames.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ namespace glassbox::app {
 
 class Progress;
 
-// What a camera's options mean among these layers: their samples are the scene, and their camera is its own.
+// Interprets camera options for a file of layers: the samples are the scene, and their camera is
+// the scene's camera.
 class LayersShots {
 public:
   LayersShots(const views::StoredLayers& layers, const CameraOptions& camera,
@@ -29,8 +30,8 @@ public:
   Size size() const { return size_; }
 
 private:
-  Scene
-      scene_;  // of points: all samples where a camera has to be framed, otherwise corners of the box around them
+  // points: all samples if a camera has to be framed, otherwise two corners of the box around them
+  Scene scene_;
   CameraOptions camera_;
   Size size_;
 };
@@ -50,7 +51,7 @@ struct LayersFrame {
   double warp_ms = 0;
 };
 
-// Draws the frames and writes them one by one, each whole.
+// Draws the frames and writes them one by one, each completely or not at all.
 Result<std::vector<LayersFrame>> draw_layer_frames(const LayersFrames& asked,
                                                    const views::StoredLayers& layers,
                                                    Progress& progress);

@@ -1,4 +1,4 @@
-// How well a picture that was left out is made from a surface.
+// Reports how well a picture that was left out is reconstructed from a surface.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace glassbox::app {
 
 std::string left_out_text(const std::string& picture, const views::TextureErrors& errors);
 
-// psnr is null where it is infinite, and, as rms, where no pixel is covered.
+// psnr is null if it is infinite. psnr and rms are null if no pixel is covered.
 nlohmann::ordered_json left_out_json(const std::string& picture,
                                      const views::TextureErrors& errors);
 

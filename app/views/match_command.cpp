@@ -55,7 +55,7 @@ std::optional<std::string> name_of_file(const std::string& path) {
   return path.empty() ? std::nullopt : std::optional(path);
 }
 
-// What draws the surface as the left picture's camera saw it.
+// The command line that draws the surface from the left picture's camera.
 std::string drawn_by(const std::string& path, const views::SurfaceView& view, int width,
                      int height) {
   return shell_line({{"render", path, "--size", fmt::format("{}x{}", width, height), "--eye",
@@ -316,7 +316,7 @@ Result<void> ViewsMatchCommand::write_maps(const MatchInput& input,
                     encode_pfm(views::depths_of(match.disparity, *input.calibration)));
 }
 
-// Returns a line about it.
+// Writes the surface. Returns a line about it for the report.
 Result<std::string> ViewsMatchCommand::write_surface(const MatchInput& input,
                                                      const views::DenseMatch& match) const {
   if (!surface_output_) return std::string();
@@ -332,7 +332,7 @@ Result<std::string> ViewsMatchCommand::write_surface(const MatchInput& input,
                      surface.triangles.size(), drawn_by(*surface_output_, *view, width, height));
 }
 
-// What makes this page again.
+// The command line that makes this page again.
 std::string ViewsMatchCommand::command_line() const {
   const MatchSources& given = sources_;
   std::vector<std::string> files;

@@ -1,4 +1,4 @@
-// glassbox views match: how far apart two pictures show each point.
+// glassbox views match: finds for each point how far apart two pictures show it (the disparity).
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ private:
   std::uint32_t max_megabytes_ = 4096;
   std::optional<std::string> output_, depth_output_, surface_output_, json_output_, page_;
   std::pair<std::string, std::string> rectified_output_;
-  std::vector<const CLI::Option*> options_;  // a command line repeats them
+  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
 };
 
 }  // namespace glassbox::app

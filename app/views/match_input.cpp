@@ -49,10 +49,10 @@ Result<Image<float>> read_truth(const std::string& path, double scale, const Ima
   return views::known_disparities(std::move(values), float(scale));
 }
 
-// The pictures become those that such cameras with parallel axes would have taken.
+// Replaces the pictures by those that the cameras would have taken if their axes were parallel.
 Result<void> rectify_input(const MatchSources& sources, MatchInput& input) {
   if (input.left.width != input.right.width || input.left.height != input.right.height) {
-    return {};  // the match refuses them
+    return {};  // the matcher reports this error
   }
   const auto cameras =
       read_pair_cameras({{*sources.left, *sources.right}, std::nullopt, sources.cameras});
@@ -123,7 +123,7 @@ Result<MatchInput> draw_scene(const MatchSources& sources, Progress& progress) {
   input.right = std::move(pair->right);
   input.truth = std::move(pair->truth);
   input.is_textured = std::move(pair->is_textured);
-  // Eyes in one place see nothing of depth.
+  // If both eyes are at the same position, depth cannot be computed.
   if (views::check_calibration(pair->calibration)) input.calibration = pair->calibration;
   input.visible_by = "by the right picture's own distances";
   return input;

@@ -1,4 +1,5 @@
-// The pair of `glassbox views match`: two files, or a scene drawn twice, and what is known of its disparities.
+// The input of `glassbox views match`: two files, or a scene drawn twice, and what is known of the
+// disparities.
 #pragma once
 
 #include <optional>
@@ -18,28 +19,31 @@ namespace glassbox::app {
 class Progress;
 
 struct MatchSources {
-  std::optional<std::string> left, right;         // files
-  std::optional<std::string> truth, truth_right;  // files
-  std::optional<double> truth_scale;              // what is stored for a pixel of disparity
-  std::optional<std::string> cameras;             // file: of pictures that are not rectified
+  std::optional<std::string> left, right;         // file names
+  std::optional<std::string> truth, truth_right;  // file names
+  std::optional<double> truth_scale;              // stored value of one pixel of disparity
+  std::optional<std::string> cameras;             // a file, for pictures that are not rectified
   std::optional<std::string> scene;
-  PictureOptions picture;  // of the scene
+  PictureOptions picture;  // options for `scene`
 };
 
 struct MatchInput {
   std::string about;  // "cones/im2.ppm, cones/im6.ppm, 450 x 375"
   Image<Rgba8> left, right;
   std::optional<views::StereoTruth> truth;
-  std::optional<Image<std::uint8_t>> is_textured;  // of a rendered pair
-  std::optional<views::Calibration> calibration;   // of a rendered pair, or one that was rectified
-  std::optional<views::Rectification> rectification;  // where the pictures were turned
-  std::string visible_by;                             // how the visible pixels were found, in words
+  std::optional<Image<std::uint8_t>> is_textured;  // only for a rendered pair
+  // only for a rendered pair, or one that was rectified
+  std::optional<views::Calibration> calibration;
+  std::optional<views::Rectification> rectification;  // set if the pictures were rectified
+  // the method by which visible pixels were found, in words
+  std::string visible_by;
 };
 
-// Either the files or the scene are given, as checked by the command.
+// Reads the files or draws the scene. The command has checked that one of them is given.
 Result<MatchInput> read_match_input(const MatchSources& sources, Progress& progress);
 
-// The whole disparities that hold those of the truth, and a pixel more on either side; the default's where nothing is known.
+// The whole disparities that contain the true ones, with one pixel more on either side; the default
+// range if no truth is known.
 views::DisparityRange range_of(const views::StereoTruth& truth);
 
 }  // namespace glassbox::app

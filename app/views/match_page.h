@@ -1,4 +1,5 @@
-// The page of `glassbox views match --html`: pictures, maps, the costs of the pixel under the cursor, and the points in space.
+// The page of `glassbox views match --html`: pictures, maps, the costs for the pixel under the
+// cursor, and the points in space.
 #pragma once
 
 #include <string>
@@ -13,16 +14,16 @@
 namespace glassbox::app {
 
 struct MatchPageOrigin {
-  std::string program, command;  // "glassbox 1.0.0", what makes the page again
+  std::string program, command;  // "glassbox 1.0.0"; the command line that makes the page
 };
 
-// Whether a page has room for the sums of every pixel and disparity.
+// Whether the sums of every pixel and disparity are few enough for a page.
 bool has_room_for_sums(const MatchInput& input, const views::DisparityRange& range);
 
-// An error where pictures of this size would be too much for a browser.
+// An error if pictures of this size are too large for a browser.
 Result<void> check_match_page(const MatchInput& input);
 
-// `report` is that of match_json.
+// `report` is the JSON of match_json.
 Result<std::string> make_match_page(const MatchInput& input, const views::DenseMatch& match,
                                     const nlohmann::ordered_json& report,
                                     const MatchPageOrigin& origin);

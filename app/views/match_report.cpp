@@ -52,7 +52,7 @@ std::vector<Judged> judge(const MatchInput& input, const Image<float>& disparity
   return all;
 }
 
-// What the result does not have, and why.
+// The parts that the result does not have, with the reasons.
 std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSettings& settings,
                                  const views::DenseMatch& match) {
   std::vector<LeftOut> out;
@@ -113,10 +113,11 @@ double total_ms(const views::DenseMatch& match) {
   return total;
 }
 
-// What an error of disparity makes of the depth: its derivative is Z^2/(f B) (S2-13).
+// The depth error that follows from an error of disparity. The derivative of the depth Z is Z^2/(f
+// B) (S2-13).
 struct DepthFacts {
-  double median = 0;     // of the pixels that have a depth
-  double per_tenth = 0;  // what a tenth of a pixel is there
+  double median = 0;     // over the pixels that have a depth
+  double per_tenth = 0;  // the error at that depth for 0.1 px of disparity
 };
 std::optional<DepthFacts> depth_facts(const MatchInput& input, const views::DenseMatch& match) {
   if (!input.calibration) return {};
@@ -136,7 +137,7 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
                   "1 px", "2 px", "4 px", "RMS px", "of good px", "density %");
   for (const Judged& judged : judge(input, disparity)) {
     const views::DisparityErrors& errors = judged.errors;
-    if (errors.known == 0) continue;  // nothing is wrong of none, and nothing right
+    if (errors.known == 0) continue;  // without known pixels there are no shares
     text += fmt::format("{:<22}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n",
                         judged.where, errors.bad_percent[0], errors.bad_percent[1],
                         errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,

@@ -1,4 +1,4 @@
-// What `glassbox views match` says of its result.
+// The report on the result of `glassbox views match`.
 #pragma once
 
 #include <string>

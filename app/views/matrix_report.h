@@ -1,4 +1,4 @@
-// A matrix in a report: three lines of text, or rows in JSON.
+// A matrix in a report: as three lines of text, or as rows in JSON.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace glassbox::app {
 
-// "  H       " and three numbers as `number` writes them, then what it is; two lines more without.
+// Three lines, the first with the name, "  H       ", and at its end `what` describes the matrix.
+// `number` writes each number.
 inline std::string matrix_lines(const std::string& name, const views::Matrix3d& matrix,
                                 const std::string& what, std::string (*number)(double)) {
   std::string text;

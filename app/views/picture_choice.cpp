@@ -12,7 +12,7 @@ namespace glassbox::app {
 
 namespace {
 
-// "1-8,12": numbers of pictures from 1, as indices from 0.
+// Parses numbers of pictures from 1, such as "1-8,12", to indices from 0.
 std::vector<std::size_t> parse_pictures(const std::string& text) {
   std::vector<std::size_t> chosen;
   const auto number = [&](const std::string& part) {
@@ -83,7 +83,7 @@ Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
   options.matte_above = choice.matte_above;
   options.most_bytes = choice.most_bytes();
   options.chosen = choice.chosen;
-  // Read with the others; of those that are chosen it comes last.
+  // The left-out picture is read with the chosen ones, as the last of them.
   if (choice.leave_out && !options.chosen.empty()) {
     const auto index = std::size_t(*choice.leave_out - 1);
     std::erase(options.chosen, index);

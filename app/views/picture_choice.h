@@ -1,5 +1,5 @@
-// What the commands that read calibrated pictures ask alike: which of a folder they take, which one they leave out to be judged by, and
-// where the object is.
+// The options shared by commands that read calibrated pictures: which pictures of a folder they
+// use, which one is left out to judge the result by, and where the object is.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace glassbox::app {
 
 struct PictureChoice {
   std::string path;
-  std::vector<std::size_t> chosen;  // from 0; none: all
-  std::optional<int> leave_out;     // from 1
+  std::vector<std::size_t> chosen;  // counted from 0; empty: all
+  std::optional<int> leave_out;     // counted from 1
   std::optional<int> matte_above;
   bool no_mattes = false;
   std::uint32_t max_megabytes = 4096;
@@ -30,25 +30,26 @@ struct ChosenPictures {
   std::optional<views::CalibratedPicture> left_out;
 };
 
-// PICTURES, --pictures, --leave-out, --matte-above, --no-mattes and --max-mb.
+// Adds PICTURES, --pictures, --leave-out, --matte-above, --no-mattes and --max-mb.
 void add_picture_choice(CLI::App& command, PictureChoice& choice);
 
-// What cannot be asked together.
+// Refuses options that contradict each other.
 Result<void> check_choice(const PictureChoice& choice);
 
 Result<ChosenPictures> read_pictures(const PictureChoice& choice);
 
-// Refused: what would take more bytes than --max-mb allows. `place` is the option that makes it so large, `what` takes them.
+// An error if `what` takes more bytes than --max-mb allows. `place` is the option that makes it so
+// large.
 Result<void> check_memory(const std::string& place, const std::string& what, double bytes,
                           std::uint64_t most_bytes);
 
-using AskedBox =
-    std::optional<std::array<double, 6>>;  // corners of least and of greatest coordinates
+// the corners with the least and the greatest coordinates
+using AskedBox = std::optional<std::array<double, 6>>;
 
-// --box.
+// Adds --box.
 void add_box(CLI::App& command, AskedBox& box);
 
-// The box that is asked for, else the folder's.
+// The box given by the user, or else the folder's.
 Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set);
 
 }  // namespace glassbox::app

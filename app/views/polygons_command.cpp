@@ -175,7 +175,7 @@ std::string ViewsPolygonsCommand::command_line() const {
 
 Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
                                                  const PolygonsReport& report) const {
-  // All is made before the first is written.
+  // Everything is made before the first file is written.
   const nlohmann::ordered_json json = polygons_json(input, report);
   Result<std::string> text;
   if (page_) {

@@ -1,4 +1,4 @@
-// glassbox views polygons: the surface of the shape that calibrated pictures show.
+// glassbox views polygons: reconstructs the surface of a shape from calibrated pictures.
 #pragma once
 
 #include <array>

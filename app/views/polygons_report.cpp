@@ -36,13 +36,15 @@ double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
   return overlap.iou();
 }
 
-// Two for each side of a voxel at the box's six sides: nobody knows before how many there will be.
+// An estimate of the number of polygons, which is not known in advance: two for each voxel side on
+// the box's six sides.
 double polygons_of_box(const views::VoxelGrid& grid) {
   const auto [nx, ny, nz] = grid.count;
   return 4 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
 }
 
-// Of all that is asked for, beside the voxels' and the polygons' colours: as if each came while the others are there.
+// An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels and
+// the polygons. All parts are counted as if they existed at the same time.
 double bytes_beside(const PolygonsInput& input, const PolygonsRequest& request,
                     const views::VoxelGrid& grid, double polygons) {
   double bytes =
@@ -96,7 +98,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   auto coloring = views::color_polygons(set, solid, settings);
   if (!coloring) return tl::unexpected(coloring.error());
   report.coloring = std::move(*coloring);
-  // Now the layered images are gone, and the polygons are known.
+  // The layered images are freed now, and the number of polygons is known.
   const auto polygons = double(report.coloring.mesh.polygons.size());
   const double bytes = views::bytes_of(set) + views::polygon_bytes(grid, polygons) +
                        bytes_beside(input, request, grid, polygons);

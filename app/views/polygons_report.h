@@ -1,4 +1,4 @@
-// What `glassbox views polygons` finds, and says of it.
+// The results of `glassbox views polygons`, and their reports.
 #pragma once
 
 #include <optional>
@@ -31,15 +31,16 @@ struct PolygonsRequest {
 };
 
 struct PolygonsReport {
-  std::uint64_t bytes = 0;  // that all of it was expected to take
+  std::uint64_t bytes = 0;  // expected memory for everything
   views::PolygonColoring coloring;
   views::MeshCheck check;
   double voxel_milliseconds = 0;
   std::size_t colored_voxels = 0;
   Scene scene;
-  std::optional<views::TexturedPicture> drawn;  // by the engine, for the picture that was left out
+  // drawn by the engine for the left-out picture's camera
+  std::optional<views::TexturedPicture> drawn;
   std::optional<views::TextureErrors> left_out;
-  std::optional<double> iou_before, iou;  // of the solid with what is inside the true scene
+  std::optional<double> iou_before, iou;  // of the solid with the inside of the true scene
 };
 
 Result<PolygonsReport> report_polygons(const PolygonsInput& input, const PolygonsRequest& request,

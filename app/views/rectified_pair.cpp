@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string six_digits(double value) {
-  return fmt::format("{:13.6g}", value + 0.0);  // adding 0 makes 0 of -0
+  return fmt::format("{:13.6g}", value + 0.0);  // adding 0 turns -0 into 0
 }
 
 }  // namespace

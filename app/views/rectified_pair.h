@@ -1,4 +1,4 @@
-// Two pictures turned until their epipolar lines are scan lines: what `glassbox views` says of it.
+// Two pictures rectified so that their epipolar lines are scan lines, and the reports about it.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ namespace glassbox::app {
 
 struct RectifiedPair {
   views::Rectification how;
-  Image<Rgba8> left, right;  // transparent where they show nothing
+  Image<Rgba8> left, right;  // transparent outside the original picture
 };
 
-// Pictures of one size. Refused where `rectification_of` refuses.
+// Rectifies pictures of equal size. Errors are those of `rectification_of`.
 Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& right,
                               const views::StereoRig& rig);
 
-// Both matrices, and what was lost.
+// Both matrices, and the parts of the pictures that were lost.
 std::string rectification_text(const views::Rectification& how);
 nlohmann::ordered_json rectification_json(const views::Rectification& how);
 

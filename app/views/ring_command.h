@@ -1,4 +1,4 @@
-// glassbox views ring: calibrated pictures of a scene, from all around it.
+// glassbox views ring: draws calibrated pictures of a scene from all around it.
 #pragma once
 
 #include <optional>

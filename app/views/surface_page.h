@@ -1,4 +1,5 @@
-// A surface as one HTML page that needs nothing else: turned, and, where pictures come with it, coloured by those around the eye.
+// A surface as one HTML page that needs no other file. The reader can turn it; if there are
+// pictures, it is coloured by those nearest to the eye's direction.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +14,18 @@
 namespace glassbox::app {
 
 struct SurfacePage {
-  std::string verb;  // "polygons": of `glassbox views`
+  std::string verb;  // the subcommand of `glassbox views`, such as "polygons"
   std::string title, summary, text, command;
   const Scene* scene = nullptr;
-  std::vector<std::uint8_t> views;  // of each triangle: how many pictures see it
+  std::vector<std::uint8_t> views;  // for each triangle: how many pictures see it
   const views::CalibratedPicture* left_out = nullptr;
-  const Image<Rgba8>* drawn = nullptr;  // for its camera
-  // Colours that depend on the eye, blended as barycentric weights have it.
+  const Image<Rgba8>* drawn = nullptr;  // drawn for the left-out picture's camera
+  // Colours that depend on the eye's position, blended by barycentric weights.
   const views::TexturedSurface* textured = nullptr;
   const views::PictureSet* pictures = nullptr;
 };
 
-// Refused: more triangles or pixels than a browser likes to open.
+// An error if there are too many triangles or pixels for a browser.
 Result<std::string> make_surface_page(const SurfacePage& page);
 
 }  // namespace glassbox::app

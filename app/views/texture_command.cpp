@@ -35,13 +35,13 @@ using views::Blend;
 struct ViewsTextureCommand::Found {
   explicit Found(views::TexturedSurface of) : surface(std::move(of)) {}
 
-  // One picture made of the others by one way to blend them.
+  // One picture reconstructed from the others with one way of blending.
   struct LeftOutAlone {
     std::string picture;
     Blend blend = Blend::kBarycentric;
     views::TextureErrors errors;
   };
-  // Over all pictures, as if they were one; NaN where no pixel is covered.
+  // The PSNR over all pictures as if they were one; NaN if no pixel is covered.
   double psnr_of_all(Blend way) const {
     double squares = 0, pixels = 0;
     for (const LeftOutAlone& one : each) {
@@ -54,14 +54,14 @@ struct ViewsTextureCommand::Found {
   }
 
   views::TexturedSurface surface;
-  std::uint64_t bytes = 0;  // that all was expected to take
+  std::uint64_t bytes = 0;  // expected memory for everything
   std::int64_t polygons = 0, unseen = 0;
-  std::size_t triangles = 0;  // of views
+  std::size_t triangles = 0;  // of the sphere of view directions
   std::optional<views::TexturedPicture> drawn, left_out;
   std::optional<views::TextureErrors> errors;
   std::vector<LeftOutAlone> each;
   std::optional<Scene> fixed;
-  std::vector<std::uint8_t> views;  // of each polygon
+  std::vector<std::uint8_t> views;  // for each polygon: how many pictures see it
 };
 
 void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
@@ -177,7 +177,8 @@ void ViewsTextureCommand::tell_of_unused() const {
                    {no_picture, {"--size"}, "no picture is drawn without -o"}});
 }
 
-// Of all that is asked for: as if each came while the others are there.
+// An upper bound of the memory in bytes for all outputs. All parts are counted as if they existed
+// at the same time.
 double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& pictures) const {
   const views::PictureSet& set = pictures.set;
   double largest = 0;
@@ -191,7 +192,7 @@ double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& 
     draw(double(pictures.left_out->color.pixels.size()));
   }
   if (fixed_) bytes += views::static_texture_bytes(views::numbers_of(scene), texels_);
-  // What is drawn for an output stays, a colour and a number for each pixel.
+  // The pictures drawn for outputs are kept, with a colour and a number for each pixel.
   const double outputs = double(output_.has_value()) + double(pictures.left_out.has_value());
   return bytes + outputs * largest * (sizeof(Rgba8) + sizeof(std::uint32_t)) +
          views::UnlitRenderer::bytes_for(double(views::numbers_of(scene)), largest);
@@ -325,7 +326,7 @@ std::string ViewsTextureCommand::command_line() const {
 
 Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
                                                 const Found& found) const {
-  // All is made before the first is written.
+  // Everything is made before the first file is written.
   Result<std::string> made;
   if (page_) {
     SurfacePage page;

@@ -1,4 +1,4 @@
-// glassbox views texture: a surface with the colours of pictures, from another eye.
+// glassbox views texture: draws a surface from another eye, with the colours of pictures.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ private:
   Rgba8 background_{26, 31, 38, 255};
   std::optional<std::string> output_, fixed_, left_out_output_, json_output_, page_;
   const CLI::App* command_ = nullptr;
-  std::vector<std::string> camera_words_;  // names of the camera's options
+  std::vector<std::string> camera_words_;  // names of the camera options
   std::vector<const CLI::Option*> options_;
 };
 

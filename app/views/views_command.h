@@ -1,4 +1,5 @@
-// glassbox views: what pictures are good for.
+// glassbox views: the methods that work on pictures of a scene, such as matching and
+// reconstruction.
 #pragma once
 
 #include "app/options/cli_fwd.h"

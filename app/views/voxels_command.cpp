@@ -264,7 +264,7 @@ Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) 
   return {};
 }
 
-// What makes this report again.
+// The command line that makes this report again.
 std::string ViewsVoxelsCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};

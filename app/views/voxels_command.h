@@ -1,4 +1,4 @@
-// glassbox views voxels: the shape that calibrated pictures show.
+// glassbox views voxels: reconstructs a shape as voxels from calibrated pictures.
 #pragma once
 
 #include <cstdint>

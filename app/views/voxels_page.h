@@ -1,4 +1,5 @@
-// The voxels as one HTML page that needs nothing else: turned, sliced, and asked why they are there.
+// The voxels as one HTML page that needs no other file. The reader can turn and slice them, and ask
+// for each voxel why it is there.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ struct VoxelsPageOrigin {
   std::string command;  // the command line that made the page
 };
 
-// `json` is voxels_json's; the report has the verdicts. Refused: more voxels, pictures or pixels than a browser likes to open.
+// Makes the page. `json` is the JSON of voxels_json. The report must have the verdicts. An error if
+// there are too many voxels, pictures or pixels for a browser.
 Result<std::string> make_voxels_page(const VoxelsInput& input,
                                      const views::ColoringRequest& request,
                                      const VoxelsReport& report, const nlohmann::ordered_json& json,

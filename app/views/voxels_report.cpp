@@ -23,12 +23,14 @@ double box_sides(const views::VoxelGrid& grid) {
   return 2 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
 }
 
-// Of all that is asked for, beside the voxels' colouring: as if each came while the others are there.
+// An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels. All
+// parts are counted as if they existed at the same time.
 double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& request,
                     const VoxelsQuestion& question, const views::VoxelGrid& grid) {
   const double coloured = box_sides(grid);
   double bytes = 0;
-  // A verdict each, and once more as the page has them; of each picture in turn the layers that hide its pixels.
+  // A verdict for each voxel, and a second copy for the page; for one picture at a time, the layers
+  // that hide its pixels.
   if (question.wants_verdicts) {
     constexpr double kPixel = sizeof(int) + 2, kVoxel = 10;
     bytes += 2 * double(grid.voxels()) + views::pixels_of(input.set) * kPixel + coloured * kVoxel;
@@ -36,12 +38,13 @@ double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& requ
   if (input.truth) {
     bytes += views::TrueVolume::bytes_for(grid) + views::surface_error_bytes(input.set, coloured);
   }
-  // The others' voxels, and a set of their places: nodes of a number and a pointer, and a bucket for each.
+  // The other colouring's voxels, and a hash set of their positions: a node with a number and a
+  // pointer, and a bucket, for each.
   if (question.against_full && request.levels > 0) {
     constexpr double kNode = 4 * sizeof(void*) + sizeof(void*);
     bytes += coloured * (sizeof(views::ColoredVoxel) + kNode);
   }
-  // It, and a colour and a distance for each of its pixels.
+  // The left-out picture, and a colour and a distance for each of its pixels.
   if (input.left_out) {
     constexpr double kPixel = sizeof(Rgba8) + sizeof(float);
     bytes +=
@@ -69,7 +72,7 @@ Result<VoxelsReport::AgainstFull> compare_full(const VoxelsInput& input,
   return against;
 }
 
-// Mean and deviation of what coloured voxels have.
+// The mean number of pictures and the mean deviation over the coloured voxels.
 struct Means {
   double views = 0, deviation = 0;
 };
@@ -97,7 +100,7 @@ std::string test_text(const views::ColoringSettings& settings) {
   return text;
 }
 
-// The way of the layers; empty of carving.
+// The direction of the layers in words; empty for space carving, which has none.
 std::string along_text(const views::Coloring& coloring) {
   if (coloring.order == views::Order::kCarve) return "";
   if (coloring.in_shells) return "shells";

@@ -1,4 +1,4 @@
-// What `glassbox views voxels` finds, and says of it.
+// The results of `glassbox views voxels`, and their reports.
 #pragma once
 
 #include <optional>
@@ -19,31 +19,33 @@ namespace glassbox::app {
 class Progress;
 
 struct VoxelsInput {
-  views::PictureSet set;                             // those that shape is made from
-  std::optional<views::CalibratedPicture> left_out;  // and the one that judges it
+  views::PictureSet set;                             // the pictures that the shape is made from
+  std::optional<views::CalibratedPicture> left_out;  // the picture that judges the result
   std::optional<Scene> truth;
 };
 
 struct VoxelsReport {
   views::Coloring coloring;
-  std::uint64_t bytes = 0;  // that all of it was expected to take
-  // Of coarse to fine, against all voxels: those of either that the other has not.
+  std::uint64_t bytes = 0;  // expected memory for everything
+  // The comparison of coarse-to-fine colouring with that of all voxels: the number of voxels that
+  // only one of them has.
   struct AgainstFull {
     std::int64_t full = 0, lost = 0, added = 0;
     double milliseconds = 0;
     double iou() const { return double(full - lost) / double(full + added); }
   };
   std::optional<AgainstFull> against_full;
-  std::optional<views::VoxelPicture> drawn;  // for the picture that was left out
+  std::optional<views::VoxelPicture> drawn;  // drawn for the left-out picture's camera
   std::optional<views::PictureErrors> left_out;
-  // Voxels that are not proved empty against those that are inside; the surface.
+  // The comparison with the true shape: voxels not proved empty against voxels that are inside, and
+  // the errors of the surface.
   struct AgainstTruth {
     std::int64_t inside = 0, not_empty = 0;
     double iou = 0;
     views::SurfaceErrors surface;
   };
   std::optional<AgainstTruth> truth;
-  std::vector<views::Verdict> verdicts;  // of all voxels, x first, where they were asked for
+  std::vector<views::Verdict> verdicts;  // of all voxels, x varying fastest; only if asked for
 };
 
 struct VoxelsQuestion {

@@ -73,7 +73,7 @@ std::string behind_eye_text(const ClippingVerdict& clipping) {
                                   : "it lies in the plane of the eye (w = 0) and behind it");
 }
 
-// Which side a plane bounds: nothing for depth.
+// The side of the picture that a plane bounds; null for near and far.
 const char* side_of(const ClipPlane& plane) {
   if (plane.a > 0) return "left of";
   if (plane.a < 0) return "right of";

@@ -1,4 +1,4 @@
-// A verdict as JSON: every field by its own name, absent where it does not apply.
+// A verdict as JSON: one field per member, left out if it does not apply.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

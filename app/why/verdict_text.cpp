@@ -49,7 +49,7 @@ std::string lines_text(std::uint64_t pixels) {
       counted(pixels, "pixel"));
 }
 
-// Of cut triangles, pieces may fare differently.
+// For a triangle that clipping has cut: what became of its pieces, which can differ.
 std::string pieces_text(const TriangleVerdict& verdict) {
   std::vector<std::string> parts;
   if (verdict.pieces_set_up > 0) {
@@ -97,7 +97,7 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                      h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
 }
 
-// "all 12 fragments", "3 of 12 fragments".
+// A share in words: "all 12 fragments", "3 of 12 fragments".
 std::string share_text(std::uint32_t part, std::uint32_t all) {
   if (part < all) return fmt::format("{} of {} fragments", part, all);
   return all == 1 ? "its only fragment" : fmt::format("all {} fragments", all);
@@ -112,7 +112,7 @@ std::string unchanged_text(const FragmentTally& t, const FragmentDetails::Unchan
       u.blended ? fmt::format(", with alpha {:.9g}", u.alpha) : "");
 }
 
-// One paragraph for each fate that some of the fragments met.
+// One paragraph for each fate that some of the fragments had.
 std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
   std::vector<std::string> text;
   const FragmentTally& t = verdict.fragments;

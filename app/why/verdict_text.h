@@ -1,4 +1,4 @@
-// A verdict in words.
+// A verdict as text.
 #pragma once
 
 #include <string>
@@ -10,31 +10,31 @@
 
 namespace glassbox {
 
-// "turned away"
+// The end of a triangle in words, such as "turned away".
 const char* words_for(End end);
 
-// "mesh 'teapot'", or "mesh 3" of a mesh without a name.
+// The name of an instance's mesh: "mesh 'teapot'", or "mesh 3" if it has no name.
 std::string mesh_text(const Scene& scene, std::uint32_t instance);
 
 // "face 12 of mesh 'teapot' (instance 0)"
 std::string place_of(const Scene& scene, std::uint32_t instance, std::uint32_t face);
 
-// How far a centre is missed: "3.25/256 px", and from a pixel on "1.5 px".
+// A distance from a pixel's centre: "3.25/256 px" if it is less than a pixel, else "1.5 px".
 std::string subpixels_text(double subpixels);
 
-// "a", "a and b", "a, b and c".
+// A list in words: "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& parts);
 
-// What decided, with its numbers: one paragraph after the other, without line breaks.
+// The reasons of the verdict, with their numbers: one paragraph per element, without line breaks.
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict);
 
-// What is wrong with the view itself; empty where its matrices agree.
+// What is wrong with the view itself; empty if its matrices are consistent.
 std::vector<std::string> explain(const ViewConventions& conventions);
 
-// The part of it for triangles that end before they have a fragment.
+// The same for triangles that end before they have a fragment.
 std::vector<std::string> explain_geometry(const View& view, const TriangleVerdict& verdict);
 
-// What an end means, for a scene whose triangles end there: "every w is 0 or less: ...".
+// What an end means if a scene's triangles end there: "every w is 0 or less: ...".
 const char* meaning_of(End end);
 
 }  // namespace glassbox

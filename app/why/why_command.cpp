@@ -29,7 +29,7 @@ std::uint64_t parse_number(const std::string& text) {
   return number;
 }
 
-// The pixel where there is most to see about the triangle.
+// The pixel that shows the reason best.
 std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) {
   const FragmentDetails& d = verdict.details;
   if (d.example) return d.example;
@@ -140,7 +140,7 @@ Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
   return answer;
 }
 
-// Where nothing is seen, one triangle stands for those that end as most do.
+// If nothing is visible, explains one triangle as an example of the most frequent reason.
 Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
   const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
   Answer answer{to_json(found), scene_text(found)};

@@ -1,4 +1,4 @@
-// glassbox why SCENE [--triangle N]: what became of a triangle, or of all of them.
+// glassbox why SCENE [--triangle N]: explains what became of a triangle, or of all of them.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ private:
   std::string triangle_text(const Scene& scene, const View& view,
                             const TriangleVerdict& verdict) const;
   std::string scene_text(const SceneVerdict& found) const;
-  // "glassbox SUBCOMMAND SCENE ... OPTION VALUE", with the options of this picture.
+  // The command line "glassbox SUBCOMMAND SCENE ... OPTION VALUE", with the options of this
+  // picture.
   std::string command(const char* subcommand, const std::string& option,
                       const std::string& value) const;
 

@@ -1,4 +1,5 @@
-// Of two equal numbers, and of a NaN and another one, the first.
+// The smaller number. Of two equal numbers it is the first; if one is a NaN, it is the first as
+// well.
 template <class T>
 inline T least(T a, T b) {
   return select(b < a, b, a);
@@ -8,13 +9,13 @@ inline T greatest(T a, T b) {
   return select(a < b, b, a);
 }
 
-// Into [low, high]; NaN stays NaN.
+// x limited to [low, high]; NaN stays NaN.
 template <class T>
 inline T clamped(T x, T low, T high) {
   return select(x < low, low, select(high < x, high, x));
 }
 
-// Into [0, 1]; NaN becomes 0.
+// x limited to [0, 1]; NaN becomes 0.
 template <Number F>
 inline F in_unit_range(F x) {
   const F zero = 0.0f, one = 1.0f;
@@ -26,7 +27,7 @@ inline auto is_finite(F x) {
   return abs(x) <= std::numeric_limits<float>::max();
 }
 
-// From a at t = 0 to b at t = 1.
+// Linear interpolation: a at t = 0, b at t = 1.
 template <Number F>
 inline F mix(F a, F b, F t) {
   return a + t * (b - a);
@@ -61,7 +62,7 @@ inline std::array<F, 3> zero_unless(Condition condition, const std::array<F, 3>&
           select(condition, v[2], zero)};
 }
 
-// v / |v|; zero where v has no direction.
+// v / |v|; zero where v has no direction (its length is 0 or NaN).
 template <Number F>
 inline std::array<F, 3> unit(const std::array<F, 3>& v) {
   const F length = sqrt(dot(v, v));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// One row's part: its squares in steps of the format, or as they are for floats.
+// The errors of one row; its squares are in steps of the format, or unscaled for floats.
 struct RowErrors {
   double largest = 0;
   double squares = 0;
@@ -31,7 +31,7 @@ double distance(float reference, float test, bool nan_equals_nan) {
   if (std::isnan(reference) || std::isnan(test)) {
     return nan_equals_nan && std::isnan(reference) && std::isnan(test) ? 0 : kInfinity;
   }
-  if (reference == test) return 0;  // infinities, whose difference is NaN, among them
+  if (reference == test) return 0;  // also equal infinities, whose difference is NaN
   return std::abs(double(reference) - double(test));
 }
 

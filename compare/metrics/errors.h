@@ -1,4 +1,4 @@
-// The plain sizes of the differences: the largest, and the root of the mean square.
+// The plain size of the differences: the largest difference, and the root mean square.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,10 @@
 
 namespace glassbox {
 
-// Over all samples, alpha too, of the pixels that are compared. Bytes count 1/255, 16-bit samples 1/65535, so that both
-// lie in [0, 1]; floats are as they are. Where exactly one sample is NaN, or infinities differ, both numbers are
-// infinite; so they are for NaN in both, unless the pair's nan_equals_nan.
+// Computed over all samples, alpha included, of the compared pixels. A step of a byte is 1/255, of
+// a 16-bit sample 1/65535, so that both are in [0, 1]; floats are not scaled. Both numbers are
+// infinite where exactly one sample is NaN or infinities differ, and also where both are NaN,
+// unless the pair's nan_equals_nan is set.
 struct SampleErrors {
   std::uint64_t samples = 0;
   double absmax = 0;
@@ -17,11 +18,12 @@ struct SampleErrors {
   double peak = 0;  // 1, or for floats the largest finite magnitude of the reference
 };
 
-// Sums are taken row by row in double and the rows added in order: the result does not depend on threads. The relative
-// error of the rmse is below (samples in a row + rows) 2^-53.
+// Sums are taken row by row in double and the rows are added in order: the result does not depend
+// on threads. The relative error of the rmse is below (samples in a row + rows) 2^-53.
 SampleErrors sample_errors(const PicturePair& pair);
 
-// 20 log10(peak / rmse) in dB: infinite where nothing differs, minus infinite where the rmse is infinite.
+// 20 log10(peak / rmse) in dB: infinite where nothing differs, minus infinite where the rmse is
+// infinite.
 double psnr(const SampleErrors& errors);
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
-// One-dimensional filters. One of them along x and one along y make the two-dimensional filters of the metrics.
+// One-dimensional filters. One of them along x and one along y make the two-dimensional filters of
+// the metrics.
 #pragma once
 
 #include <array>
@@ -6,13 +7,15 @@
 
 namespace glassbox {
 
-// The weights at distance 1, 2, ..., radius from the centre; the centre's own follows from the sum of all.
+// The weights at distance 1, 2, ..., radius from the centre; the weight of the centre follows from
+// the sum of all weights.
 template <class Real, std::size_t radius>
 using Taps = std::array<Real, radius>;
 
-// out[x] = the weighted sum of in[x - radius * step] ... in[x + radius * step], the weights the same on both sides and
-// `sum` all together. Written as sum * centre + weights * (both sides - 2 centre), a constant picture comes out
-// exactly: as it is for a sum of 1, as 0 for a sum of 0. The far and small weights are added first.
+// out[x] = the weighted sum of in[x - radius * step] ... in[x + radius * step], with the same
+// weights on both sides; `sum` is the sum of all weights. It is computed as sum * centre + weights
+// * (both sides - 2 centre), so the result for a constant picture is exact: unchanged for a sum of
+// 1, 0 for a sum of 0. The distant, small weights are added first.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
 inline void filter_even(const Real* in, int count, const Taps<Real, radius>& weights, Real sum,
                         Real* out) {
@@ -28,7 +31,7 @@ inline void filter_even(const Real* in, int count, const Taps<Real, radius>& wei
   }
 }
 
-// A filter whose weights have the opposite sign before the centre and are 0 at it.
+// A filter whose weights have opposite signs before and after the centre and are 0 at it.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
 inline void filter_odd(const Real* in, int count, const Taps<Real, radius>& weights, Real* out) {
   for (int x = 0; x < count; ++x) {

@@ -13,14 +13,14 @@
 namespace glassbox {
 namespace {
 
-// Errors counted by their nearest multiple of 2^-16.
+// Counts errors, each rounded to the nearest multiple of 2^-16.
 class Histogram {
 public:
   void add(float error) { ++counts_[std::size_t(error * float(kBins) + 0.5f)]; }
   void add(const Histogram& other) {
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   }
-  // The smallest error that at least `rank` of the errors do not exceed.
+  // The smallest error that is not exceeded by at least `rank` of the errors.
   double at_rank(std::uint64_t rank) const {
     std::size_t bin = 0;
     for (std::uint64_t seen = counts_[0]; seen < rank; seen += counts_[bin]) ++bin;
@@ -32,7 +32,7 @@ private:
   std::vector<std::uint32_t> counts_ = std::vector<std::uint32_t>(kBins + 1);
 };
 
-// A thread's tile and what it has counted.
+// A thread's tile and its counts so far.
 struct FlipWorker {
   std::unique_ptr<FlipTile> tile = std::make_unique<FlipTile>();
   FixedSum sum;

@@ -12,8 +12,8 @@ constexpr double square(double value) {
   return value * value;
 }
 
-// Contrast sensitivity of one opponent colour: amplitude a and width b (square degrees) of a Gaussian, table 1 of the
-// paper.
+// Contrast sensitivity of the opponent colours: amplitude a and width b (square degrees) of
+// Gaussians, table 1 of the paper.
 constexpr double kLightnessWidth = 0.0047;
 constexpr double kRedGreenWidth = 0.0053;
 constexpr double kWideAmplitude = 34.1, kWideWidth = 0.04;
@@ -32,7 +32,7 @@ double contrast_gaussian(double width, int r) {
   return exponential(-square(kPi * r / kPixelsPerDegree) / width);
 }
 
-// Over the square of the paper's radius, along one axis.
+// The sum over the paper's radius, along one axis.
 double contrast_sum(double width) {
   double sum = 1;
   for (int r = kColourRadius; r > 0; --r) sum += 2 * contrast_gaussian(width, r);
@@ -71,7 +71,7 @@ void set_features(FlipFilters& filters) {
   double smooth = feature_gaussian(0);
   double slope = 0;
   double rise = 0;
-  double fall = -feature_bend(0);  // the only weight that has no twin
+  double fall = -feature_bend(0);  // the only weight without a counterpart on the other side
   for (int r = 1; r <= kFeatureRadius; ++r) {
     smooth += 2 * feature_gaussian(r);
     slope += feature_slope(r);

@@ -21,7 +21,7 @@ float linear_of(std::uint8_t code) {
   return decode_srgb(code);
 }
 
-// IEC 61966-2-1; the same bits as for bytes where code = 257 byte.
+// The sRGB transfer function (IEC 61966-2-1); the same bits as for bytes where code = 257 byte.
 float linear_of(std::uint16_t code) {
   static const std::vector<float> table = [] {
     std::vector<float> linear(65536);
@@ -41,7 +41,7 @@ float alpha_of(std::uint16_t code) {
   return float(code) / 65535.0f;
 }
 
-// One pixel over the background.
+// Places one pixel over the background. Returns whether the pixel was opaque.
 template <class Sample>
 bool put(const Sample* pixel, int channels, float background, std::size_t at, LinearRow& row) {
   const bool colour = channels >= 3;

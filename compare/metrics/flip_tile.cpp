@@ -14,7 +14,7 @@ using flip_colour::Colour;
 constexpr std::ptrdiff_t kAcross = 1;
 constexpr std::ptrdiff_t kDown = FlipPlane::kStride;
 
-// Along x for the rows of the tile and as many above and below as a filter along y wants.
+// Filters along x the rows of the tile and as many rows above and below as a filter along y needs.
 template <std::size_t radius>
 void even_across(const FlipPlane& in, const PixelBox& tile, const Taps<float, radius>& taps,
                  float sum, int rows_around, FlipPlane& out) {
@@ -23,7 +23,7 @@ void even_across(const FlipPlane& in, const PixelBox& tile, const Taps<float, ra
   }
 }
 
-// One Gaussian along both axes.
+// Filters with one Gaussian along both axes.
 template <std::size_t radius>
 void blur(const FlipPlane& in, const PixelBox& tile, const Taps<float, radius>& taps,
           FlipPlane& across, FlipPlane& out) {
@@ -42,7 +42,7 @@ void mix(const FlipPlane& wide, const PixelBox& tile, float wide_share, float na
   }
 }
 
-// The length of the vector of two filters' answers.
+// The length of the vector of two filter results.
 void length(const float* a, const float* b, int count, float* out) {
   for (int x = 0; x < count; ++x) out[x] = std::sqrt(a[x] * a[x] + b[x] * b[x]);
 }
@@ -131,7 +131,7 @@ void FlipTile::compute(const PicturePair& pair, const PixelBox& tile) {
                        [](float a, float b) { return std::max(a, b); });
       }
     }
-    if (opaque) return;  // the background does not show
+    if (opaque) return;  // the background has no effect
   }
 }
 

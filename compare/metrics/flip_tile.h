@@ -1,4 +1,5 @@
-// FLIP of one tile of a picture, with what lies around the tile as far as its filters reach.
+// FLIP of one tile of a picture, including the pixels around the tile that its filters need (the
+// halo).
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,15 @@ namespace glassbox {
 inline constexpr TileSize kLargestFlipTile{256, 64};
 inline constexpr int kFlipHalo = std::max(kColourRadius, kFeatureRadius);  // px
 
-// Room for a tile with its halo on all sides. `kStride` is known to the compiler, so that taps along y have fixed
-// places.
+// The samples of a tile with its halo on all sides. `kStride` is known to the compiler, so that the
+// filter weights along y have fixed offsets.
 class FlipPlane {
 public:
   static constexpr std::ptrdiff_t kStride = kLargestFlipTile.width + 2 * kFlipHalo;
   static constexpr std::ptrdiff_t kRows = kLargestFlipTile.height + 2 * kFlipHalo;
 
-  // Row y of the tile from its first pixel; the halo lies at negative places and behind the tile.
+  // Row y of the tile from its first pixel; the halo has negative indices and indices after the
+  // tile's last.
   float* row(int y) { return samples_.data() + (y + kFlipHalo) * kStride + kFlipHalo; }
   const float* row(int y) const { return samples_.data() + (y + kFlipHalo) * kStride + kFlipHalo; }
 
@@ -29,18 +31,19 @@ private:
   std::array<float, std::size_t(kStride* kRows)> samples_;
 };
 
-// Lightness, red against green, blue against yellow: flip_colour::opponent_of_linear.
+// The planes lightness, red-green and blue-yellow: see flip_colour::opponent_of_linear.
 struct OpponentPlanes {
   FlipPlane lightness, red_green, blue_yellow;
 };
 
-// What an eye makes of the tile: colours in CIELab with Hunt's adjustment after filtering, and the strengths of edges
-// and points.
+// The tile as the eye sees it: colours in CIELab with Hunt's adjustment after filtering, and the
+// strengths of edges and points.
 struct SeenPlanes {
   FlipPlane lightness, a, b, edges, points;
 };
 
-// The errors of tiles, one after the other; a thread needs one of these, of 2 MB.
+// Computes the errors of tiles, one after the other; each thread needs one of these objects, of 2
+// MB.
 class FlipTile {
 public:
   // Fills error().row(0) ... row(tile.height - 1). The tile is at most kLargestFlipTile.

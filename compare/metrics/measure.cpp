@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto kNothingCompared = "no pixel is compared";
 
-// Why SSIM or FLIP cannot be had; empty where they can.
+// Why SSIM or FLIP cannot be computed; empty where they can.
 std::string why_no_ssim(const PicturePair& pair) {
   if (has_floats(pair.reference)) return "SSIM needs samples that end at white; floats do not";
   if (pair.reference.width < kSsimWindow || pair.reference.height < kSsimWindow) {
@@ -37,7 +37,7 @@ bool holds(const Limit& limit, double value) {
   return false;
 }
 
-// The numbers of one pair: each family is computed once, when first asked for.
+// The metric values of one pair: each family is computed once, when it is first needed.
 class Measurement {
 public:
   explicit Measurement(const PicturePair& pair) : pair_(pair) {}

@@ -36,7 +36,7 @@ std::string known_names() {
   return names + ", ssim or flip";
 }
 
-// "ssim" of "ssim.mean"; nothing of "rmse".
+// Returns "ssim" for "ssim.mean"; nothing for "rmse".
 std::string_view family(std::string_view name) {
   const std::size_t dot = name.find('.');
   return dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
@@ -67,7 +67,7 @@ Result<double> parse_number(std::string_view text, std::string_view word) {
   return value;
 }
 
-// One word: a name, with a limit or without.
+// One word: a name, with or without a limit.
 struct Word {
   std::string_view name;
   std::optional<Limit> limit;
@@ -91,7 +91,8 @@ Result<void> check_direction(const KnownMetric& known, const Word& word, std::st
                           word.name, word.name, larger ? '>' : '<', word.limit->value));
 }
 
-// Appends what one word asks for: one number, or all of a family with the limit on the mean.
+// Appends the request of one word: one number, or all numbers of a family with the limit on the
+// mean.
 Result<void> append(std::string_view text, std::vector<MetricRequest>& requests) {
   const auto word = parse_word(text);
   if (!word) return tl::unexpected(word.error());

@@ -1,4 +1,5 @@
-// Numbers for how different two pictures are: reported, and gating only where a limit is given.
+// Numbers that say how different two pictures are. They are reported; they decide only where a
+// limit is given.
 #pragma once
 
 #include <cstdint>
@@ -24,22 +25,23 @@ struct MetricRequest {
   std::optional<Limit> limit;
 };
 
-// A list separated by commas: "absmax,psnr>40,flip.mean<0.05". "ssim" and "flip" ask for all numbers of the metric; a
-// limit on them is a limit on their mean. An error names the word: an unknown name, a limit that is no finite number,
-// or one in the direction that lets bad pictures pass ("psnr<40").
+// Parses a list separated by commas: "absmax,psnr>40,flip.mean<0.05". "ssim" and "flip" request all
+// numbers of the metric; a limit on them is a limit on their mean. An error names the word: an
+// unknown name, a limit that is not a finite number, or a limit in the direction that lets bad
+// pictures pass ("psnr<40").
 Result<std::vector<MetricRequest>> parse_metrics(const std::string& text);
-std::string to_string(const MetricRequest& request);  // as written
+std::string to_string(const MetricRequest& request);  // as the user wrote it
 
 struct MetricValue {
   std::string name;
   std::optional<double> value = {};  // none where the metric is not defined for these pictures
-  std::string why_not = {};          // the reason then
+  std::string why_not = {};          // the reason if there is no value
   std::optional<Limit> limit = {};
-  bool passes = true;  // its limit; a limit on a value that does not exist fails
+  bool passes = true;  // whether the value is within its limit; a limit on a missing value fails
 };
 
-// The values asked for. Pixels that the selection leaves out count nowhere; where a metric looks at neighbourhoods, the
-// test has the reference's samples there.
+// The requested values. Pixels that the selection leaves out are not counted; where a metric uses
+// neighbourhoods, the test picture has the reference's samples at these pixels.
 std::vector<MetricValue> measure(const PicturePair& pair,
                                  const std::vector<MetricRequest>& requests);
 

@@ -1,4 +1,4 @@
-// What the samples of a picture stand for.
+// The meaning of the samples of a picture.
 #pragma once
 
 #include <glassbox/images/stored_image.h>
@@ -9,7 +9,7 @@ inline bool has_floats(const StoredImage& image) {
   return std::holds_alternative<std::vector<float>>(image.samples);
 }
 
-// The sample that stands for 1.
+// The sample value that means 1.
 inline double full_scale(const StoredImage& image) {
   if (std::holds_alternative<std::vector<std::uint8_t>>(image.samples)) return 255;
   if (std::holds_alternative<std::vector<std::uint16_t>>(image.samples)) return 65535;

@@ -39,13 +39,14 @@ constexpr std::ptrdiff_t kRows = kLargestSsimTile.height + 2 * kRadius;
 using Row = std::array<double, std::size_t(kStride)>;
 using Plane = std::array<double, std::size_t(kStride* kRows)>;
 
-// The four pictures whose weighted means make the similarity. With s = r + t and d = r - t of the samples r and t,
-// r^2 + t^2 = (s^2 + d^2)/2 and 2rt = (s^2 - d^2)/2; so it is for the squared means and for the variances.
+// The four pictures whose weighted means make the similarity. With s = r + t and d = r - t of the
+// samples r and t, r^2 + t^2 = (s^2 + d^2)/2 and 2rt = (s^2 - d^2)/2; the same holds for the
+// squared means and for the variances.
 enum Part : std::uint8_t { kSum, kDifference, kSumSquare, kDifferenceSquare };
 template <class Of>
 using Parts = std::array<Of, 4>;
 
-// Without a difference, numerator and denominator have the same bits.
+// If there is no difference, numerator and denominator have the same bits.
 double similarity(double sum, double difference, double sum_square, double difference_square) {
   const double mean_s = sum * sum;
   const double mean_d = difference * difference;
@@ -55,8 +56,8 @@ double similarity(double sum, double difference, double sum_square, double diffe
          (((mean_s + mean_d) / 2 + kC1) * ((variance_s + variance_d) / 2 + kC2));
 }
 
-// Samples x, x + 1, ... of one channel of a row, scaled to [0, 1]. Pixels that are not compared come from the
-// reference.
+// Loads the samples x, x + 1, ... of one channel of a row, scaled to [0, 1]. Pixels that are not
+// compared come from the reference.
 void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<Row>& row) {
   const double scale = full_scale(pair.reference);
   const auto channels = std::size_t(pair.reference.channels);
@@ -95,7 +96,7 @@ struct Totals {
   }
 };
 
-// A thread's part of the picture and what it has counted.
+// A thread's part of the picture and its counts so far.
 class SsimWorker {
 public:
   // `tile` is a box of window centres.

@@ -1,7 +1,7 @@
 // SSIM: how similar the structure of two pictures is, window by window.
 //
-// Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment: From Error Visibility to Structural Similarity. IEEE
-// Transactions on Image Processing 13(4), 2004.
+// Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment: From Error Visibility to Structural
+// Similarity. IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,23 @@ namespace glassbox {
 inline constexpr int kSsimWindow = 11;  // px, a Gaussian of standard deviation 1.5
 inline constexpr TileSize kLargestSsimTile{128, 32};
 
-// Over all channels, alpha too, and all windows that lie wholly inside the picture and whose centre is compared.
+// Computed over all channels, alpha included, and all windows that are wholly inside the picture
+// and whose centre is compared.
 struct SsimValues {
-  std::uint64_t windows = 0;  // a channel's window counts one
-  double mean = 0;            // off by 2^-33 at most: fixed_sum.h
-  double min = 0;             // of a single window
+  std::uint64_t windows = 0;  // counted once for each channel
+  double mean = 0;            // error at most 2^-33: fixed_sum.h
+  double min = 0;             // the smallest value of a single window
 };
 
-// K1 = 0.01, K2 = 0.03 and L = 1 on samples scaled to [0, 1]; the pair must not have floats. No windows where
-// the picture is smaller than one. The same pictures give exactly 1.
+// K1 = 0.01, K2 = 0.03 and L = 1 on samples scaled to [0, 1]; the pair must not have floats. There
+// are no windows where the picture is smaller than one window. Equal pictures give exactly 1.
 //
-// Variances come as E[v^2] - E[v]^2, of the sum and the difference of the two pictures: v^2 is at most 4, and 22
-// roundings of 2^-53 each in either term leave an error below 2 * 22 * 4 * 2^-53 = 2e-14. The denominator is at least
-// K2^2 = 9e-4, so a window is off by less than 5e-11.
+// Variances are computed as E[v^2] - E[v]^2, of the sum and the difference of the two pictures. v^2
+// is at most 4, and 22 roundings of 2^-53 each in either term leave an error below 2 * 22 * 4 *
+// 2^-53 = 2e-14. The denominator is at least K2^2 = 9e-4, so the error of a window is below 5e-11.
 //
-// Memory: 0.2 MB a thread beyond the pictures. `tiles` (at most kLargestSsimTile) and the number of threads have no
-// influence on the result.
+// Memory: 0.2 MB per thread in addition to the pictures. `tiles` (at most kLargestSsimTile) and the
+// number of threads do not change the result.
 SsimValues ssim(const PicturePair& pair, TileSize tiles = kLargestSsimTile);
 
 }  // namespace glassbox

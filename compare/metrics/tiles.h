@@ -1,4 +1,4 @@
-// A picture in tiles small enough for a core's cache, spread over the cores.
+// Divides a picture into tiles that fit into a core's cache, and distributes them over the cores.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ struct TileSize {
   int height = 0;  // px
 };
 
-// Calls `work` once for every tile of a picture of this size, on as many threads as oneTBB has, in no particular order.
-// Tiles at the right and lower edge may be smaller.
+// Calls `work` once for every tile of a picture of this size, on as many threads as oneTBB has, in
+// no particular order. Tiles at the right and lower edge may be smaller.
 void for_each_tile(int width, int height, TileSize size,
                    const std::function<void(const PixelBox&)>& work);
 

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t kAnySize = ~std::uint64_t(0) - 1;  // read_stored has looked at it
+// read_stored has already checked the file.
+constexpr std::uint64_t kAnySize = ~std::uint64_t(0) - 1;
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// A new picture taken as the reference.
+// Accepts a new picture as the reference.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace glassbox {
 
-// Whether the environment variable CI is set, as continuous-integration servers do: what runs there has nobody to look at
-// the picture.
+// Whether the environment variable CI is set, as on continuous-integration servers, where no person
+// looks at the picture.
 bool on_ci_server();
 
-// Copies the file `test` over `reference`, wholly or not at all, making its folder where there is none. Refused on a CI
-// server, for a test that cannot be decoded, and where the two names end differently.
+// Copies the file `test` over `reference`, completely or not at all, and makes its folder if there
+// is none. Refused on a CI server, for a test that cannot be decoded, and where the two names have
+// different extensions.
 Result<void> approve(const std::string& reference, const std::string& test);
 
 }  // namespace glassbox

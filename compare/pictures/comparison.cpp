@@ -23,7 +23,7 @@ bool is_float(const StoredImage& image) {
   return std::holds_alternative<std::vector<float>>(image.samples);
 }
 
-// Why the tolerances do not allow the differences; empty if they do.
+// The reasons why the tolerances do not allow the differences; empty if they do.
 std::vector<std::string> broken_limits(const CompareOptions& options, const PicturePair& pair,
                                        const Differences& found,
                                        const std::vector<MetricValue>& metrics) {
@@ -80,7 +80,7 @@ std::optional<Recipe> recipe_in(const std::string& path) {
   return text ? recipe_of(*text) : std::nullopt;
 }
 
-// What the recipes in the two files tell about the difference.
+// Adds what the recipes in the two files say about the difference.
 void consult_recipes(Comparison& comparison, const CompareOptions& options) {
   const auto reference = recipe_in(comparison.reference.path);
   const auto test = recipe_in(comparison.test.path);
@@ -151,7 +151,8 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
     return comparison;
   }
   Rules rules = combine(options, *sidecar, comparison.notes);
-  if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();  // it is about floats only
+  // max_ulp applies to floats only.
+  if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();
   comparison.tolerance = tolerance_text(rules.options);
   comparison.tolerance_reason = rules.reason;
   comparison.ignore = rules.options.ignore;

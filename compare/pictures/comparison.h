@@ -1,4 +1,4 @@
-// The whole verdict on one pair of pictures: what every report is made from.
+// The complete result for one pair of pictures, which all reports are made from.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 namespace glassbox {
 
 enum class Verdict : std::uint8_t {
-  kSame,             // every compared sample
-  kWithinTolerance,  // different, and the tolerance that was asked for allows it
+  kSame,             // every compared sample is equal
+  kWithinTolerance,  // different, but the given tolerance allows it
   kDifferent,
   kNew,         // there is no reference
   kMissing,     // there is no test picture
@@ -36,11 +36,12 @@ struct CompareOptions {
   std::vector<PixelBox> ignore;
   std::string mask;  // file; empty: none
   bool nan_equals_nan = false;
-  // The command that shows how a pixel of a picture made by this recipe came about; empty where there is none.
+  // Returns the command that shows how a pixel of a picture made by this recipe was computed; empty
+  // where there is none.
   std::function<std::string(const Recipe& recipe, PixelAt pixel)> inspect_command;
 };
 
-// What is known of a picture before its samples are looked at.
+// The properties of a picture that are known before its samples are compared.
 struct PictureFacts {
   std::string path;
   int width = 0, height = 0;  // px
@@ -49,38 +50,41 @@ struct PictureFacts {
 };
 
 struct Comparison {
-  // What people call the pair: its path below the two directories, or the test's path.
+  // The name of the pair: its path below the two directories, or the test's path.
   std::string name;
   PictureFacts reference, test;
   Verdict verdict = Verdict::kSame;
-  std::optional<Error> error;              // of kNew, kMissing and kUncompared
+  std::optional<Error> error;              // for kNew, kMissing and kUncompared
   std::optional<Differences> differences;  // none where sizes, channels or formats differ
   std::vector<MetricValue> metrics;
-  // Why it is not the same, or too different: sentences, the decisive one first.
+  // The reasons why the pictures are not the same, or too different: sentences, the decisive one
+  // first.
   std::vector<std::string> reasons;
-  // What may be behind it: a shift, a flip, swapped channels, another recipe.
+  // Possible causes: a shift, a flip, swapped channels, another recipe.
   std::vector<std::string> hints;
   std::vector<std::string>
       notes;              // about the test itself: a stale tolerance, an option that was overruled
   std::string tolerance;  // the one that applied, as it would be written; empty: none
-  std::string tolerance_reason;  // of the sidecar
+  std::string tolerance_reason;  // as given in the sidecar
   std::string inspect_command;  // shows how glassbox made the first differing pixel; empty: unknown
-  std::vector<PixelBox> ignore;  // what was left out, the sidecar's boxes included
+  std::vector<PixelBox> ignore;  // the boxes that were left out, including the sidecar's
   std::string mask;              // file
   bool nan_equals_nan = false;
 };
 
-// Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its tolerance applies
-// where the options have none (options win, and a note says so). Pictures pass if they are the same, or if a fuzzy
-// annotation, a number of ulps or limits on metrics are given and all of them hold. Whatever stands in the way of a
-// verdict is in `error`.
+// Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its
+// tolerance applies where the options have none (options have priority, and a note says so).
+// Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or limits on
+// metrics are given and all of them hold. If the pictures cannot be compared, the reason is in
+// `error`.
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
 
-// Compares the two files of a pair, under its name; kNew or kMissing where one of the two is not there.
+// Compares the two files of a pair, under its name; kNew or kMissing where one of the two does not
+// exist.
 Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options = {});
 
-// The pixels that a comparison looked at, for whoever shows them.
+// The pixels that a comparison used, for code that displays them.
 Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
                                const std::string& mask);
 

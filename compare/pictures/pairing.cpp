@@ -31,7 +31,7 @@ tl::unexpected<Error> cannot_list(const std::string& directory, const std::error
                               "check the name and the permissions"});
 }
 
-// Names below `directory`, with / between folders.
+// The names of all files below `directory`, with / between folders.
 Result<std::set<std::string>> files_below(const std::string& directory) {
   std::set<std::string> names;
   std::error_code error;

@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// Two pictures of one name, of which at least one is there.
+// Two pictures of the same name, of which at least one exists.
 struct PicturePaths {
   std::string name;             // below both directories, with / between folders
   std::string reference, test;  // where they are or would be
@@ -17,13 +17,14 @@ struct PicturePaths {
 };
 
 struct Pairing {
-  std::vector<PicturePaths> pictures;  // by name
+  std::vector<PicturePaths> pictures;  // sorted by name
   // Sidecars of the reference directory that belong to no picture.
   std::vector<std::string> orphans;
 };
 
-// All pictures below the two directories, subfolders included (links to folders are not followed): files whose extension is
-// png, jpg, jpeg, bmp, tga, ppm, pgm or pfm in either case. An error where there is none at all.
+// Finds all pictures below the two directories, subfolders included (links to folders are not
+// followed): files with the extension png, jpg, jpeg, bmp, tga, ppm, pgm or pfm, in upper or lower
+// case. An error where there is no picture at all.
 Result<Pairing> pair_directories(const std::string& reference, const std::string& test);
 
 }  // namespace glassbox

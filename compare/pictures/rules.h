@@ -1,4 +1,5 @@
-// What applies to one pair: the options given, and what the sidecar of the reference adds to them.
+// The rules for comparing one pair: the given options, and what the sidecar of the reference adds
+// to them.
 #pragma once
 
 #include <optional>
@@ -17,8 +18,8 @@ struct Rules {
   std::string reason;        // of the sidecar's tolerance
 };
 
-// The sidecar's boxes and mask are added (its mask where there is none); its tolerance applies unless the options have
-// one, which adds a note.
+// Adds the sidecar's boxes, and its mask if there is no mask yet. Its tolerance applies unless the
+// options have one; then a note is added.
 Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
               std::vector<std::string>& notes);
 
@@ -27,7 +28,8 @@ bool has_limit(const std::vector<MetricRequest>& metrics);
 // The tolerances as they would be written; empty: none.
 std::string tolerance_text(const CompareOptions& options);
 
-// In words, that the sidecar's tolerance allows more than these differences need; empty if it does not.
+// A sentence that says that the sidecar's tolerance allows more than these differences need; empty
+// if it does not.
 std::string stale_text(const Rules& rules, const Differences& found);
 
 }  // namespace glassbox

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMaxBytes = 64 * 1024;
 
-// "key: value"; without a key the annotation itself.
+// Splits "key: value"; a line without a key is the annotation itself.
 std::pair<std::string, std::string> split_line(std::string_view line) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos) return {"fuzzy", std::string(line)};
@@ -24,7 +24,7 @@ std::pair<std::string, std::string> split_line(std::string_view line) {
           std::string(trimmed(line.substr(colon + 1)))};
 }
 
-// Whether the key, of those that a sidecar has once, has been there before.
+// Whether this key has been read before; only for keys that a sidecar may have once.
 bool is_known(const Sidecar& sidecar, const std::string& key) {
   return (key == "fuzzy" && sidecar.tolerance.fuzzy) ||
          (key == "max-ulp" && sidecar.tolerance.max_ulp) ||

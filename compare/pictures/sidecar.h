@@ -1,4 +1,4 @@
-// The tolerance of one picture, kept beside its reference together with the reason for it.
+// The tolerance of one picture and the reason for it, stored in a file beside its reference.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace glassbox {
 
-// A text file of lines "key: value", the keys those of the command line: fuzzy, max-ulp, metric, ignore, mask, and
-// reason, which must be there. # starts a comment line; a line without a key is a fuzzy annotation.
+// A text file of lines "key: value". The keys are those of the command line: fuzzy, max-ulp,
+// metric, ignore, mask; and reason, which is required. # starts a comment line; a line without a
+// key is a fuzzy annotation.
 //
 //     # teapot.png.fuzzy
 //     maxDifference=0-1;totalPixels=0-4
@@ -27,8 +28,9 @@ struct Sidecar {
   std::string reason;
 };
 
-// Reads "NAME.fuzzy" for the reference NAME, with or without the extension of NAME (teapot.png.fuzzy, teapot.fuzzy);
-// none if there is no such file, an error where both are there.
+// Reads "NAME.fuzzy" for the reference NAME, with or without the extension of NAME
+// (teapot.png.fuzzy, teapot.fuzzy). Returns none if there is no such file; an error where both
+// exist.
 Result<std::optional<Sidecar>> find_sidecar(const std::string& reference);
 
 Result<Sidecar> parse_sidecar(const std::string& path, const std::string& text);

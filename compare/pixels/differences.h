@@ -1,4 +1,5 @@
-// Where two pictures differ and by how much, exactly, in steps of their format: 1/255, 1/65535, or ulps of a float.
+// Finds where two pictures differ and by how much, exactly, in steps of their format: 1/255,
+// 1/65535, or ulps of a float.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +12,11 @@
 
 namespace glassbox {
 
-// Further apart than any count of steps: NaN and a number, an infinity and anything else.
+// A difference larger than any number of steps: between NaN and a number, or an infinity and
+// anything else.
 inline constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
-// Two pictures of the same size, channels and format, and what is compared of them.
+// Two pictures of the same size, channels and format, and the pixels of them that are compared.
 struct PicturePair {
   const StoredImage& reference;
   const StoredImage& test;
@@ -22,12 +24,14 @@ struct PicturePair {
   bool nan_equals_nan = false;
 };
 
-// The number of floats from a to b: 0 for the same bits, 1 for neighbours, of which -0 and +0 are a pair, too. NaN is
-// kUnbounded away from everything, from NaN too unless `nan_equals_nan`; so is an infinity from everything else.
+// The number of floats from a to b: 0 for the same bits, 1 for neighbours; -0 and +0 are neighbours
+// too. The distance from NaN to everything is kUnbounded, also to NaN unless `nan_equals_nan`; so
+// is the distance from an infinity to everything else.
 std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan);
 
-// The largest difference of a channel in each pixel of row y, in steps; 0 where the selection leaves the pixel out.
-// `steps` has one place a pixel. False if no step can be above 0, which is known sooner than the steps.
+// Computes the largest difference of a channel in each pixel of row y, in steps; 0 where the
+// selection leaves the pixel out. `steps` has one element per pixel. Returns false if no step can
+// be above 0, which is known before the steps are computed.
 bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps);
 
 struct PixelAt {
@@ -40,21 +44,21 @@ struct Region {
   PixelBox box;
   std::uint64_t pixels = 0;
   std::uint32_t largest = 0;  // steps
-  PixelAt worst;              // the first pixel, row by row, that differs by `largest`
+  PixelAt worst;              // the first pixel in row order that differs by `largest`
 };
 
 struct Differences {
   std::uint64_t compared = 0;   // pixels
   std::uint64_t differing = 0;  // pixels
   std::uint32_t largest = 0;    // steps
-  PixelAt first;                // row by row, where differing > 0
-  PixelBox box;                 // of all pixels that differ
+  PixelAt first;                // in row order; valid where differing > 0
+  PixelBox box;                 // around all pixels that differ
   std::uint64_t region_count = 0;
   // The worst first: by largest difference, then by pixels; `kept_regions` at most.
   std::vector<Region> regions;
 };
 
-// One pass over the rows; memory in proportion to a row and to the regions kept.
+// Makes one pass over the rows; the memory is proportional to a row and to the regions kept.
 Differences find_differences(const PicturePair& pair, std::size_t kept_regions = 100);
 
 }  // namespace glassbox

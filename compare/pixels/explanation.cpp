@@ -17,15 +17,16 @@
 namespace glassbox {
 namespace {
 
-// "Channel c of the test's pixel (x, y) fits channel source[c] of the reference's pixel
-// (x_sign x + x_offset, y_sign y + y_offset)."
+// A hypothesis says: "Channel c of the test's pixel (x, y) fits channel source[c] of the
+// reference's pixel (x_sign x + x_offset, y_sign y + y_offset)."
 template <class Sample>
 struct Hypothesis {
   std::string words;
   int x_sign = 1, x_offset = 0;
   int y_sign = 1, y_offset = 0;
   std::array<int, 4> source = {0, 1, 2, 3};
-  std::function<bool(int channel, Sample from, Sample to)> fits = {};  // none: if they are the same
+  // none: they fit if they are the same.
+  std::function<bool(int channel, Sample from, Sample to)> fits = {};
 };
 
 template <class Sample>
@@ -38,7 +39,7 @@ bool is_alpha(int channel, int channels) {
   return channels % 2 == 0 && channel == channels - 1;
 }
 
-// Row y; pixel x of it starts at channels * x.
+// The samples of row y; pixel x starts at channels * x.
 template <class Sample>
 const Sample* row_of(const StoredImage& image, int y) {
   const auto& samples = std::get<std::vector<Sample>>(image.samples);
@@ -50,7 +51,7 @@ const Sample* pixel_at(const StoredImage& image, PixelAt at) {
   return row_of<Sample>(image, at.y) + std::ptrdiff_t(at.x) * image.channels;
 }
 
-// As find_differences sees it.
+// Compares samples in the same way as find_differences.
 template <class Sample>
 bool same_sample(const PicturePair& pair, Sample a, Sample b) {
   if constexpr (std::is_integral_v<Sample>) {
@@ -80,10 +81,10 @@ bool foretells(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, co
   return true;
 }
 
-// Compared pixels of the test ...
+// Counts of compared pixels of the test.
 struct Score {
-  std::uint64_t misses = 0;  // that are not as the hypothesis says
-  std::uint64_t open = 0;    // that differ, and come or go beyond the edge
+  std::uint64_t misses = 0;  // pixels that are not as the hypothesis says
+  std::uint64_t open = 0;  // pixels that differ, and whose source or target is outside the picture
 };
 
 bool is_within(int place, int size) {
@@ -114,7 +115,8 @@ void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
   }
 }
 
-// Of all rows, from the first that differs, where a wrong hypothesis soon fails. Stops above `limit` misses.
+// The score over all rows, beginning with the first that differs, where a wrong hypothesis soon
+// fails. Stops above `limit` misses.
 template <class Sample>
 Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int first_row,
                std::uint64_t limit) {
@@ -126,8 +128,8 @@ Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
   return score;
 }
 
-// Whether the pixel has changed as the hypothesis says, away from the ends of the range: there, clamping makes any
-// large constant fit.
+// Whether the pixel has changed as the hypothesis says, to a value that is not an end of the range:
+// at the ends, clamping makes any large constant fit.
 template <class Sample>
 bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
                  const Sample* to) {
@@ -139,8 +141,8 @@ bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, 
   return !same_pixel(pair, from, to) && foretells(pair, hypothesis, from, to);
 }
 
-// A change of values that explains all pixels has to be seen in two colours. If only one has changed, an object has
-// another colour, or has vanished before a black background.
+// A change of values that explains all pixels must be visible in two colours. If only one colour
+// has changed, an object has another colour, or has disappeared from a black background.
 template <class Sample>
 bool is_seen_in_two_colours(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
                             const Differences& differences) {
@@ -191,7 +193,7 @@ Sample clamped_sum(Sample sample, int offset) {
   return Sample(std::clamp(int(sample) + offset, 0, int(std::numeric_limits<Sample>::max())));
 }
 
-// The constant is read off the first pixel that differs.
+// The constant is taken from the first pixel that differs.
 template <class Sample>
 void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt first) {
   const int channels = pair.reference.channels;
@@ -210,7 +212,7 @@ void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt firs
   all.push_back(constant);
 }
 
-// `fits` for the colours, alpha as it is.
+// Applies `fits` to the colours; alpha must be unchanged.
 template <class Sample, class Fits>
 Hypothesis<Sample> of_colours(std::string words, int channels, Fits fits) {
   Hypothesis<Sample> hypothesis{std::move(words)};
@@ -220,8 +222,8 @@ Hypothesis<Sample> of_colours(std::string words, int channels, Fits fits) {
   return hypothesis;
 }
 
-// Whether `encoded` may be the sRGB encoding of a number that is stored as `linear` without it: each byte stands for
-// the numbers that are rounded to it.
+// Whether `encoded` may be the sRGB encoding of a number that is stored as `linear` without it:
+// each byte represents all numbers that are rounded to it.
 bool is_encoding(std::uint8_t linear, std::uint8_t encoded) {
   return encode_srgb((float(linear) - 0.5f) / 255) <= encoded &&
          encoded <= encode_srgb((float(linear) + 0.5f) / 255);
@@ -258,7 +260,8 @@ std::string but_for(std::uint64_t misses) {
   return " (but for " + counted(misses, "pixel") + ")";
 }
 
-// The hypothesis with the fewest misses, if it explains nine of ten of what differs and leaves at most half of it open.
+// The hypothesis with the fewest misses, if it explains nine of ten differing pixels and leaves at
+// most half of them open.
 template <class Sample>
 std::optional<std::string> best_explanation(const PicturePair& pair,
                                             const Differences& differences) {
@@ -275,7 +278,7 @@ std::optional<std::string> best_explanation(const PicturePair& pair,
   return best;
 }
 
-// "only alpha differs", "only green differs".
+// Returns a sentence such as "only alpha differs" or "only green differs".
 template <class Sample>
 std::optional<std::string> only_channel(const PicturePair& pair) {
   constexpr std::array kNames{"red", "green", "blue", "alpha"};

@@ -1,4 +1,4 @@
-// What may be behind a difference: the usual slips, each tried exactly.
+// Possible causes of a difference: common mistakes, each tested exactly.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace glassbox {
 
-// Sentences about `differences`, the likeliest first; empty where no known slip explains nine of ten differing pixels
-// and more than one channel differs. Tried are moves by up to two pixels, mirrorings, red and blue in each other's place,
-// a constant added to every sample, inverted colours, and an sRGB encoding too many or too few. Each costs at most two
-// passes over the picture, and ends as soon as it has failed.
+// Sentences about `differences`, the likeliest first. Empty where no known mistake explains nine of
+// ten differing pixels and more than one channel differs. The tested mistakes are shifts by up to
+// two pixels, mirroring, red and blue exchanged, a constant added to every sample, inverted
+// colours, and one sRGB encoding too many or too few. Each test costs at most two passes over the
+// picture, and ends as soon as it has failed.
 std::vector<std::string> explain_differences(const PicturePair& pair,
                                              const Differences& differences);
 
-// Why two pictures of different sizes, channels or formats cannot be compared, and what may be behind it; the first
-// sentence says what differs. Empty where they can.
+// Why two pictures of different sizes, channels or formats cannot be compared, and possible causes;
+// the first sentence says what differs. Empty where they can be compared.
 std::vector<std::string> explain_shapes(const StoredImage& reference, const StoredImage& test);
 
 }  // namespace glassbox

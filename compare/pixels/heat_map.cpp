@@ -21,7 +21,8 @@ std::uint8_t between(int a, int b, int numerator, int denominator) {
   return std::uint8_t(a + (b - a) * numerator / denominator);
 }
 
-constexpr std::uint32_t kFloatEnd = 1u << 24;  // ulps: two octaves
+// Ulps; two floats this far apart differ by a factor of four.
+constexpr std::uint32_t kFloatEnd = 1u << 24;
 
 std::uint32_t end_of_scale(const StoredImage& image) {
   struct End {
@@ -32,7 +33,8 @@ std::uint32_t end_of_scale(const StoredImage& image) {
   return std::visit(End{}, image.samples);
 }
 
-// log2 in 1/256, linear between powers of two: whole numbers, so that every machine gives the same picture.
+// log2 in units of 1/256, linear between powers of two. It uses whole numbers, so that every
+// machine gives the same picture.
 std::uint32_t log2_256(std::uint32_t steps) {
   const auto exponent = std::uint32_t(std::bit_width(steps) - 1);
   return exponent * 256 + std::uint32_t((std::uint64_t(steps) << 8 >> exponent) - 256);

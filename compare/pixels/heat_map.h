@@ -1,4 +1,5 @@
-// Differences as colours: black where nothing differs, then violet, red, orange, yellow and white as they grow.
+// Differences as colours: black where nothing differs, then violet, red, orange, yellow and white
+// for larger differences.
 #pragma once
 
 #include <array>
@@ -9,21 +10,22 @@
 
 namespace glassbox {
 
-inline constexpr std::uint8_t kHeatSame = 0;       // compared and the same
+inline constexpr std::uint8_t kHeatSame = 0;       // compared and equal
 inline constexpr std::uint8_t kHeatLeftOut = 255;  // not compared
-inline constexpr std::uint8_t kHeatHottest = 254;  // 1 to 254: how far apart
+inline constexpr std::uint8_t kHeatHottest = 254;  // 1 to 254: the size of the difference
 
-// The colour of each level: a single step is plainly visible, what is left out is blue-grey.
+// The colour of each level: a single step is clearly visible, pixels that are left out are
+// blue-grey.
 const std::array<Rgba8, 256>& heat_colours();
 
-// The level of a difference in steps, on a logarithmic scale that ends at the largest difference of the format (for
-// floats at 2^24 ulps, a factor of four).
+// The level of a difference in steps, on a logarithmic scale that ends at the largest difference of
+// the format (for floats at 2^24 ulps, a factor of four).
 std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image);
 
-// One level a pixel.
+// One level per pixel.
 Image<std::uint8_t> heat_map(const PicturePair& pair);
 
-// The picture of the levels.
+// The levels as a picture in heat_colours.
 Image<Rgba8> heat_picture(const Image<std::uint8_t>& levels);
 
 }  // namespace glassbox

@@ -34,7 +34,7 @@ void take_in(Region& into, const Region& other) {
 
 }  // namespace
 
-// Every run starts as a component of its own.
+// Every run starts as its own component.
 std::vector<RegionFinder::Run> RegionFinder::find_runs(int y,
                                                        std::span<const std::uint32_t> steps) {
   std::vector<Run> runs;
@@ -74,7 +74,7 @@ void RegionFinder::join(std::size_t a, std::size_t b) {
 
 void RegionFinder::add_row(int y, std::span<const std::uint32_t> steps) {
   std::vector<Run> runs = find_runs(y, steps);
-  // Both lists are sorted, so two fingers meet every pair that touches, corners included.
+  // Both lists are sorted, so one pass over both finds every pair that touches, corners included.
   std::size_t above = 0;
   for (const Run& run : runs) {
     while (above < runs_.size() && runs_[above].last < run.first - 1) ++above;

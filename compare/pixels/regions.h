@@ -1,4 +1,4 @@
-// Connected components of the pixels that differ, found row by row.
+// Finds connected components of the pixels that differ, row by row.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace glassbox {
 
-// Takes the rows of a picture from the top. A component is open while it reaches the last row seen; only open ones and
-// the worst of the closed ones are kept, so memory is in proportion to a row and to `kept`.
+// Takes the rows of a picture from the top. A component is open while it reaches the last row
+// added. Only open components and the worst of the closed ones are kept, so the memory is
+// proportional to a row and to `kept`.
 class RegionFinder {
 public:
   RegionFinder(int width, std::size_t kept) : kept_(kept) { runs_.reserve(std::size_t(width)); }
@@ -18,12 +19,14 @@ public:
   // `steps[x]` is above 0 where pixel (x, y) differs; y counts up by one from call to call.
   void add_row(int y, std::span<const std::uint32_t> steps);
 
-  // The worst first: by largest difference, then by pixels, then from the top left. Closes what is open.
+  // The worst regions first: by largest difference, then by pixels, then from the top left. Closes
+  // all open components.
   std::vector<Region> worst();
-  std::uint64_t count() const { return count_; }  // all regions, after worst()
+  std::uint64_t count() const { return count_; }  // number of all regions, valid after worst()
 
 private:
-  // Neighbouring pixels of one row, first to last, that belong to the component `region` of `open_`.
+  // Neighbouring pixels of one row, first to last, that belong to the component `region` of
+  // `open_`.
   struct Run {
     int first = 0, last = 0;
     std::size_t region = 0;
@@ -39,9 +42,9 @@ private:
   std::uint64_t count_ = 0;
   std::vector<Run> runs_;     // of the last row
   std::vector<Region> open_;  // components that the runs belong to
-  // A joined component points to the one that took it in, any other to itself.
+  // A component that was joined to another has the index of that one, any other its own index.
   std::vector<std::size_t> into_;
-  std::vector<Region> closed_;  // a heap, the mildest first
+  std::vector<Region> closed_;  // a heap, the smallest difference first
 };
 
 }  // namespace glassbox

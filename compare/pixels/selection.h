@@ -1,4 +1,4 @@
-// Which pixels a comparison looks at: all but those that a mask or a box leaves out.
+// The pixels that a comparison uses: all except those that a mask or a box leaves out.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,20 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-// "x,y,wxh", the origin top-left: four whole numbers, the size above zero.
+// Parses "x,y,wxh", with the origin at the top left: four whole numbers, the size above zero.
 Result<PixelBox> parse_pixel_box(const std::string& text);
 std::string to_string(const PixelBox& box);
 
 class Selection {
 public:
-  // All pixels.
+  // Selects all pixels.
   Selection(int width, int height);
 
-  // Leaves out the pixels of the box. An error where the box lies outside of the picture altogether: it is a slip then.
+  // Leaves out the pixels of the box. An error where the box is wholly outside the picture, because
+  // that must be a mistake.
   Result<void> leave_out(const PixelBox& box);
-  // Leaves out the pixels that are black in `mask`: every colour sample 0 (alpha is not looked at). An error where its
-  // size is not the picture's.
+  // Leaves out the pixels that are black in `mask`: every colour sample is 0 (alpha is ignored). An
+  // error where its size is not the picture's.
   Result<void> leave_out_black(const StoredImage& mask);
 
   bool everything() const { return left_out_.empty(); }

@@ -21,7 +21,7 @@ bool read_count(std::string_view text, std::uint64_t& count) {
   return error == std::errc{} && stop == end;
 }
 
-// "3" or "0-3".
+// Reads "3" or "0-3".
 bool read_range(std::string_view text, CountRange& range) {
   const auto dash = text.find('-');
   if (dash == std::string_view::npos) {
@@ -34,11 +34,11 @@ bool read_range(std::string_view text, CountRange& range) {
 }
 
 struct NamedRange {
-  std::string_view name;  // empty: by its place
+  std::string_view name;  // empty: identified by its position
   CountRange range;
 };
 
-// "name=range" or "range".
+// Reads "name=range" or "range".
 bool read_named_range(std::string_view text, NamedRange& named) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) return read_range(text, named.range);
@@ -67,7 +67,7 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
                 "write maxDifference=0-1;totalPixels=0-4 (ranges inclusive; a single number means "
                 "exactly that number)");
   }
-  // Named parts may stand in either order.
+  // Named parts may be in either order.
   const bool swapped = first.name == kTotalPixels || second.name == kMaxDifference;
   if (swapped) std::swap(first, second);
   return Fuzzy{first.range, second.range};

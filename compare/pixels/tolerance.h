@@ -1,4 +1,5 @@
-// How different a picture may be: nothing unless asked for, then within limits that all have to hold.
+// How different a picture may be: not at all by default; otherwise within limits that must all
+// hold.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace glassbox {
 
-// Both ends are allowed.
+// A range of counts; both ends are allowed.
 struct CountRange {
   std::uint64_t lowest = 0;
   std::uint64_t highest = 0;
@@ -19,21 +20,22 @@ struct CountRange {
   friend bool operator==(const CountRange&, const CountRange&) = default;
 };
 
-// The annotation of the web-platform-tests: the largest difference of a channel, in steps, and the number of pixels
-// that differ (https://web-platform-tests.org/writing-tests/reftests.html).
+// The fuzzy annotation of the web-platform-tests: the largest difference of a channel, in steps,
+// and the number of pixels that differ
+// (https://web-platform-tests.org/writing-tests/reftests.html).
 struct Fuzzy {
   CountRange max_difference;  // steps
   CountRange total_pixels;
   friend bool operator==(const Fuzzy&, const Fuzzy&) = default;
 };
 
-// "maxDifference=0-1;totalPixels=0-4"; a name may be left out ("0-1;0-4"), and named parts may change places. A single
-// number means exactly that number.
+// Parses "maxDifference=0-1;totalPixels=0-4"; a name may be left out ("0-1;0-4"), and named parts
+// may be in either order. A single number means exactly that number.
 Result<Fuzzy> parse_fuzzy(const std::string& text);
 std::string to_string(const Fuzzy& fuzzy);
 
-// Both numbers within their ranges; pictures that do not differ at all pass where one of the ranges starts at 0, and no
-// range allows kUnbounded.
+// Whether both numbers are within their ranges. Pictures that do not differ at all pass where one
+// of the ranges starts at 0; no range allows kUnbounded.
 bool allows(const Fuzzy& fuzzy, const Differences& differences);
 
 // The annotation that allows these differences and no others.
@@ -41,12 +43,12 @@ Fuzzy tightest(const Differences& differences);
 
 struct Tolerance {
   std::optional<Fuzzy> fuzzy;
-  // The largest distance of two samples; of pictures of floats only.
+  // The largest allowed distance of two samples; for pictures of floats only.
   std::optional<std::uint32_t> max_ulp;
   bool empty() const { return !fuzzy && !max_ulp; }
 };
 
-// A whole number of ulps below kUnbounded.
+// Parses a whole number of ulps below kUnbounded.
 Result<std::uint32_t> parse_max_ulp(const std::string& text);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// Pixels and differences in words.
+// Text for pixels and differences.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,19 @@
 
 namespace glassbox {
 
-// "(12, 0, 255)": the samples of a pixel, floats with the fewest digits that give them back.
+// "(12, 0, 255)": the samples of a pixel; floats have the fewest digits that are read back as the
+// same float.
 std::string pixel_text(const StoredImage& image, PixelAt pixel);
 
-// "3/255", "3/65535", "3 ulps"; "no finite distance" for kUnbounded.
+// A text such as "3/255", "3/65535" or "3 ulps"; "no finite distance" for kUnbounded.
 std::string steps_text(std::uint32_t steps, const StoredImage& image);
 
-// "12 of 57600 pixels differ, by up to 3/255, in 2 regions; first (2, 1): (0, 0, 0) became (0, 0, 1)".
+// "12 of 57600 pixels differ, by up to 3/255, in 2 regions; first (2, 1): (0, 0, 0) became (0, 0,
+// 1)".
 std::string differences_text(const PicturePair& pair, const Differences& found);
 
-// The tightest fuzzy annotation that allows the differences; that there is none, in words, for kUnbounded.
+// The tightest fuzzy annotation that allows the differences; for kUnbounded a sentence that there
+// is none.
 std::string suggested_fuzzy(const Differences& found);
 
 }  // namespace glassbox

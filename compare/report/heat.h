@@ -12,14 +12,14 @@ namespace glassbox {
 
 enum class HeatOf : std::uint8_t {
   kSteps,  // the largest difference of a channel
-  kFlip,   // the error that FLIP sees
+  kFlip,   // the error that FLIP computes
 };
 
-// The levels of compare/pixels/heat_map.h, one a pixel. Both files are read again. An error where the two cannot be compared
-// pixel by pixel.
+// Returns the levels of compare/pixels/heat_map.h, one per pixel. Both files are read again. An
+// error where the two cannot be compared pixel by pixel.
 Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatOf of = HeatOf::kSteps);
 
-// Writes them as a picture, .png or .ppm.
+// Writes these levels as a picture, .png or .ppm.
 Result<void> write_heat(const std::string& path, const Comparison& comparison,
                         HeatOf of = HeatOf::kSteps);
 

@@ -1,4 +1,4 @@
-// Comparisons as JSON. docs/diff.md has the schema.
+// Comparisons as JSON. The schema is in docs/diff.md.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace glassbox {
 
-// "same", "within-tolerance", "different", "new", "missing", "uncompared".
+// Returns "same", "within-tolerance", "different", "new", "missing" or "uncompared".
 const char* verdict_word(Verdict verdict);
 
 nlohmann::ordered_json to_json(const Comparison& comparison);

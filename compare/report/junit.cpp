@@ -10,7 +10,7 @@
 namespace glassbox {
 namespace {
 
-// Attributes hold tab, line feed and carriage return as references only.
+// XML attributes can contain tab, line feed and carriage return only as character references.
 std::string in_xml(const std::string& text) {
   std::string out;
   for (const char c : escaped(text)) {

@@ -1,4 +1,4 @@
-// Comparisons as JUnit's XML, which continuous-integration servers read.
+// Comparisons in JUnit's XML format, which continuous-integration servers read.
 #pragma once
 
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace glassbox {
 
-// One test suite, `suite` its name, and in it a test case for each picture: a failure where the pictures differ or one is
-// missing or new, an error where they could not be compared. Text that XML 1.0 cannot hold becomes U+FFFD.
+// One test suite named `suite`, with one test case for each picture: a failure where the pictures
+// differ or one is missing or new, an error where they could not be compared. Characters that XML
+// 1.0 cannot represent become U+FFFD.
 std::string junit_report(const std::string& suite, std::span<const Comparison> comparisons);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// Comparisons as one HTML page that needs nothing else: no network, no other file.
+// Comparisons as one HTML page that needs no network and no other file.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,15 @@ struct PageOptions {
   std::string program;  // "glassbox 0.1.0"
   std::string command;  // the command line that made the page
   CropLimits crops;
-  // Samples of all pictures in the page, before they are compressed: a pair of 4096 x 4096 RGBA with its heat map fits.
+  // The largest size of the samples of all pictures in the page, before compression: a pair of 4096
+  // x 4096 RGBA with its heat map fits.
   std::uint64_t max_bytes = std::uint64_t(9) << 24;
 };
 
-// Writes the page, wholly or not at all. Pairs that differ come with their exact samples, the worst first, until
-// max_bytes are used up; the page says which are left out, and how to get a page of them. Pictures that are the same
-// are only names, unless one is all there is. The files are read again, a pair at a time.
+// Writes the page, completely or not at all. Pairs that differ are included with their exact
+// samples, the worst first, until max_bytes are used up; the page says which are left out, and how
+// to get a page of them. For pictures that are the same only the name is included, unless there is
+// only one pair. The files are read again, one pair after the other.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 

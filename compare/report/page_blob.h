@@ -1,4 +1,4 @@
-// Exact samples in a page: rows as differences from the row above, compressed, as text.
+// Exact samples in a page: rows stored as differences from the row above, compressed, as text.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,13 @@
 
 namespace glassbox {
 
-// Bytes of a sample: 1, 2 or 4.
+// The number of bytes of a sample: 1, 2 or 4.
 std::size_t sample_bytes(const StoredImage& image);
 
-// The boxes' samples, little-endian, one box after the other. Each byte of a row but the first of its box is stored as
-// its difference from the one above, modulo 256: neighbours are alike, so most become small. All of it is one zlib
-// stream, in base64. The boxes lie inside of the image. page/decode.js is the way back.
+// Encodes the boxes' samples, little-endian, one box after the other. In every row except the first
+// of its box, each byte is stored as its difference from the byte above, modulo 256: neighbours are
+// similar, so most differences are small. All boxes are one zlib stream, in base64. The boxes must
+// be inside the image. page/decode.js decodes it.
 Result<std::string> encode_blob(const StoredImage& image, std::span<const PixelBox> boxes);
 
 }  // namespace glassbox

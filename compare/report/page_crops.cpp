@@ -11,7 +11,8 @@ struct Span {
   int start, length;
 };
 
-// What is shown of a region's extent along one axis: it with its surroundings, or as much as may be around `worst`.
+// The part that is shown of a region's extent along one axis: the region with its surroundings, or,
+// if that is too long, `side` pixels around `worst`.
 Span shown(int start, int length, int worst, int size, int side) {
   int first = start - kSurroundings, last = start + length + kSurroundings;
   if (last - first > side) {

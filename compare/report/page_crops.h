@@ -1,4 +1,4 @@
-// Which parts of a picture a page shows: all of it, or crops around what differs.
+// Chooses the parts of a picture that a page shows: all of it, or crops around the differences.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@ namespace glassbox {
 
 struct CropLimits {
   std::uint64_t whole_pixels = std::uint64_t(1)
-                               << 24;  // pictures of up to that many are shown whole
+                               << 24;  // pictures of up to this many pixels are shown whole
   int side = 1024;                     // px, of a crop
   std::size_t count = 8;
 };
 
-// Boxes inside of a picture of width x height pixels: one box of all of it, or crops around the worst regions, each
-// with its surroundings. Where nothing is known to differ (`differences` may be null), the top left corner.
+// Boxes inside a picture of width x height pixels: one box of the whole picture, or crops around
+// the worst regions, each with its surroundings. Where no difference is known (`differences` may be
+// null), the top left corner.
 std::vector<PixelBox> crops_of(int width, int height, const Differences* differences,
                                const CropLimits& limits);
 

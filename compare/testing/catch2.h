@@ -1,4 +1,5 @@
-// REQUIRE_THAT(image, MatchesGolden("images/teapot.png")) for Catch2, version 2 or 3. golden.h says what happens.
+// REQUIRE_THAT(image, MatchesGolden("images/teapot.png")) for Catch2, version 2 or 3. See golden.h
+// for what it does.
 #pragma once
 
 #if __has_include(<catch2/matchers/catch_matchers_templated.hpp>)

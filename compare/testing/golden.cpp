@@ -34,8 +34,8 @@ fs::path golden_path(const std::string& golden, const std::string& source_file) 
   return fs::absolute(fs::path(source_file).parent_path() / golden).lexically_normal();
 }
 
-// Where the traces of a failure go: below the folder of failures, under the golden's name (of an absolute one the last
-// part, of a relative one without its ways up).
+// The path for the files of a failure: below the failures folder, under the golden's name (for an
+// absolute path its last part, for a relative one without its ".." parts).
 fs::path failure_path(const std::string& golden) {
   const char* folder = environment("GLASSBOX_FAILURES");
   const fs::path name(golden);
@@ -75,7 +75,7 @@ Result<void> keep(const PictureFile& picture, const fs::path& file) {
   return keep(read_file(picture.path), file);
 }
 
-// The quick way to say yes, without a file written.
+// The fast check for equal pictures, which writes no file.
 bool is_same(const StoredImage& image, const fs::path& golden) {
   const auto expected = read_stored(golden.string());
   return expected && *expected == image;
@@ -90,7 +90,7 @@ Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
   std::error_code ignored;
   Comparison comparison = compare_pair({golden.filename().string(), golden.string(), test.string(),
                                         fs::exists(golden, ignored), true});
-  // What approves a picture here is not the option of glassbox diff; the message ends with it.
+  // The approval option of glassbox diff does not apply here; the message ends with how to approve.
   if (comparison.verdict == Verdict::kNew) comparison.error->remedy = "look at " + test.string();
   return comparison;
 }
@@ -104,13 +104,14 @@ Traces traces_of(const fs::path& test) {
           fs::path(test).replace_extension(".html")};
 }
 
-// A test that passes leaves nothing of an earlier failure behind.
+// A test that passes removes the files of an earlier failure.
 void remove(const Traces& traces) {
   std::error_code ignored;
   for (const fs::path& file : {traces.picture, traces.heat, traces.page}) fs::remove(file, ignored);
 }
 
-// Heat map and page beside the test's picture, and where they are.
+// Writes the heat map and the page beside the test's picture, and returns text that says where they
+// are.
 std::string leave(const Traces& traces, const Comparison& comparison) {
   std::string text = "  picture: " + traces.picture.string() + "\n";
   const auto tell = [&text](const std::string& what, const fs::path& file,

@@ -1,12 +1,14 @@
-// What MatchesGolden does, for any test framework; catch2.h and gtest.h beside this file are the matchers.
+// The implementation of MatchesGolden for any test framework; catch2.h and gtest.h beside this file
+// are the matchers.
 //
-// A golden image is a picture kept with the tests that has been looked at and found right. A test makes the picture again and
-// compares, exactly unless a sidecar (NAME.fuzzy, see compare/pictures/sidecar.h) allows more. Where they differ, the folder
-// golden-failures below the directory in which the test runs (or the one that the environment variable
-// GLASSBOX_FAILURES names) gets the test's picture, a heat map and a page to open in a browser.
+// A golden image is a picture that somebody has checked; it is stored with the tests. A test makes
+// the picture again and compares it, exactly unless a sidecar (NAME.fuzzy, see
+// compare/pictures/sidecar.h) allows more. Where they differ, the test's picture, a heat map and a
+// page for a browser are written to the folder golden-failures below the directory in which the
+// test runs (or to the folder named by the environment variable GLASSBOX_FAILURES).
 //
-// With GLASSBOX_APPROVE=1 in the environment, pictures that differ and those that have no golden image yet become
-// golden images; this is refused where CI is set.
+// With GLASSBOX_APPROVE=1 in the environment, pictures that differ and those that have no golden
+// image yet become golden images; this is refused where CI is set.
 #pragma once
 
 #include <string>
@@ -16,18 +18,19 @@
 
 namespace glassbox {
 
-// A picture file that the code under test has written. The golden image of an approved one is a copy of the file.
+// A picture file that the code under test has written. When it is approved, the golden image is a
+// copy of the file.
 struct PictureFile {
   std::string path;
 };
 
 struct GoldenOutcome {
   bool matches = false;
-  std::string message;  // how the picture differs and where to look; what has been approved
+  std::string message;  // how the picture differs and where to look; or what has been approved
 };
 
-// `golden` is a .png file, or .pfm for floats. Without a directory in front it is relative to the directory of
-// `source_file`, which is the test's own: __FILE__.
+// `golden` is a .png file, or .pfm for floats. A relative path is relative to the directory of
+// `source_file`, which is the test's own source file: __FILE__.
 GoldenOutcome check_golden(const StoredImage& image, const std::string& golden,
                            const std::string& source_file);
 GoldenOutcome check_golden(const PictureFile& picture, const std::string& golden,

@@ -1,4 +1,5 @@
-// EXPECT_THAT(image, MatchesGolden("images/teapot.png")) for GoogleTest with GoogleMock. golden.h says what happens.
+// EXPECT_THAT(image, MatchesGolden("images/teapot.png")) for GoogleTest with GoogleMock. See
+// golden.h for what it does.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -38,7 +39,7 @@ inline testing::PolymorphicMatcher<GoldenMatcher> MatchesGolden(
   return testing::MakePolymorphicMatcher(GoldenMatcher(std::move(golden), source_file));
 }
 
-// How GoogleTest shows them.
+// How GoogleTest prints pictures.
 template <class Pixel>
 void PrintTo(const Image<Pixel>& image, std::ostream* out) {
   *out << "the picture of " << image.width << " x " << image.height;

@@ -14,14 +14,14 @@ double power_7(double x) {
   return cube * cube * x;
 }
 
-// How much of its chroma counts as saturated: 0 for greys, 1 far beyond 25.
+// How saturated a chroma is: 0 for greys, near 1 for chroma far above 25.
 double saturation(double chroma) {
   constexpr double k25 = 6103515625.0;  // 25^7
   const double high = power_7(chroma);
   return std::sqrt(high / (high + k25));
 }
 
-// In [0, 360); 0 for greys, whose hue nothing depends on.
+// The hue in [0, 360); 0 for greys, where the hue has no effect.
 double hue_degrees(double a, double b) {
   const double degrees = degrees_from_radians(arctan2(b, a));
   return degrees < 0 ? degrees + 360 : degrees;
@@ -49,7 +49,7 @@ Lab lab_of_linear(double red, double green, double blue) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// Names and order are the paper's: C for chroma, h for hue, a prime for the adjusted a.
+// Names and order follow the paper: C for chroma, h for hue, a prime for the adjusted a.
 double ciede2000(const Lab& one, const Lab& other) {
   const double mean_c = (std::sqrt(one.a * one.a + one.b * one.b) +
                          std::sqrt(other.a * other.a + other.b * other.b)) /
@@ -61,7 +61,7 @@ double ciede2000(const Lab& one, const Lab& other) {
   const double h1 = hue_degrees(a1, one.b), h2 = hue_degrees(a2, other.b);
   const bool has_grey = c1 * c2 == 0;
 
-  double turn = has_grey ? 0 : h2 - h1;  // the short way round
+  double turn = has_grey ? 0 : h2 - h1;  // the shorter way round the circle
   if (turn > 180) turn -= 360;
   if (turn < -180) turn += 360;
   double mean_h = h1 + h2;

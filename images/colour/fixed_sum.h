@@ -1,15 +1,17 @@
-// A mean that does not depend on the order in which its values come: a sum of whole multiples of 2^-32.
+// A mean that does not depend on the order in which its values are added: a sum of whole multiples
+// of 2^-32.
 #pragma once
 
 #include <cstdint>
 
 namespace glassbox {
 
-// Each value in [-1, 1] is rounded to a multiple of 2^-32, which moves the mean by at most 2^-33 (1.2e-10). Sums of
-// whole numbers are exact, so threads may add what they have in any order. 2^30 values have room.
+// Each value in [-1, 1] is rounded to a multiple of 2^-32, which changes the mean by at most 2^-33
+// (1.2e-10). Sums of whole numbers are exact, so threads may add their values in any order. The sum
+// has room for 2^30 values.
 class FixedSum {
 public:
-  // 3 * 2^51 pushes everything behind the ones' place out of a double of this size, rounding to nearest.
+  // Adding and subtracting 3 * 2^51 rounds a double of this size to the nearest integer.
   void add(double value) {
     constexpr double kRound = 0x1.8p52;
     sum_ += std::int64_t(value * 0x1p32 + kRound - kRound);

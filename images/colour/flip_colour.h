@@ -1,4 +1,4 @@
-// The colour spaces of FLIP and its measure of how far apart two colours are, pixel by pixel.
+// The colour spaces of FLIP and its measure of the difference of two colours, pixel by pixel.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,14 @@ struct Matrix {
   double at[3][3];
 };
 
-// Linear sRGB to CIE XYZ: the primaries of ITU-R BT.709 and white at x = 0.31271, y = 0.32902, as exact fractions.
+// Linear sRGB to CIE XYZ: the primaries of ITU-R BT.709 and white at x = 0.31271, y = 0.32902, as
+// exact fractions.
 inline constexpr Matrix kXyzFromRgb{
     {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
      {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
      {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-// XYZ in units of the white's: the rows add up to 1.
+// XYZ relative to white: each row adds up to 1.
 inline constexpr Matrix kRelativeFromRgb = [] {
   Matrix relative = kXyzFromRgb;
   for (auto& row : relative.at) {
@@ -57,14 +58,15 @@ inline Colour times(const Matrix& matrix, Colour colour) {
   return {row(0), row(1), row(2)};
 }
 
-// YCxCz, without its scales and its offset, which filters leave as they are: Y/Yn, X/Xn - Y/Yn and Y/Yn - Z/Zn. The
-// paper's Y is 116 times the first less 16, its Cx and Cz are 500 and 200 times the others.
+// YCxCz without its scales and its offset, which filters do not change: Y/Yn, X/Xn - Y/Yn and Y/Yn
+// - Z/Zn. The paper's Y is 116 times the first minus 16, its Cx and Cz are 500 and 200 times the
+// others.
 inline Colour opponent_of_linear(Colour rgb) {
   const Colour relative = times(kRelativeFromRgb, rgb);
   return {relative.y, relative.x - relative.y, relative.y - relative.z};
 }
 
-// Clamped to the colours that a monitor has.
+// The linear colour, clamped to the colours that a monitor can show.
 inline Colour linear_of_opponent(Colour opponent) {
   const Colour rgb =
       times(kRgbFromRelative, {opponent.x + opponent.y, opponent.x, opponent.x - opponent.z});
@@ -72,7 +74,7 @@ inline Colour linear_of_opponent(Colour opponent) {
   return {clamp(rgb.x), clamp(rgb.y), clamp(rgb.z)};
 }
 
-// The cube root of CIELab with its straight line near black.
+// The cube root of CIELab, with its straight line near black.
 inline float lab_root(float value) {
   constexpr float kDelta = 6.0f / 29.0f;
   constexpr float kCube = kDelta * kDelta * kDelta;
@@ -81,7 +83,7 @@ inline float lab_root(float value) {
   return value > kCube ? root : line;
 }
 
-// CIELab with Hunt's adjustment: colours weigh less where it is dark.
+// CIELab with Hunt's adjustment: colour counts less where it is dark.
 inline Colour hunt_lab_of_linear(Colour rgb) {
   const Colour relative = times(kRelativeFromRgb, rgb);
   const float x = lab_root(relative.x);
@@ -92,15 +94,17 @@ inline Colour hunt_lab_of_linear(Colour rgb) {
           0.01f * lightness * (200.0f * (y - z))};
 }
 
-// HyAB: city blocks between lightness and colour, a straight line between colours.
+// The HyAB distance: city-block distance between lightness and colour, Euclidean distance within
+// colour.
 inline float hyab(Colour a, Colour b) {
   const float dy = a.y - b.y;
   const float dz = a.z - b.z;
   return std::abs(a.x - b.x) + std::sqrt(dy * dy + dz * dz);
 }
 
-// The error of colours hyab apart, in [0, 1]: a power, then two straight lines that meet where `turn` of the largest
-// distance, between green and blue, becomes `target`.
+// The error of two colours at the distance hyab, in [0, 1]: a power, then two straight lines that
+// meet where the fraction `turn` of the largest distance (between green and blue) is mapped to
+// `target`.
 class ColourError {
 public:
   ColourError()
@@ -127,7 +131,7 @@ inline float feature_error(float difference) {
   return std::min(std::sqrt(difference * 0.70710678118654752f), 1.0f);
 }
 
-// Features that come or go make the colour error larger.
+// Combines both errors: a difference of features makes the colour error larger.
 inline float combined_error(float colour, float feature) {
   return std::min(power(colour, 1.0f - feature), 1.0f);
 }

@@ -1,4 +1,5 @@
-// Cube roots and powers of floats without the C library: the same bits on every machine, in loops that vectorise.
+// Cube roots and powers of floats without the C library: the same bits on every machine, in loops
+// that the compiler can vectorise.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +8,10 @@
 
 namespace glassbox {
 
-// The cube root of a float in [2^-80, 2^100], relative error below 2^-23. A third of the exponent is within 3.3 % of it
-// (Kahan's first guess); Halley's iteration cubes the relative error and multiplies it by 2/3: 2.4e-5, then 1e-14,
-// which leaves the rounding of the last step.
+// The cube root of a float in [2^-80, 2^100], relative error below 2^-23. The first guess divides
+// the bits, as a number, by three (Kahan) and is within 3.3 % of the root. Halley's iteration cubes
+// the relative error and multiplies it by 2/3: 2.4e-5, then 1e-14, so only the rounding of the last
+// step remains.
 inline float cube_root(float value) {
   const float bits = float(std::bit_cast<std::int32_t>(value));
   float root = std::bit_cast<float>(std::int32_t(bits * (1.0f / 3.0f)) + 709958130);
@@ -27,7 +29,8 @@ inline float log_2(float value) {
   const std::int32_t shifted = std::bit_cast<std::int32_t>(value) - kRootHalf;
   const std::int32_t exponent = shifted >> 23;
   const float mantissa = std::bit_cast<float>((shifted & 0x7fffff) + kRootHalf);
-  // ln m = 2 artanh s with s = (m - 1)/(m + 1), |s| < 0.172; the first term left out is below 2/11 s^11 = 7e-10.
+  // ln m = 2 artanh s with s = (m - 1)/(m + 1), |s| < 0.172; the first omitted term is below 2/11
+  // s^11 = 7e-10.
   const float s = (mantissa - 1.0f) / (mantissa + 1.0f);
   const float z = s * s;
   const float series = ((z * (1.0f / 9.0f) + 1.0f / 7.0f) * z + 1.0f / 5.0f) * z + 1.0f / 3.0f;
@@ -40,7 +43,7 @@ inline float exp_2(float value) {
   constexpr float kRound = 0x1.8p23f;  // adding it leaves the nearest integer in the low bits
   const float shifted = value + kRound;
   const float rest = (value - (shifted - kRound)) * 0.69314718055994531f;  // in [-0.347, 0.347]
-  // The series of exp; the first term left out is below rest^8/8! = 5.2e-9.
+  // The series of exp; the first omitted term is below rest^8/8! = 5.2e-9.
   float series = 1.0f / 5040.0f;
   for (const float term : {1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f}) {
     series = series * rest + term;
@@ -49,8 +52,8 @@ inline float exp_2(float value) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(series * rest + 1.0f) + exponent);
 }
 
-// base^exponent for base >= 0 and exponent >= 0 where the result is at most 2^127; 0^0 is 1. Relative error below
-// 2^-21 + 2^-23 |log2 of the result|. Bases below 2^-126 count as 0.
+// base^exponent for base >= 0 and exponent >= 0 where the result is at most 2^127; 0^0 is 1.
+// Relative error below 2^-21 + 2^-23 |log2 of the result|. Bases below 2^-126 count as 0.
 inline float power(float base, float exponent) {
   const float log = log_2(std::max(base, 0x1p-126f)) * exponent;
   const float result = exp_2(std::max(log, -126.0f));

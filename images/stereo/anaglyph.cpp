@@ -35,18 +35,19 @@ constexpr Row kLeftLuma{kLuma[0], kLuma[1], kLuma[2], 0, 0, 0};
 constexpr Row kRightLuma{0, 0, 0, kLuma[0], kLuma[1], kLuma[2]};
 
 // Dubois, "A projection method to generate anaglyph stereo images", ICASSP 2001; as in three.js,
-// examples/jsm/effects/AnaglyphEffect.js (issue 21135), and in FFmpeg, libavfilter/vf_stereo3d.c (in units of 2^-16).
-// A shader that is passed around has -0.400822 in the second row.
+// examples/jsm/effects/AnaglyphEffect.js (issue 21135), and in FFmpeg, libavfilter/vf_stereo3d.c
+// (in units of 2^-16). A widely copied shader has -0.400822 in the second row by mistake.
 constexpr AnaglyphMatrix kDuboisCrt{{{
     {0.456100f, 0.500484f, 0.176381f, -0.0434706f, -0.0879388f, -0.00155529f},
     {-0.0400822f, -0.0378246f, -0.0157589f, 0.378476f, 0.73364f, -0.0184503f},
     {-0.0152161f, -0.0205971f, -0.00546856f, -0.0721527f, -0.112961f, 1.2264f},
 }}};
 
-// Dubois, "Conversion of a stereo pair to anaglyph with the least-squares projection method", 2009; as in Dolphin,
-// Data/Sys/Shaders/Anaglyph/dubois*.glsl, and in Camera3D, AnaglyphConstants.java. Where public copies differ, the row
-// sums decide: in green-magenta Dolphin has +0.065 for -0.065 (FFmpeg agrees with Camera3D), in amber-blue FFmpeg has
-// 65535 / 65536 for 1.062.
+// Dubois, "Conversion of a stereo pair to anaglyph with the least-squares projection method", 2009;
+// as in Dolphin, Data/Sys/Shaders/Anaglyph/dubois*.glsl, and in Camera3D, AnaglyphConstants.java.
+// Where public copies differ, the value is used with which the rows sum to 1: in green-magenta
+// Dolphin has +0.065 for -0.065 (FFmpeg agrees with Camera3D), in amber-blue FFmpeg has 65535 /
+// 65536 for 1.062.
 constexpr AnaglyphMatrix kDuboisRedCyan{{{
     {0.437f, 0.449f, 0.164f, -0.011f, -0.032f, -0.007f},
     {-0.062f, -0.062f, -0.024f, 0.377f, 0.761f, 0.009f},
@@ -83,13 +84,14 @@ int channel_count(const EyeChannels& eye) {
   return int(eye.r) + int(eye.g) + int(eye.b);
 }
 
-// The channel that kTrue leaves black: red, green and blue lie along the spectrum, so it is the one next to the other
-// eye's, and green where both of an eye's are.
+// The channel that kTrue leaves black. An eye with two channels leaves out the one that is next to
+// the other eye's channel in the spectrum (red, green, blue); for green-magenta, where both are
+// next to green, it is blue.
 constexpr std::size_t unused_channel(Glasses glasses) {
   return glasses == Glasses::kGreenMagenta ? 2 : 1;
 }
 
-// The methods that follow from which channel belongs to which eye.
+// The matrix of the methods that depend only on which channel belongs to which eye.
 AnaglyphMatrix by_channel(AnaglyphMethod method, Glasses glasses) {
   const EyeMasks masks = eye_masks(glasses);
   AnaglyphMatrix matrix;

@@ -1,4 +1,4 @@
-// Two pictures in one, told apart by coloured glasses.
+// Anaglyphs: two pictures in one, separated by coloured glasses.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace glassbox {
 
-// The lens of the left eye, then the lens of the right one.
+// The colour of the left lens, then the colour of the right one.
 enum class Glasses { kRedCyan, kGreenMagenta, kAmberBlue };
 
 enum class AnaglyphMethod { kMask, kTrue, kGrey, kHalf, kOptimised, kDubois, kDubois2001 };
@@ -23,7 +23,8 @@ std::span<const Named<AnaglyphMethod>> all_anaglyph_methods();
 std::string_view name_of(Glasses glasses);
 std::string_view name_of(AnaglyphMethod method);
 
-// The channels that one lens lets through: what that eye's picture may write.
+// The channels that one lens lets through, which are the channels that this eye's picture is
+// written to.
 struct EyeChannels {
   bool r = false, g = false, b = false;
   friend bool operator==(const EyeChannels&, const EyeChannels&) = default;
@@ -35,37 +36,41 @@ struct EyeMasks {
 };
 EyeMasks eye_masks(Glasses glasses);
 
-// Rows: the red, green and blue that is shown. Columns: the red, green and blue of the left eye's picture, then of the
-// right eye's. In linear light.
+// Rows: the red, green and blue that are shown. Columns: the red, green and blue of the left eye's
+// picture, then of the right eye's. In linear light.
 struct AnaglyphMatrix {
   std::array<std::array<float, 6>, 3> at{};
 };
 
-// kMask     each channel from the eye that it belongs to (S0-02); the literature's "colour anaglyph".
-// kTrue     luma, one channel an eye: of an eye with two channels the one furthest in the spectrum from the other
-//           eye's (red and blue, green and red, red and blue). The third channel stays black, so white is shown as
-//           magenta, yellow or magenta.
-// kGrey     luma in all channels of an eye.
-// kHalf     luma where an eye has one channel, its own colours where it has two.
-// kOptimised  red = 0.7 green + 0.3 blue, the rest as in kMask (Wimmer). Red-cyan only. Wimmer's brightening of red by
-//           a gamma of 1.5 is left out: it would give greys a different lightness in each eye.
-// kDubois   least squares in CIE XYZ for the light of LCD screens and for the filters (Dubois 2009).
-// kDubois2001  the same for CRT screens (Dubois, ICASSP 2001). Red-cyan only.
+// - kMask: each channel comes from the eye that it belongs to (S0-02); the literature's "colour
+//   anaglyph".
+// - kTrue: luma, in one channel of each eye. An eye with two channels uses the one that is furthest
+//   in the spectrum from the other eye's (red and blue, green and red, red and blue). The third
+//   channel stays black, so white is shown as magenta, yellow or magenta.
+// - kGrey: luma in all channels of an eye.
+// - kHalf: luma where an eye has one channel, its own colours where it has two.
+// - kOptimised: red = 0.7 green + 0.3 blue, the rest as in kMask (Wimmer). Red-cyan only. Wimmer's
+//   brightening of red by a gamma of 1.5 is left out: it would give greys a different lightness in
+//   each eye.
+// - kDubois: least squares in CIE XYZ for the light of LCD screens and for the filters (Dubois
+//   2009).
+// - kDubois2001: the same for CRT screens (Dubois, ICASSP 2001). Red-cyan only.
 //
-// Luma weighs 0.299, 0.587, 0.114 (ITU-R BT.601), here in linear light as the methods' sources have it. Published
-// matrices are used as printed: their rows add up to 1 within 1.5e-3, which leaves white at byte 255 (it begins at
-// 0.9956 in linear light) and moves greys by one byte at most. Methods that were published for one pair of glasses are
-// refused for the others.
+// Luma has the weights 0.299, 0.587, 0.114 (ITU-R BT.601), applied in linear light here as in the
+// methods' sources. Published matrices are used as printed: their rows add up to 1 within 1.5e-3,
+// so white keeps byte 255 (which begins at 0.9956 in linear light) and greys change by one byte at
+// most. Methods that were published for one pair of glasses are refused for the others.
 Result<AnaglyphMatrix> anaglyph_matrix(AnaglyphMethod method, Glasses glasses);
 
-// The red, green and blue that `matrix` makes of two linear colours, each sum from left to right in float and then
-// clamped to [0, 1] (C-77).
+// The red, green and blue that `matrix` makes of two linear colours. Each sum is computed from left
+// to right in float and then clamped to [0, 1] (C-77).
 Linear mix_eyes(const AnaglyphMatrix& matrix, const Linear& left, const Linear& right);
 
-// kMask copies bytes: for red-cyan (left.r, right.g, right.b), bit for bit. The other methods take the bytes as sRGB,
-// mix in linear light and encode by the exact tables: the same bytes on every machine. Alpha is the larger of the two,
-// because a pixel that either eye sees is not empty; colours are mixed as stored, not weighted by alpha. Eyes of
-// different sizes and methods without a matrix for the glasses are refused.
+// kMask copies bytes: for red-cyan (left.r, right.g, right.b), bit for bit. The other methods take
+// the bytes as sRGB, mix in linear light and encode by the exact tables: the same bytes on every
+// machine. Alpha is the larger of the two, because a pixel that either eye sees is not empty;
+// colours are mixed as stored, not weighted by alpha. Refuses eyes of different sizes, and methods
+// that have no matrix for the glasses.
 Result<Image<Rgba8>> make_anaglyph(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                    AnaglyphMethod method, Glasses glasses = Glasses::kRedCyan);
 

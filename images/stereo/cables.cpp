@@ -31,7 +31,7 @@ struct LineYiq {
   Line y, i, q;
 };
 
-// A low-pass filter that passes a constant as it is.
+// A low-pass filter that does not change a constant signal.
 class LowPass {
 public:
   explicit LowPass(double megahertz) {
@@ -49,7 +49,7 @@ public:
 
   int radius() const { return int(weights_.size()) - 1; }  // samples
 
-  // Beyond its ends a line goes on as at them.
+  // Beyond its ends a line is continued with its end values.
   Line operator()(const Line& in) const {
     const auto last = std::ptrdiff_t(in.size()) - 1;
     Line out(in.size());
@@ -69,7 +69,8 @@ private:
   std::vector<double> weights_;  // at distance 0, 1, 2 ... on both sides
 };
 
-// FCC NTSC (1953), to three digits; the way back is the inverse of these, not the rounded one of the books.
+// FCC NTSC (1953), to three digits. The way back is the exact inverse of this matrix, not the
+// rounded one found in books.
 constexpr double kYiq[3][3] = {
     {0.299, 0.587, 0.114}, {0.596, -0.274, -0.322}, {0.211, -0.523, 0.312}};
 
@@ -89,7 +90,7 @@ constexpr std::array<std::array<double, 3>, 3> kRgb = [] {
   return inverse;
 }();
 
-// `margin` samples more on both sides, as at the line's ends.
+// Adds `margin` samples on both sides, with the values of the line's ends.
 LineYiq encode_line(const Rgba8* pixels, int width, int margin) {
   const auto samples = std::size_t(width + 2 * margin);
   LineYiq line{Line(samples), Line(samples), Line(samples)};
@@ -118,7 +119,8 @@ void decode_line(const LineYiq& line, Rgba8* pixels, int width, int margin) {
   }
 }
 
-// One signal for all three: what lies around the subcarrier arrives as chroma, the rest as luma.
+// One signal carries all three: frequencies around the subcarrier arrive as chroma, the others as
+// luma.
 LineYiq through_one_wire(const LineYiq& sent, int y, const LowPass& band_i, const LowPass& band_q) {
   const std::size_t width = sent.y.size();
   std::vector<SinCos> carrier(width);
@@ -145,7 +147,7 @@ Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
   const LowPass band_q(is_component ? kComponentChroma : kBandOfQ);
   Image<Rgba8> arrived = sent;
   if (sent.pixels.empty()) return arrived;
-  const int margin = 2 * band_q.radius();  // as far as two filters in turn reach
+  const int margin = 2 * band_q.radius();  // the reach of two filters in sequence
   for (int y = 0; y < sent.height; ++y) {
     LineYiq line = encode_line(&sent.at(0, y), sent.width, margin);
     line.i = band_i(line.i);
@@ -156,7 +158,7 @@ Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
   return arrived;
 }
 
-// Sums of whole squares: exact.
+// Sums of squares of whole numbers: exact.
 class Differences {
 public:
   void add(bool counts, std::uint8_t a, std::uint8_t b) {

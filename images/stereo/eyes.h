@@ -1,4 +1,4 @@
-// Two pictures, one for each eye.
+// Checks of two pictures, one for each eye.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace glassbox {
 
-// Refuses eyes of different sizes; `place` names what needed them.
+// Refuses eyes of different sizes; `place` is the name for the error message.
 Result<void> check_eyes(std::string place, const Image<Rgba8>& left, const Image<Rgba8>& right);
 
-// Refuses a disparity map that is not of the picture's size.
+// Refuses a disparity map whose size differs from the picture's.
 Result<void> check_disparity(const Image<Rgba8>& picture, const Image<float>& disparity);
 
 }  // namespace glassbox

@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// In thousandths of a byte: exact.
+// The luma in thousandths of a byte: exact.
 int luma_of(const Rgba8& pixel) {
   return 299 * pixel.r + 587 * pixel.g + 114 * pixel.b;
 }

@@ -1,4 +1,4 @@
-// How much depth a picture gives to see (S0-16).
+// Measures how much visible depth a picture has (S0-16).
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace glassbox {
 
-// Where an edge counts, and where a disparity does.
+// The thresholds above which a gradient counts as an edge, and a disparity as displacement.
 struct InformationLimits {
-  double gradient = 4;     // bytes a pixel: of 255 for white
-  double disparity = 0.5;  // px: less is within the sampling
+  double gradient = 4;     // bytes a pixel; white is 255
+  double disparity = 0.5;  // px: a smaller disparity is within the sampling error
 };
 
-// What a pixel counts as, as bits.
+// The marks of a pixel, as bits.
 enum InformationMark : std::uint8_t {
   kMarkCounted = 1,  // has both neighbours in its row and a disparity
   kMarkEdge = 2,
@@ -22,22 +22,24 @@ enum InformationMark : std::uint8_t {
 };
 
 struct StereoInformation {
-  std::uint64_t pixels = 0;     // that have both neighbours in their row and a disparity
-  std::uint64_t edges = 0;      // of those, where the gradient is above the limit
-  std::uint64_t displaced = 0;  // of those, where the disparity is
-  std::uint64_t score = 0;  // of those, where both are: edges that the eyes see at different places
-  double share = 0;         // score / all pixels of the picture
+  std::uint64_t pixels = 0;     // pixels that have both neighbours in their row and a disparity
+  std::uint64_t edges = 0;      // how many of those have a gradient above the limit
+  std::uint64_t displaced = 0;  // how many of those have a disparity above the limit
+  // How many of those have both: edges that the eyes see at different places.
+  std::uint64_t score = 0;
+  double share = 0;  // score / all pixels of the picture
 };
 
-// The gradient is half the difference of the luma (ITU-R BT.601, of the bytes as stored) of a pixel's left and right
-// neighbours; the disparity is ground truth in px, right minus left, and NaN or infinite where nothing was drawn.
-// Disparity that is the same all over counts too: it is away from the window. Refuses sizes that differ and limits that
-// are negative or no number.
+// The gradient is half the difference of the luma (ITU-R BT.601, of the bytes as stored) of a
+// pixel's left and right neighbours. The disparity is ground truth in px, right minus left, and NaN
+// or infinite where nothing was drawn. A disparity that is the same everywhere counts too: the
+// scene is then away from the window. Refuses sizes that differ and limits that are negative or
+// NaN.
 Result<StereoInformation> stereo_information(const Image<Rgba8>& left,
                                              const Image<float>& disparity,
                                              const InformationLimits& limits = {});
 
-// The InformationMark of every pixel, which is what stereo_information counts.
+// The InformationMark of every pixel; stereo_information counts these marks.
 Result<Image<std::uint8_t>> information_map(const Image<Rgba8>& left, const Image<float>& disparity,
                                             const InformationLimits& limits = {});
 

@@ -1,4 +1,4 @@
-// What each eye gets of a screen through its lens.
+// The light of a screen that each eye sees through its lens.
 #pragma once
 
 #include <array>
@@ -13,11 +13,12 @@ using LightMatrix = std::array<std::array<double, 3>, 3>;
 
 struct Lenses {
   LightMatrix left, right;
-  bool measured = false;  // with the leaks of a real pair of glasses
+  bool measured = false;  // with the measured leaks of a real pair of glasses
 };
 
-// The screen without glasses, and behind red-cyan glasses: A_l, A_r and C as McAllister, Zhou and Sullivan, "Methods
-// for computing color anaglyphs" (2010), took them from Dubois.
+// The screen without glasses, and behind the lenses of red-cyan glasses: A_l, A_r and C as
+// McAllister, Zhou and Sullivan, "Methods for computing color anaglyphs" (2010), took them from
+// Dubois.
 inline constexpr LightMatrix kScreenLight{
     {{0.4243, 0.3105, 0.1657}, {0.2492, 0.6419, 0.1089}, {0.0265, 0.1225, 0.8614}}};
 inline constexpr LightMatrix kRedLensLight{
@@ -25,11 +26,12 @@ inline constexpr LightMatrix kRedLensLight{
 inline constexpr LightMatrix kCyanLensLight{
     {{0.0153, 0.1092, 0.1171}, {0.0176, 0.3088, 0.0777}, {0.0201, 0.1016, 0.6546}}};
 
-// For red-cyan the measured ones. The others have no published matrices: theirs are ideal, that is the screen's light
-// of the channels that the lens lets through and nothing of the rest, so nothing leaks.
+// Red-cyan has the measured lenses. There are no published matrices for the other glasses, so
+// theirs are ideal: the screen's light of the channels that the lens lets through and nothing of
+// the rest, so nothing leaks.
 Lenses lenses_of(Glasses glasses);
 
-// Y of what is shown, in linear light, through a lens.
+// The luminance Y of the shown colour, in linear light, through a lens.
 inline double luminance(const LightMatrix& lens, const Linear& shown) {
   const auto& y = lens[1];
   return y[0] * double(shown[0]) + y[1] * double(shown[1]) + y[2] * double(shown[2]);

@@ -1,4 +1,4 @@
-// Colours as light: what anaglyphs are mixed in and measured in.
+// Colours as linear light: anaglyphs are mixed and measured in it.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace glassbox {
 
-// Red, green and blue, each in [0, 1] where it can be shown.
+// Red, green and blue, each in [0, 1] if it can be shown.
 using Linear = std::array<float, 3>;
 
 inline Linear linear_of(const Rgba8& pixel) {
   return {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
 }
 
-// ITU-R BT.601, for which the published anaglyph methods were made.
+// The luma weights of ITU-R BT.601, for which the published anaglyph methods were made.
 inline constexpr Linear kLuma{0.299f, 0.587f, 0.114f};
 
 inline float luma(const Linear& colour) {

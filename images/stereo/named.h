@@ -1,11 +1,11 @@
-// Choices that a user makes by name.
+// Choices that a user makes by their name.
 #pragma once
 
 #include <string_view>
 
 namespace glassbox {
 
-// A name for the command line, and what it stands for in one line.
+// A value with its name for the command line and a description in one line.
 template <class Value>
 struct Named {
   Value value;

@@ -10,14 +10,15 @@
 namespace glassbox {
 namespace {
 
-constexpr int kRadius = 3;                                      // px, of a window
+constexpr int kRadius = 3;                                      // px, of a window around its centre
 constexpr int kWindow = (2 * kRadius + 1) * (2 * kRadius + 1);  // pixels
-constexpr int kStep = 2;                                        // px, from window to window
-constexpr double kLeastDeviation = 2000;  // thousandths of a byte, of a window's pixels
+constexpr int kStep = 2;                                        // px, from one window to the next
+// Standard deviation that counts as texture, thousandths of a byte.
+constexpr double kLeastDeviation = 2000;
 constexpr double kClearlyBetter = 0.1;
 constexpr std::uint64_t kLeastVotes = 32;
 
-// The luma of the channels that an eye's picture has, in thousandths of a byte.
+// The luma of the channels that an eye's picture uses, in thousandths of a byte.
 using Plane = Image<int>;
 
 Plane plane_of(const Image<Rgba8>& picture, const EyeChannels& channels) {
@@ -31,7 +32,8 @@ Plane plane_of(const Image<Rgba8>& picture, const EyeChannels& channels) {
   return plane;
 }
 
-// Normalised correlation of the windows around two pixels, in [-1, 1]. Sums of whole numbers: exact.
+// Normalised correlation of the windows around two pixels, in [-1, 1]. Its sums are sums of whole
+// numbers: exact.
 struct Fit {
   bool has_texture = false;
   double correlation = 0;
@@ -58,7 +60,7 @@ Fit fit(const Plane& a, int ax, const Plane& b, int bx, int y) {
 
 struct Planes {
   Plane left, right;
-  bool sign_counts = true;  // whether light in one is light in the other
+  bool sign_counts = true;  // false: light in one picture may be dark in the other
 };
 
 OrderEvidence judge(const Planes& eyes, const Image<float>& disparity) {
@@ -67,7 +69,7 @@ OrderEvidence judge(const Planes& eyes, const Image<float>& disparity) {
   for (int y = kRadius; y < disparity.height - kRadius; y += kStep) {
     for (int x = kRadius; x < disparity.width - kRadius; x += kStep) {
       const double shift = double(disparity.at(x, y));
-      if (!(std::abs(shift) < disparity.width)) continue;  // NaN and infinity too
+      if (!(std::abs(shift) < disparity.width)) continue;  // also NaN and infinity
       const int there = x + int(std::lround(shift));
       if (there == x || !inside(there)) continue;
       const Fit in_order = fit(eyes.left, x, eyes.right, there, y);

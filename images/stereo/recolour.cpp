@@ -17,7 +17,7 @@ Lab lab_of(const Linear& colour) {
   return lab_of_linear(double(colour[0]), double(colour[1]), double(colour[2]));
 }
 
-// Colours of pictures and how much of them.
+// A colour of the pictures and its share of the pixels.
 struct Colour {
   Linear linear{};
   Lab lab;
@@ -52,7 +52,7 @@ Palette palette_of(const Image<Rgba8>& left, const Image<Rgba8>& right) {
   return palette;
 }
 
-// Like colours as one, their mean in linear light.
+// Merges similar colours into one, their mean in linear light.
 Palette grouped(const Palette& palette) {
   if (palette.size() <= kSearchedColours) return palette;
   struct Sum {
@@ -98,10 +98,10 @@ Compromise measure(const Palette& palette, const Rivalry& rivalry, const Recolou
   return {recolour, mean_rivalry(palette, rivalry, recolour), mean_difference(palette, recolour)};
 }
 
-// Rivalry below this is float's noise: luma's weights add up to 1 within 2^-24.
+// Rivalry below this value is float rounding error: luma's weights add up to 1 within 2^-24.
 constexpr double kNoRivalry = 1e-6;
 
-// The least k, within 2^-20, that brings the rivalry down to `target`, or 1 where none does.
+// Returns the least k, within 2^-20, that reduces the rivalry to `target`, or 1 where none does.
 double least_desaturation(const Palette& palette, const Rivalry& rivalry, double brighten,
                           double target) {
   const auto rivalry_at = [&](double k) { return mean_rivalry(palette, rivalry, {k, brighten}); };
@@ -109,7 +109,7 @@ double least_desaturation(const Palette& palette, const Rivalry& rivalry, double
   const double undulled = rivalry_at(0);
   if (undulled <= target + kNoRivalry) return 0;
   double too_little = 0, enough = 1;
-  // Where nothing is clamped, rivalry is (1 - k) of what it is without.
+  // Where nothing is clamped, the rivalry is (1 - k) times that of k = 0.
   constexpr double kClose = 0x1p-20;
   const double guess = 1 - target / undulled;
   if (guess > kClose && !meets(guess - kClose)) too_little = guess - kClose;
@@ -131,7 +131,8 @@ Compromise best(const Palette& palette, const Rivalry& rivalry, double target) {
   for (double brighten = kStep; brighten <= 1; brighten += kStep) {
     const Compromise next = with(brighten);
     if (next.difference < best.difference) best = next;
-    // More brightening than the target needs without any desaturation only moves further away.
+    // More brightening than the target needs without any desaturation only increases the
+    // difference.
     if (next.recolour.desaturate == 0) break;
   }
   for (double step = kStep / 2; step > 1e-4; step /= 2) {

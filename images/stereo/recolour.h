@@ -1,4 +1,4 @@
-// Colours that glasses can show: less saturated, brighter, as little changed as will do.
+// Adapts colours to the glasses: less saturated and brighter, but changed as little as possible.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,11 @@
 
 namespace glassbox {
 
-// c' = b + (1 - b) lerp(c, luma(c), k), in linear light, both strengths in [0, 1] (S0-15). 0 and 0 change nothing.
+// c' = b + (1 - b) lerp(c, luma(c), k), in linear light, both strengths in [0, 1] (S0-15). 0 and 0
+// change nothing.
 //
-// Every method without clamping is linear and keeps greys without rivalry, so rivalry falls by exactly (1 - k)(1 - b).
+// Every method without clamping is linear and gives greys no rivalry, so rivalry is multiplied by
+// exactly (1 - k)(1 - b).
 struct Recolour {
   double desaturate = 0;  // k
   double brighten = 0;    // b
@@ -20,38 +22,41 @@ struct Recolour {
 
 Result<void> check_recolour(const Recolour& recolour);
 
-// Never leaves [0, 1]: a mean of colours that lie in it.
+// The result is never outside [0, 1]: it is a mean of colours in this range.
 Linear recoloured(const Linear& colour, const Recolour& recolour);
 
-// The bytes as sRGB, alpha as it is; in float operations of one written order and by exact tables.
+// The bytes are taken as sRGB, alpha is unchanged. The result is reproducible: float operations in
+// a fixed order and exact tables.
 Result<Image<Rgba8>> recoloured(const Image<Rgba8>& picture, const Recolour& recolour);
 
-// One compromise: what recolouring leaves of rivalry and what it costs.
+// A compromise: the rivalry that remains after recolouring, and the difference from the original
+// colours.
 struct Compromise {
   Recolour recolour;
   double rivalry = 0;     // the mean over both pictures
-  double difference = 0;  // the mean CIEDE2000 to the original
+  double difference = 0;  // the mean CIEDE2000 difference from the original
 };
 
-// Over all pixels of both pictures, without rounding the recoloured colours to bytes.
+// Measured over all pixels of both pictures, without rounding the recoloured colours to bytes.
 Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const Viewing& viewing, const Recolour& recolour);
 
 struct Suggestion {
   Compromise chosen;
   bool meets_target = false;  // false where even greys have more rivalry: then `chosen` is grey
-  // The best for targets from no change to grey: rivalry falls, difference grows.
+  // The best compromises for targets from no change to grey: rivalry falls, difference grows.
   std::vector<Compromise> curve;
 };
 
-// The strengths that bring the mean rivalry down to `target` at the least mean difference. For each brightening the
-// least desaturation that meets the target counts, because more only moves further away. Brightenings are tried in
-// steps of 1/32 and then halved around the best. Pictures of more than 4096 colours are searched by groups of like
-// colours, 16 levels a channel; `chosen` is measured on all pixels, and made greyer until it meets the target there, within
-// 1e-6.
+// Finds the strengths that reduce the mean rivalry to `target` with the least mean difference. For
+// each brightening the least desaturation that meets the target is taken, because more only
+// increases the difference. Brightenings are tried in steps of 1/32, then the step around the best
+// is halved repeatedly. Pictures of more than 4096 colours are searched by groups of similar
+// colours, 16 levels a channel; `chosen` is measured on all pixels, and made greyer until it meets
+// the target there, within 1e-6.
 //
-// Refuses eyes of different sizes, and targets that are negative or no number. Cost: about 0.03 s for each of the
-// `curve_points` (at least 2), and a sort of the pixels.
+// Refuses eyes of different sizes, and targets that are negative or NaN. Cost: about 0.03 s for
+// each of the `curve_points` (at least 2), and a sort of the pixels.
 Result<Suggestion> suggest_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const Viewing& viewing, double target, int curve_points = 17);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr Linear kBlack{0, 0, 0};
 constexpr Linear kWhite{1, 1, 1};
 
-// Ghosts of pairs of colours.
+// Computes the ghosts of pairs of colours.
 class Leak {
 public:
   explicit Leak(const Viewing& viewing)

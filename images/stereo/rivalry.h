@@ -1,5 +1,5 @@
-// What disturbs an anaglyph: colours that are bright in one eye and dark in the other, and light that leaks into the
-// wrong eye.
+// Measures disturbances of an anaglyph: colours that are bright in one eye and dark in the other
+// (rivalry), and light that leaks into the wrong eye (ghosts).
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -10,21 +10,22 @@
 
 namespace glassbox {
 
-// How well a colour suits the glasses, in [0, 1]: the smaller of the largest channels of each eye over the largest of
-// all (S0-14), for red-cyan min(R, max(G, B)) / max(R, G, B): 1 for white, grey, yellow, magenta and for black, 0 for
-// red, green, blue and cyan. `colour` is not negative.
+// How well a colour suits the glasses, in [0, 1]: take the largest channel of each eye; the smaller
+// of these two divided by the largest channel of all (S0-14). For red-cyan min(R, max(G, B)) /
+// max(R, G, B): 1 for white, grey, yellow, magenta and for black, 0 for red, green, blue and cyan.
+// `colour` is not negative.
 double content_measure(const Linear& colour, Glasses glasses = Glasses::kRedCyan);
 
-// One way to make and see anaglyphs.
+// One method of making an anaglyph and the glasses to see it with.
 struct Viewing {
   AnaglyphMatrix matrix;
   Lenses lenses;
 };
 Result<Viewing> viewing(AnaglyphMethod method, Glasses glasses = Glasses::kRedCyan);
 
-// Luminance rivalry |Y_L / Y_Lw - Y_R / Y_Rw| of a colour that both eyes' pictures have, each eye's luminance
-// relative to what its lens shows of white (S0-14, B.6): 0 equally bright to both eyes, 1 white to one and black to the
-// other.
+// Luminance rivalry |Y_L / Y_Lw - Y_R / Y_Rw| of a colour that is the same in both eyes' pictures.
+// Each eye's luminance is relative to the luminance of white through its lens (S0-14, B.6): 0 is
+// equally bright to both eyes, 1 is white to one and black to the other.
 class Rivalry {
 public:
   explicit Rivalry(const Viewing& viewing);
@@ -35,17 +36,17 @@ private:
   double left_white_ = 0, right_white_ = 0;
 };
 
-// Rivalry of the colours of one eye's picture, pixel by pixel, in [0, 1]. Parallax does not matter: a colour counts as
-// rival because of what the glasses do with it, wherever the other eye's picture has it.
+// Rivalry of the colours of one eye's picture, pixel by pixel, in [0, 1]. Parallax has no effect: a
+// colour has rivalry because of the glasses, wherever the point is in the other eye's picture.
 Image<float> rivalry_map(const Image<Rgba8>& picture, const Viewing& viewing);
 
-// How much brighter or darker each lens makes a pixel because of the other eye's picture, relative to white of its own
-// eye alone. What is seen of the wrong eye as a ghost.
+// How much brighter or darker each lens makes a pixel because of the other eye's picture, relative
+// to the white of its own eye alone. This is visible as a ghost of the other picture.
 struct Ghosts {
   double left = 0, right = 0;
 };
 
-// The largest: the other eye's white where the own picture is black (B.6).
+// The largest leak: the other eye's white where the own picture is black (B.6).
 Ghosts white_leak(const Viewing& viewing);
 
 struct GhostMaps {
@@ -55,7 +56,8 @@ struct GhostMaps {
 Result<GhostMaps> ghost_maps(const Image<Rgba8>& left, const Image<Rgba8>& right,
                              const Viewing& viewing);
 
-// The mean of a map whose values lie in [-1, 1], off by 2^-33 at most (fixed_sum.h); 0 for an empty one.
+// The mean of a map whose values are in [-1, 1], with an error of 2^-33 at most (fixed_sum.h); 0
+// for an empty one.
 double mean_of(const Image<float>& map);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// The inputs of lab 1, the same on both sides.
+// The inputs of lab 1's cases, shared by runner and judge.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace lab_01 {
 
 struct TextCase {
   const char* what;
-  std::string good, bad;  // nothing bad: only the good one is put
+  std::string good, bad;  // bad is empty: only the good text is read
 };
 
 inline std::vector<TextCase> texts() {
@@ -60,7 +60,7 @@ struct MeshCase {
   Mesh mesh;
 };
 
-// Positions stand on a spiral, since only their numbers matter.
+// A mesh of the given faces. The positions are on a spiral, since only their numbers matter.
 inline Mesh mesh_of(std::size_t positions, const std::vector<std::vector<std::uint32_t>>& faces) {
   Mesh mesh;
   for (std::size_t i = 0; i < positions; ++i)
@@ -81,7 +81,7 @@ inline Mesh cube() {
       8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
-// Quads round a tube, whose ends are open, or joined (a torus).
+// Quads around a tube, whose ends are open, or joined (a torus).
 enum class Ends { kOpen, kJoined };
 inline Mesh torus(std::uint32_t around, std::uint32_t along, Ends ends) {
   std::vector<std::vector<std::uint32_t>> faces;
@@ -94,7 +94,8 @@ inline Mesh torus(std::uint32_t around, std::uint32_t along, Ends ends) {
   return mesh_of(std::size_t(around) * along, faces);
 }
 
-// A strip of quads whose ends are joined, straight (a ring) or with half a turn (a Moebius strip, which has one side).
+// A strip of quads whose ends are joined, either straight (a ring) or with half a turn (a Moebius
+// strip, which has one side).
 inline Mesh strip(std::uint32_t length, bool half_turn) {
   std::vector<std::vector<std::uint32_t>> faces;
   for (std::uint32_t i = 0; i < length; ++i) {
@@ -106,7 +107,7 @@ inline Mesh strip(std::uint32_t length, bool half_turn) {
   return mesh_of(2 * std::size_t(length), faces);
 }
 
-// A mesh with some of its faces turned round.
+// The mesh with some of its faces turned round.
 inline Mesh turned(Mesh mesh, const std::vector<std::size_t>& faces) {
   for (const std::size_t f : faces) {
     const glassbox::Face& face = mesh.faces[f];
@@ -206,7 +207,7 @@ inline std::vector<MeshCase> hidden_turn_meshes() {
 }
 // END HIDDEN
 
-// Surfaces with one side, each with a neighbour that has two.
+// Surfaces with one side, each compared with a similar one that has two.
 struct SidesCase {
   const char* what;
   Mesh one_sided, two_sided;
@@ -224,7 +225,8 @@ struct PolygonCase {
   std::vector<Point<Object>> corners;
 };
 
-// Corners in a tilted plane: (x, y, x/2 + y/4), moved. With few binary digits everything is exact in float.
+// Corners in a tilted plane: (x, y, x/2 + y/4), then moved. They have few binary digits, so
+// everything is exact in float.
 inline std::vector<Point<Object>> tilted(const std::vector<std::pair<float, float>>& outline,
                                          const Point<Object>& at = {0, 0, 0}) {
   std::vector<Point<Object>> corners;
@@ -235,7 +237,7 @@ inline std::vector<Point<Object>> tilted(const std::vector<std::pair<float, floa
 inline std::vector<std::pair<float, float>> octagon() {
   std::vector<std::pair<float, float>> corners;
   for (int i = 0; i < 8;
-       ++i) {  // binary digits of cosine and sine, so that no library's last bit matters
+       ++i) {  // few binary digits of cosine and sine, so that no library's last bit matters
     constexpr float kLong = 0.9238795f, kShort = 0.3826834f;
     const float x[] = {kLong, kShort, -kShort, -kLong, -kLong, -kShort, kShort, kLong};
     const float y[] = {kShort, kLong, kLong, kShort, -kShort, -kLong, -kLong, -kShort};

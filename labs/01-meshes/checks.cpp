@@ -1,4 +1,4 @@
-// What is expected of lab 1: by the program's own reader, topology and Newell sums in double.
+// The expected answers of lab 1: by the program's own reader, topology and Newell sums in double.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +26,7 @@ Case expect_tables(const TextCase& input) {
   Case c{input.what, "the text is\n" + input.good, {}};
   obj::Warnings warnings;
   const auto tables = obj::parse_obj(input.good, LoadLimits{}, warnings);
-  if (!tables) return c;  // the tests read every text
+  if (!tables) return c;  // the tests make sure that every text can be read
   std::vector<double> positions, faces;
   for (const auto& p : tables->positions) positions.insert(positions.end(), {p.x, p.y, p.z});
   for (const obj::Element& element : tables->elements) {
@@ -74,7 +74,8 @@ Case expect_edges(const MeshCase& input) {
        numbers("closed", {topology.closed() ? 1.0 : 0.0})}};
 }
 
-// Every edge carries the decision from a face that has one to its neighbour, until none is left without.
+// From a face that has a decision it passes across an edge to the neighbour, until every face has
+// one.
 std::vector<double> turns_of(const Mesh& mesh) {
   const Topology topology = find_topology(mesh);
   constexpr double kUnknown = -1;
@@ -120,10 +121,12 @@ Case expect_newell(const PolygonCase& input) {
     const Vector<Object, double> d = corners.back() - corners.front();
     longest = std::max({longest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
-  // In double the differences of floats and their products are exact; what the sums lose is 2^-29 of the bound.
+  // In double the differences of floats and their products are exact; the sums lose only 2^-29 of
+  // the bound.
   const auto m = newell_vector<double>(std::span<const Point<Object, double>>(corners));
-  // Differences and sums are of size 2 L with errors of 4 u L (two roundings of the corners, one of the result), products
-  // of size 4 L^2 with 5 u of that, and N - 1 additions follow: gamma(N + 4) of the sum of the sizes.
+  // Differences and sums have the size 2 L and errors of 4 u L (two roundings of the corners, one
+  // of the result). Their products have the size 4 L^2 and relative errors of 5 u. N - 1 additions
+  // follow. Together: gamma(N + 4) times the sum of the sizes.
   const int n = int(corners.size());
   const double bound = gamma<float>(n + 4) * 4 * n * longest * longest;
   return {input.what, text, {point("newell", {m.x, m.y, m.z}, bound, "object units squared")}};
@@ -131,8 +134,8 @@ Case expect_newell(const PolygonCase& input) {
 
 Case expect_angle(const AngleCase& input) {
   const double angle = glassbox::angle_between(input.a, input.b);
-  // Cross and dot product are exact or rounded once or twice; square, root, quotient and arctangent add up to 8 u on
-  // either side.
+  // Cross and dot product are exact or rounded once or twice; square, root, quotient and arctangent
+  // add up to 8 u in the student's way and 8 u in ours.
   const double bound = 16 * unit_roundoff<double> * angle;
   return {input.what,
           fmt::format("a = ({}, {}, {}), b = ({}, {}, {})", input.a.x, input.a.y, input.a.z,

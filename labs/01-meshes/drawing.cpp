@@ -1,5 +1,6 @@
-// Lab 1 in a picture: the scene's meshes are written down as text and read, their faces turned the same way round, and given normals,
-// by the student's functions. A surface that is not closed shows both its sides.
+// Lab 1 in a picture: the student's functions read the scene's meshes from text, turn their faces
+// so that neighbours agree, and give them normals. A surface that is not closed shows both its
+// sides.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,7 +30,7 @@ void append_tables(Numbers& out, const Mesh& mesh) {
   }
 }
 
-// Of numbers that may be anything: a face that names no position is left out.
+// Makes a mesh from numbers that may have any values: a face that names no position is left out.
 Mesh tables(const Numbers& numbers) {
   Mesh mesh;
   if (numbers.empty()) return mesh;
@@ -65,13 +66,13 @@ Mesh tables(RecordReader& in) {
   return tables(numbers);
 }
 
-// The nearest floats come back from nine digits.
+// Nine digits are enough to read the same floats again.
 std::string text_of(const Mesh& mesh) {
   std::string text;
   for (const Point<Object>& p : mesh.positions)
     text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
   for (const Face& face : mesh.faces) {
-    if (face.count < 3) continue;  // read_mesh refuses them
+    if (face.count < 3) continue;  // read_mesh refuses such faces
     text += "f";
     for (std::uint32_t c = face.first; c < face.first + face.count; ++c)
       text += fmt::format(" {}", mesh.corners[c].position + 1);
@@ -82,7 +83,8 @@ std::string text_of(const Mesh& mesh) {
 
 // ---- the reference ----
 
-// What was written down is what is read: text_of() writes whole tables, of which every number comes back.
+// The reference reads the same tables as text_of() wrote: it writes whole tables, and every number
+// is read back unchanged.
 Numbers read(RecordReader& in) {
   std::string text;
   while (in.more()) text += char(in.integer());
@@ -124,7 +126,8 @@ Numbers edges(RecordReader& in) {
   return out;
 }
 
-// From face to face across edges. Nothing if two ways lead to different answers.
+// Spreads the decisions from face to face across edges. Returns nothing if two paths lead to
+// different decisions.
 Numbers turns(RecordReader& in) {
   const Mesh mesh = tables(in);
   const Topology topology = find_topology(mesh);
@@ -217,8 +220,8 @@ std::optional<WrongNumber> judge_turns(const Numbers&, const Numbers& yours,
                        [](std::size_t i) { return fmt::format("face {}: turned", i); });
 }
 
-// gamma(N + 4) 4 N L^2 for Newell's vector. For angles 16 roundings of double in the angle, and as many in the sides of a scene,
-// whose products are not exact: of 1.
+// The bounds: gamma(N + 4) 4 N L^2 for Newell's vector. For angles, 16 roundings of double relative
+// to the angle; and 16 more of size 1, because the products of the sides of a scene are not exact.
 std::optional<WrongNumber> judge_normal(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   RecordReader reader(in.data(), in.size());
@@ -253,7 +256,8 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-// What faces_to_turn is made for: no edge of more than two faces, no face that repeats a position.
+// The inputs that faces_to_turn is made for: no edge of more than two faces, no face that repeats a
+// position.
 bool can_be_turned(const Mesh& mesh) {
   for (const Face& face : mesh.faces) {
     std::vector<std::uint32_t> used;
@@ -279,7 +283,8 @@ Normal<Object> unit(const glm::dvec3& v) {
   return {float(v.x / length), float(v.y / length), float(v.z / length)};
 }
 
-// Each face its own; or, over smooth surfaces, of each position the faces' unit normals, weighed by their angles there.
+// Gives each face its own normal; or, for smooth surfaces, each position the sum of its faces' unit
+// normals, weighted by their angles there.
 void give_normals(Mesh& mesh, std::span<const Numbers> answers, bool smooth) {
   std::vector<glm::dvec3> sums(smooth ? mesh.positions.size() : 0, glm::dvec3(0));
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -315,7 +320,8 @@ Question tables_question(const Mesh& mesh) {
   return question;
 }
 
-// The mesh as the functions make it; `closed` is given what they say of it.
+// The mesh as the student's functions make it; `closed` becomes their answer to whether it is
+// closed.
 Result<Mesh> made_mesh(const Mesh& given, bool smooth, Answering& answering, bool& closed) {
   const std::string text = text_of(given);
   const Question written{Numbers(text.begin(), text.end())};
@@ -341,7 +347,7 @@ Result<Mesh> made_mesh(const Mesh& given, bool smooth, Answering& answering, boo
 
 Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  // Flat shading is what normals of faces make of the picture.
+  // Flat shading is done by giving each face its own normal.
   const bool flat = drawn.settings.shading == Shading::kFlat;
   if (flat) made.settings.shading = Shading::kPhong;
   for (Mesh& mesh : made.scene.meshes) {

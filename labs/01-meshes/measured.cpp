@@ -1,4 +1,5 @@
-// Lab 1 in the chart of D-8: the normals of bent, noisy and far polygons by the student's newell_vector.
+// Lab 1 in the chart of the experiment on polygon normals (D-8): the student's
+// newell_vector on bent, noisy and far polygons.
 #include <cmath>
 
 #include "labs/measuring/measuring.h"
@@ -29,7 +30,7 @@ Result<double> rms_angle(const Ask& ask, MakeCase make, double parameter) {
   for (int i = 0; i < kPolygons; ++i) {
     const auto at = [&](int k) { return number_of(answers->front(), std::size_t(3 * i + k)); };
     const study::ExactVector normal = make(std::uint64_t(i) + 1, parameter).normal;
-    // A vector without a direction is no normal.
+    // The zero vector has no direction, so it is no normal.
     if (at(0) == 0 && at(1) == 0 && at(2) == 0) return number_of({}, 0);
     const double angle = angle_between(study::ExactVector(at(0), at(1), at(2)), normal);
     sum += angle * angle;

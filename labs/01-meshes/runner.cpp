@@ -1,4 +1,4 @@
-// Puts the cases of lab 1 to your functions.
+// Calls your functions with the cases of lab 1.
 #include <stdexcept>
 
 #include "cases.h"

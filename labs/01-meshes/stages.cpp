@@ -1,4 +1,4 @@
-// Puts the meshes of a scene to your functions.
+// Calls your functions with the meshes of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,7 +9,8 @@ using glassbox::labs::append_place;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Tables as numbers: how many positions and these; then each face as its corners' positions, after how many they are.
+// Writes tables as numbers: the number of positions and the positions; then for each face the
+// number of its corners and their position indices.
 void append_tables(Numbers& out, const Mesh& mesh) {
   out.push_back(double(mesh.positions.size()));
   for (const auto& p : mesh.positions) append_place(out, p);
@@ -35,14 +36,15 @@ Mesh tables(RecordReader& in) {
   return mesh;
 }
 
-// A text, a number for each character. Its tables.
+// Input: a text, one number for each character. Output: its tables.
 void read(RecordReader& in, Numbers& out) {
   std::string text;
   while (in.more()) text += char(in.integer());
   append_tables(out, read_mesh(text));
 }
 
-// Tables. V - E + F, whether the surface is closed, then each edge: low, high, ascending, descending.
+// Input: tables. Output: V - E + F, whether the surface is closed, then each edge: low, high,
+// ascending, descending.
 void edges(RecordReader& in, Numbers& out) {
   const EdgeTable found = find_edges(tables(in));
   out.insert(out.end(), {double(found.euler), found.closed ? 1.0 : 0.0});
@@ -51,13 +53,13 @@ void edges(RecordReader& in, Numbers& out) {
                            double(edge.descending)});
 }
 
-// Tables. Which faces are turned; nothing if it cannot be done.
+// Input: tables. Output: which faces are turned; nothing if it cannot be done.
 void turns(RecordReader& in, Numbers& out) {
   if (const auto found = faces_to_turn(tables(in)))
     out.insert(out.end(), found->begin(), found->end());
 }
 
-// The corners of a face. Newell's vector, and the angle at each corner.
+// Input: the corners of a face. Output: Newell's vector, and the angle at each corner.
 void normal(RecordReader& in, Numbers& out) {
   std::vector<Point<Object>> face;
   while (in.more()) face.push_back(in.place<Point<Object>>());

@@ -1,4 +1,4 @@
-// Lab 1: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 1: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -47,7 +47,8 @@ Mesh read_mesh(const std::string& text) {
 // ---- task 1.2: who is next to whom ----
 
 // BEGIN SOLUTION
-// The positions of a face, without those that the next corner repeats; none if fewer than three are different.
+// The positions of a face, leaving out each that the next corner repeats; empty if fewer than three
+// are different.
 static std::vector<std::uint32_t> ring_of(const Mesh& mesh, const glassbox::Face& face) {
   std::vector<std::uint32_t> ring;
   for (std::uint32_t c = face.first; c < face.first + face.count; ++c) {
@@ -94,7 +95,7 @@ EdgeTable find_edges(const Mesh& mesh) {
 
 std::optional<std::vector<int>> faces_to_turn(const Mesh& mesh) {
   // BEGIN SOLUTION
-  // Each face's neighbours, and whether they pass along the common edge in the same direction as it does.
+  // For each edge, the faces that pass along it, and in which direction.
   struct Passage {
     std::size_t face;
     bool ascending;
@@ -136,7 +137,7 @@ std::optional<std::vector<int>> faces_to_turn(const Mesh& mesh) {
     }
   }
   return turn;
-  // STUB: return std::vector<int>{};  // 1 for each face to be turned, 0 for the others; std::nullopt if impossible
+  // STUB: return std::vector<int>{};  // 1 where a face must be turned, else 0; or std::nullopt
   // END SOLUTION
 }
 

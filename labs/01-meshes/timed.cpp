@@ -1,4 +1,4 @@
-// Puts polygons to your newell_vector, for glassbox lab measure.
+// Calls your newell_vector with polygons, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -10,7 +10,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Polygon = std::vector<Point<Object>>;
 
-// How many corners each polygon has, then all corners.
+// Reads the number of corners per polygon, then all corners.
 std::vector<Polygon> polygons(RecordReader& in) {
   const int corners = in.integer();
   std::vector<Polygon> all;

@@ -1,4 +1,4 @@
-// The inputs of lab 2, the same on both sides.
+// The inputs of lab 2's cases, shared by runner and judge.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ inline std::vector<ComposeCase> compositions() {
 }
 // BEGIN HIDDEN
 inline std::vector<ComposeCase> hidden_compositions() {
-  std::vector<Step> deep;  // C-15
+  std::vector<Step> deep;  // a deep chain of steps (C-15)
   for (int i = 0; i < 12; ++i) {
     deep.push_back(turn(1, i % 3, 2 - i % 4, 20 + 13 * i));
     deep.push_back(scale(1.5, i % 2 == 0 ? 0.5 : 2, 1));
@@ -147,7 +147,7 @@ inline std::vector<FitCase> hidden_fits() {
 }
 // END HIDDEN
 
-// Three points on a line, and the same with one of them moved off it.
+// Three points on a line, and the same with one of them moved off the line.
 struct LineCase {
   const char* what;
   std::array<Point2, 3> on_a_line, off_it;
@@ -160,13 +160,14 @@ inline std::vector<LineCase> lines() {
            {{{1000000, 999999}, {999999, 999998}, {3, 3}}}}};
 }
 
-// ---- task 2.4: the rotation of the quaternion (w; x, y, z) in integers, so that each entry is one division ----
+// ---- task 2.4 ----
 
 struct RotationCase {
   const char* what;
   double w, x, y, z;
 };
 
+// The rotation of the quaternion (w; x, y, z) of integers: each entry needs only one division.
 inline Transform<World, World> rotation_of(const RotationCase& q) {
   const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
   const double v[3] = {q.x, q.y, q.z};
@@ -222,7 +223,8 @@ struct DriftCase {
   Transform<World, World> matrix;
 };
 
-// `steps` products of a small rotation with itself, in float, as a spinning object has them (C-11).
+// The rotation after `steps` multiplications by a small rotation in float, as for a spinning
+// object; it has drifted (C-11).
 inline Transform<World, World> drifted(int steps) {
   const auto step = round_to_float(rotation_of({"", 150, 1, -0.5, 0.25}));
   auto m = step;
@@ -230,7 +232,7 @@ inline Transform<World, World> drifted(int steps) {
   return Transform<World, World>(glm::dmat4(m.columns));
 }
 
-// Each entry off by up to `size`, in turn up and down.
+// The rotation with each entry changed by up to `size`, alternately up and down.
 inline Transform<World, World> disturbed(const RotationCase& q, double size) {
   Transform<World, World> m = rotation_of(q);
   for (int i = 0; i < 3; ++i) {

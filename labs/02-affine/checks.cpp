@@ -1,4 +1,5 @@
-// What is expected of lab 2: by the pipeline's own maps, by integers, and by what a rotation is.
+// The expected answers of lab 2: by the pipeline's own maps, by integers, and by the properties of
+// a rotation.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,12 +23,13 @@ using namespace lab_02;
 using Map = Transform<World, World>;
 
 constexpr double u = unit_roundoff<double>;
-// An angle in degrees taken for radians carries the rounding of a larger angle along: 57.3 times as large.
+// An angle in degrees that is taken for radians is 57.3 times as large, and its rounding error is
+// too.
 constexpr double kSlippedBound = 64;
 
-// ---- about a point: exact enough in the pipeline's double, whose angles in degrees are not rounded ----
+// ---- about a point ----
 
-// A map of the plane z = 0 as a matrix of the plane.
+// The matrix of the plane for a map of the plane z = 0.
 std::vector<double> entries_of_plane(const Map& m) {
   std::vector<double> all;
   for (const int i : {0, 1, 3}) {
@@ -40,11 +42,13 @@ Map turn_degrees(const Vector<World, double>& axis, double degrees) {
   return rotate_degrees<World>(axis, degrees).value_or(Map{});
 }
 
+// The pipeline's double is exact enough here, as its angles in degrees are not rounded.
 Case expect_turn(const TurnCase& input) {
   const Vector<World, double> to(input.centre.x, input.centre.y, 0);
   const Vector<World, double> z_axis(0, 0, 1);
-  // The angle in radians is off by 1.5 u of up to 2 pi, sine and cosine by that and their own u: 12 u. Two products, two
-  // sums and the other matrices' share double it.
+  // The angle in radians is off by 1.5 u of up to 2 pi; sine and cosine are off by that and by
+  // their own u: 12 u together. Two products, two sums and the share of the other matrices double
+  // it.
   const double bound = 24 * u * (1 + std::abs(to.x) + std::abs(to.y));
   const auto expected = [&](const Map& m, double scale) {
     return std::vector{matrix("matrix", 3, entries_of_plane(m), scale * bound)};
@@ -70,7 +74,7 @@ Case expect_turn(const TurnCase& input) {
 
 enum class Slip { kNone, kRadians, kClockwise, kHalfAngle, kBackwards, kAnyLength };
 
-// Rodrigues' formula with an axis of whatever length it has.
+// Rodrigues' formula with an axis of any length, which is not made 1.
 Map turn_about_any_length(const Vector<World, double>& axis, double degrees) {
   const double a[3] = {axis.x, axis.y, axis.z};
   const double angle = radians_from_degrees(degrees), c = std::cos(angle), s = std::sin(angle);
@@ -137,8 +141,9 @@ Case expect_composition(const ComposeCase& input) {
     norms *= norm(m);
     text += (text.empty() ? "" : ", then ") + step_text(step);
   }
-  // A row of a rotation is off by 3 entries of 16 u each (angle 10 u, sine, cosine, axis and two operations), a product adds
-  // gamma(4): less than 64 u of the norms for each step, the pipeline's own 8 u included.
+  // A row of a rotation is off by 3 entries of 16 u each (angle 10 u, sine, cosine, axis and two
+  // operations), and a product adds gamma(4): less than 64 u of the norms for each step, including
+  // 8 u of the pipeline itself.
   const double bound = 64 * double(input.steps.size()) * u * norms;
   const auto expected = [&](const Map& m, double scale) {
     return std::vector{matrix("world_from_object", 4, entries(m), scale * bound)};
@@ -171,11 +176,12 @@ std::string triangle_text(const std::array<Point2, 3>& p) {
                      p[2].y);
 }
 
-// More than 64 bits, which ISO C++ does not have.
+// An integer of more than 64 bits, which ISO C++ does not have.
 __extension__ using Wide = __int128;
 
-// In integers: the linear part is num / det and the last column (target det - num source) / det, of which only the
-// divisions round. Sizes stay below 2^21 for differences, 2^43 for num and det, 2^65 for the last.
+// Computed in integers: the linear part is num / det and the last column (target det - num
+// source) / det, so only the divisions round. Sizes stay below 2^21 for differences, 2^43 for num
+// and det, 2^65 for the last column.
 Case expect_fit(const FitCase& input) {
   const auto& s = input.source;
   const auto& t = input.target;
@@ -198,7 +204,8 @@ Case expect_fit(const FitCase& input) {
   const double size = std::max(std::abs(ex) + std::abs(ey), std::abs(fx) + std::abs(fy));
   const double inverse = std::max(std::abs(fy) + std::abs(ey), std::abs(fx) + std::abs(ex));
   const double condition = size * inverse / std::abs(det);
-  // G E^-1 by cofactors: gamma(3) |G| |E^-1| <= 6 u c A for the numerators, 2 u c A for the determinant, 2 u for the rest.
+  // G E^-1 by cofactors: gamma(3) |G| |E^-1| <= 6 u c A for the numerators, 2 u c A for the
+  // determinant, 2 u for the rest.
   const double bound = 16 * condition * u * largest;
   const double last_bound = bound * (1 + std::abs(s[0].x) + std::abs(s[0].y)) +
                             4 * u * std::max(std::abs(from[0]), std::abs(from[1]));
@@ -209,7 +216,7 @@ Case expect_fit(const FitCase& input) {
   std::vector<double> backwards = map;
   backwards[2] = -map[2];
   backwards[5] = -map[5];
-  // E^-1 G, and the last column that goes with it.
+  // The map with the slip: E^-1 G, and the last column that belongs to it.
   std::vector<double> other{(fy * g[0] - fx * g[1]) / det,
                             (fy * h[0] - fx * h[1]) / det,
                             0,
@@ -238,8 +245,10 @@ Case expect_line(const LineCase& input) {
           {numbers("on a line", {0}), numbers("off it", {1})}};
 }
 
-// ---- axis and angle: of the quaternion (w; x, y, z) they are (x, y, z) / |(x, y, z)| and 2 atan2(|(x, y, z)|, w) ----
+// ---- axis and angle ----
 
+// For the quaternion (w; x, y, z) the axis is (x, y, z) / |(x, y, z)| and the angle is
+// 2 atan2(|(x, y, z)|, w).
 Case expect_axis(const RotationCase& q) {
   const double sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
   const double angle = 2 * arctan2(sine, q.w);
@@ -249,9 +258,10 @@ Case expect_axis(const RotationCase& q) {
   if (q.w == 0 && *first < 0) {
     for (double& each : axis) each = -each;
   }
-  // The entries of R are off by u of their size. Up to a right angle those of R - R^T are as small as the angle, beyond
-  // it the longest column of (R + R^T)/2 - cos I is at least 1/3 long: a few u of the axis either way; a few u of sine and
-  // cosine, and so of the angle. Twice 16 u, for the two ways of computing.
+  // The entries of R are off by u of their size. Up to a right angle the entries of R - R^T are as
+  // small as the angle; beyond it the longest column of (R + R^T)/2 - cos I has a length of at
+  // least 1/3. In both cases the axis is off by a few u; sine and cosine are off by a few u, and so
+  // is the angle. The bound is twice 16 u, for the two ways of computing.
   const double axis_bound = 32 * u, angle_bound = 32 * u * angle;
   const Expected the_axis = point("axis", axis, axis_bound);
   const Expected the_angle = numbers("angle", {angle}, angle_bound, "radian");
@@ -263,7 +273,7 @@ Case expect_axis(const RotationCase& q) {
              fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
          .expected = {the_axis, the_angle},
          .slipped = {{"row-column-order", {opposite, the_angle}}}};
-  // (R - R^T)/2 has the length of the sine.
+  // With the slip the axis has the length of (R - R^T)/2, which is the sine.
   if (sine > 0 && q.w != 0) c.slipped.push_back({"not-normalised", {as_it_is, the_angle}});
   return c;
 }
@@ -283,8 +293,8 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) after[j][i] = (*values)[std::size_t(4 * i + j)];
   }
-  // Columns made of length 1 are off by 3 u in each component, which is 6 u in a product of two, and summing that up
-  // rounds three times more: 9 u and what is of second order.
+  // Columns made of length 1 are off by 3 u in each component, which is 6 u in a product of two;
+  // their sum rounds three times more: 9 u and terms of second order.
   const double drift = orthogonality_error(before), error = orthogonality_error(after);
   found.actual = found.distance = error;
   found.bound = 16 * u;

@@ -1,5 +1,6 @@
-// Lab 2 in a picture: where each object stands. Its matrix is taken apart into a scaling, three shears, a turn and a shift; the turn is
-// repaired, its axis and angle are found, and all of it is composed again, by the student's functions.
+// Lab 2 in a picture: the transform of each object. Its matrix is decomposed into a scaling, three
+// shears, a rotation and a translation. The student's functions repair the rotation, find its axis
+// and angle, and compose everything again.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +31,7 @@ Numbers step(double kind, const glm::dvec3& v, double amount = 0, int changed = 
 
 struct Parts {
   glm::dmat3 turn{1};
-  Numbers before;  // steps before the turn: a scaling and three shears
+  Numbers before;  // the steps before the rotation: a scaling and three shears
   glm::dvec3 shift{0};
 };
 
@@ -48,7 +49,7 @@ Parts parts_of(const Map& m) {
     r[j][j] = glm::length(rest);
     if (r[j][j] > 0) q[j] = rest / r[j][j];
   }
-  // A mirror is a negative scale, not a turn.
+  // A mirror is represented as a negative scale, since a rotation cannot contain it.
   if (glm::determinant(q) < 0) {
     q[2] = -q[2];
     r[2][2] = -r[2][2];
@@ -122,7 +123,8 @@ std::optional<WrongNumber> judge_repaired(const Numbers& in, const Numbers& your
   return first_wrong_entry(yours, in, 3 * drift + 16 * u, "");
 }
 
-// The matrix is a rotation to some u, of which the angle is off by as much, and the axis by as much over the angle's sine.
+// The bounds: the matrix is a rotation up to some u; the angle is off by as much, and the axis by
+// as much divided by the angle's sine.
 std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
                                       const Numbers& reference) {
   constexpr double kHalfTurn = 3.14159265358979323846;
@@ -143,7 +145,7 @@ std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
       });
 }
 
-// 64 k u times the product of the steps' norms; ours errs as much.
+// The bound: 64 k u times the product of the steps' norms; the reference's error is as large.
 std::optional<WrongNumber> judge_place(const Numbers& in, const Numbers& yours,
                                        const Numbers& reference) {
   double product = 1;

@@ -1,4 +1,5 @@
-// Lab 2 in the chart of D-13: a rotation that is turned a little further in double, and repaired by the student's function.
+// Lab 2 in the chart of the experiment on ways to keep a rotation (D-13): a rotation is turned in
+// small steps in double, and the student's function repairs it.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,7 +20,8 @@ Numbers question(int steps, int every) {
   return numbers;
 }
 
-// How far a matrix is from the rotation after so many steps, whose product in double drifts by some 1e-11.
+// The distance of a matrix from the rotation after this many steps. The product in double, with
+// which it is compared, drifts by only about 1e-11.
 double off_the_turn(const study::RotationMatrix<double>& m, int steps) {
   const auto step = study::step_matrix<double>();
   study::RotationMatrix<double> turned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -30,8 +32,9 @@ double off_the_turn(const study::RotationMatrix<double>& m, int steps) {
   return study::frobenius(turned);
 }
 
-// Of all the matrices that were looked at; no number where one has none, or where the last is half a unit off the turn: a repair that
-// turns everything back has no defect.
+// The largest defect of all matrices that were looked at. NaN if a matrix is not a number, or if
+// the last one is more than 0.5 away from the rotation: a repair that undoes the steps would
+// otherwise have no defect.
 Result<double> largest_defect(const Ask& ask, int steps, int every) {
   const auto answers = ask({question(steps, every)});
   if (!answers) return tl::unexpected(answers.error());

@@ -1,4 +1,4 @@
-// Puts the cases of lab 2 to your functions.
+// Calls your functions with the cases of lab 2.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"

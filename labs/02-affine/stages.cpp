@@ -1,4 +1,4 @@
-// Puts the places of a scene's objects to your functions.
+// Calls your functions with the transforms of a scene's objects.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -10,19 +10,19 @@ using glassbox::labs::append_place;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// A matrix that should be a rotation. One that is.
+// Input: a matrix that should be a rotation. Output: a rotation.
 void repair(RecordReader& in, Numbers& out) {
   append_matrix(out, repaired(in.matrix<Transform<World, World>>()));
 }
 
-// A rotation. Its axis and angle.
+// Input: a rotation. Output: its axis and angle.
 void axis(RecordReader& in, Numbers& out) {
   const AxisAngle found = axis_angle_of(in.matrix<Transform<World, World>>());
   append_place(out, found.axis);
   out.push_back(found.radians);
 }
 
-// Steps, each as its kind, v, amount, changed and by. Their matrix.
+// Input: steps, each as its kind, v, amount, changed and by. Output: their matrix.
 void place(RecordReader& in, Numbers& out) {
   std::vector<Step> steps;
   while (in.more()) {

@@ -1,4 +1,4 @@
-// Lab 2: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 2: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ std::optional<Matrix3> fit_affine(const std::array<Point2, 3>& source,
   const Point2 h{target[2].x - target[0].x, target[2].y - target[0].y};
   const double det = e.x * f.y - f.x * e.y;
   if (det == 0) return std::nullopt;
-  // [g h] [e f]^-1
+  // The linear part of the map: [g h] [e f]^-1.
   const double a = (g.x * f.y - h.x * e.y) / det, b = (h.x * e.x - g.x * f.x) / det;
   const double c = (g.y * f.y - h.y * e.y) / det, d = (h.y * e.x - g.y * f.x) / det;
   const Point2 p = source[0];
@@ -107,7 +107,8 @@ AxisAngle axis_angle_of(const Transform<World, World>& rotation) {
     if (sine > 0) found.axis = across * (1 / sine);
     return found;
   }
-  // (R + R^T)/2 - cos I = (1 - cos) a a^T: the column with the largest diagonal entry is the longest.
+  // (R + R^T)/2 - cos I = (1 - cos) a a^T. Its longest column, the most exact one, is that with the
+  // largest diagonal entry.
   int column = 0;
   for (int i = 1; i < 3; ++i) {
     if (r.at(i, i) > r.at(column, column)) column = i;
@@ -142,7 +143,7 @@ Transform<World, World> repaired(const Transform<World, World>& almost_rotation)
     for (int j = 0; j < 3; ++j) result.at(i, j) = rows[i][j];
   }
   return result;
-  // STUB: return Transform<World, World>(glm::dmat4(NAN));  // columns of length 1, perpendicular to each other
+  // STUB: return Transform<World, World>(glm::dmat4(NAN));  // perpendicular columns of length 1
   // END SOLUTION
 }
 

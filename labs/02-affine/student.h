@@ -1,8 +1,9 @@
-// Lab 2: affine maps of the plane and of space. The contracts of the five functions that you write in student.cpp.
+// Lab 2: affine maps of the plane and of space. The contracts of the five functions that you write
+// in student.cpp.
 //
-// Column vectors: p' = M p, M[row][column], the translation stands in the last column, and in A B the map B acts first.
-// The world is right-handed; a positive angle turns counter-clockwise for a viewer whom the axis points at. Everything is
-// in double; u = 2^-53 is its rounding unit.
+// Column vectors: p' = M p, M[row][column]. The translation is in the last column, and in A B the
+// map B acts first. The world is right-handed; a positive angle turns counter-clockwise for a
+// viewer whom the axis points at. Everything is in double; u = 2^-53 is its unit roundoff.
 #pragma once
 
 #include <array>
@@ -22,21 +23,24 @@ struct Point2 {
   double x = 0, y = 0;
 };
 
-// A map of the plane in homogeneous coordinates: at[row][column]. The last row of an affine map is (0, 0, 1).
+// A map of the plane in homogeneous coordinates: at[row][column]. The last row of an affine map is
+// (0, 0, 1).
 struct Matrix3 {
   double at[3][3] = {};
 };
 
-// Task 2.1. The map that turns the plane about `centre`, counter-clockwise (x to the right, y up), by -360 to 360 degrees.
-// Bound of each entry: 24 u (1 + |centre.x| + |centre.y|).
+// Task 2.1. The map that turns the plane about `centre`, counter-clockwise (x to the right, y up),
+// by -360 to 360 degrees. Error bound of each entry: 24 u (1 + |centre.x| + |centre.y|).
 Matrix3 turn_about(const Point2& centre, double degrees);
 
 struct Step {
   enum class Kind {
     kTranslate,  // by v
-    kRotate,  // about the axis v (of any length but 0) through the origin, by `amount` degrees, -360 to 360
+    // about the axis v (of any length but 0) through the origin, by `amount` degrees, -360 to 360
+    kRotate,
     kScale,  // x, y and z by the components of v
-    kShear  // adds amount * (coordinate `by`) to coordinate `changed`; 0, 1, 2 are x, y, z, and they differ
+    // adds amount * (coordinate `by`) to coordinate `changed`; 0, 1, 2 are x, y, z, and they differ
+    kShear
   };
   Kind kind = Kind::kTranslate;
   Vector<World, double> v{0, 0, 0};
@@ -44,17 +48,20 @@ struct Step {
   int changed = 0, by = 1;
 };
 
-// Task 2.2. All steps as one matrix; steps[0] is done first. No steps: the identity.
-// Bound of each entry: 64 k u P, where k is the number of steps and P the product of the steps' norms (the largest sum of
-// the sizes of a row's entries).
+// Task 2.2. All steps as one matrix; steps[0] is done first. No steps give the identity.
+// Error bound of each entry: 64 k u P, where k is the number of steps and P the product of the
+// steps' norms. The norm of a matrix here is the largest sum of the sizes of a row's entries.
 Transform<World, Object> compose(const std::vector<Step>& steps);
 
-// Task 2.3. The affine map of the plane that carries source[i] to target[i]; nothing if the source points lie on a line.
-// Coordinates are integers up to 2^20 in size, so that their differences, and sums of two products of those, are exact.
-// Bound of the upper left 2 x 2: 16 c u A, where A is its largest entry in size, c = |E| |E^-1| its condition, E the matrix
-// whose columns are source[1] - source[0] and source[2] - source[0], and | | the largest sum of the sizes of a column's entries.
-// It does not depend on how far from the origin the points are. Bound of the last column: that times
-// (1 + |x| + |y|) of source[0], plus 4 u times the largest |coordinate| of target[0].
+// Task 2.3. The affine map of the plane that carries source[i] to target[i]; std::nullopt if the
+// three source points are on one line. Coordinates are integers up to 2^20 in size, so that their
+// differences, and sums of two products of those, are exact.
+// Error bound of the upper left 2 x 2 part: 16 c u A, where A is its largest entry in size,
+// c = |E| |E^-1| the condition number of E, E the matrix whose columns are source[1] - source[0]
+// and source[2] - source[0], and |.| of a matrix the largest sum of the sizes of a column's
+// entries. It does not depend on how far from the origin the points are. Error bound of the last
+// column: that bound times (1 + |x| + |y|) of source[0], plus 4 u times the largest |coordinate| of
+// target[0].
 std::optional<Matrix3> fit_affine(const std::array<Point2, 3>& source,
                                   const std::array<Point2, 3>& target);
 
@@ -63,16 +70,19 @@ struct AxisAngle {
   double radians = 0;                   // 0 to pi
 };
 
-// Task 2.4. The axis and the angle of a rotation, whose entries are right to a rounding. The identity has the z axis. At exactly
-// half a turn, where the matrix is symmetric and both directions of the axis are right, the one whose first
-// component that is not zero is positive.
-// Bound of the axis: 32 u in each component. Relative error of the angle at most 32 u, for angles of 10^-6 too.
+// Task 2.4. The axis and the angle of a rotation whose entries are correct up to one rounding. The
+// identity has the z axis. At exactly half a turn, where the matrix is symmetric and both
+// directions of the axis are right, choose the one whose first component that is not zero is
+// positive.
+// Error bound of the axis: 32 u in each component. The relative error of the angle is at most 32 u,
+// for angles as small as 10^-6 too.
 AxisAngle axis_angle_of(const Transform<World, World>& rotation);
 
-// Task 2.5. A rotation near a matrix that should be one, but has drifted away by rounding or was written with few digits.
-// Of the matrix R given, every entry of R^T R - I is at most d = 0.01 in size, and its determinant is positive.
-// Of the result the same entries are at most 16 u, its determinant is positive, and no entry of it is further than
-// 3 d + 16 u from that of R. The last column and row are those of the identity, there and here.
+// Task 2.5. A rotation near a matrix that should be one, but has drifted away by rounding or was
+// written with few digits. The given matrix R has a positive determinant, and every entry of
+// R^T R - I is at most d = 0.01 in size. The result has a positive determinant, its same entries
+// are at most 16 u in size, and each of its entries is at most 3 d + 16 u away from that of R. The
+// last column and row are those of the identity, in R and in the result.
 Transform<World, World> repaired(const Transform<World, World>& almost_rotation);
 
 }  // namespace lab_02

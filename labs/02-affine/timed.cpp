@@ -1,4 +1,5 @@
-// Turns a rotation a little further, and has it repaired by you now and then, for glassbox lab measure.
+// Turns a rotation in small steps and lets your function repair it now and then, for glassbox lab
+// measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,7 +10,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Rotation = std::array<std::array<double, 3>, 3>;
 
-// The product as it comes, repaired after every so many steps.
+// The product of the steps so far, repaired after every so many of them.
 class Turning {
 public:
   Turning(const Rotation& step, int every) : step_(step), every_(every) {}
@@ -48,7 +49,8 @@ struct Asked {
   Rotation step{};
 };
 
-// How many steps there are, how many from one repair to the next, and the rotation of one, row by row.
+// Reads the number of steps, the number of steps between repairs, and the rotation of one step, row
+// by row.
 Asked read(RecordReader& in) {
   Asked asked;
   asked.steps = in.integer();
@@ -59,7 +61,7 @@ Asked read(RecordReader& in) {
   return asked;
 }
 
-// The matrix a thousand times on its way, and just before repairs.
+// Writes the matrix at a thousand moments on the way, and just before repairs.
 void answer(RecordReader& in, Numbers& out) {
   const Asked asked = read(in);
   Turning turning(asked.step, asked.every);

@@ -1,4 +1,4 @@
-// The inputs of lab 3, the same on both sides.
+// The inputs of lab 3's cases, shared by runner and judge.
 #pragma once
 
 #include <limits>
@@ -45,7 +45,8 @@ inline std::vector<CameraCase> hidden_cameras() {
           for (double& each : v) each = random.between(-10, 10);
           const Camera camera{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
           const auto gaze = camera.target - camera.eye, across = cross(camera.up, gaze);
-          // Neither short nor within a tenth of a radian of each other.
+          // Accepts only directions that are neither short nor within a tenth of a radian of each
+          // other.
           if (dot(across, across) > 0.01 * dot(gaze, gaze) * dot(camera.up, camera.up) &&
               dot(gaze, gaze) > 1)
             return CameraCase{"anywhere", camera};
@@ -54,7 +55,7 @@ inline std::vector<CameraCase> hidden_cameras() {
 }
 // END HIDDEN
 
-// One that has no view matrix, beside one that has.
+// A camera that has no view matrix, and a similar one that has.
 struct RefusedCase {
   const char* what;
   Camera bad, good;
@@ -193,8 +194,9 @@ inline std::vector<KindCase> hidden_kinds() {
 }
 // END HIDDEN
 
-// ---- projections of a left-handed eye (task 3.5): near plane d, far plane f, half the window's height h on the near plane ----
+// ---- projections of a left-handed eye (task 3.5) ----
 
+// Near plane d, far plane f, and half the window's height h on the near plane.
 struct HandCase {
   double d, f, h;
 };

@@ -1,4 +1,5 @@
-// What is expected of lab 3: by the pipeline's own view matrices, and by what a rotation is.
+// The expected answers of lab 3: by the pipeline's own view matrices, and by the properties of a
+// rotation.
 #include <algorithm>
 #include <cmath>
 
@@ -56,13 +57,14 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
          fmt::format("{}; the target comes to (0, 0, {:.9g}) in eye space", camera_text(camera),
                      -length(camera.target - camera.eye)),
          view_fields(view, bounds)};
-  // The gaze along +z: N = +gaze, or the slide's rotation (E7), is half a turn about V away.
+  // With the slip the gaze is along +z: with N = +gaze, or with the slide's rotation (E7), the
+  // matrix is half a turn about V away.
   Transform<Eye, World> backwards = view, columns = view;
   for (int j = 0; j < 4; ++j) {
     backwards.at(0, j) = -backwards.at(0, j);
     backwards.at(2, j) = -backwards.at(2, j);
   }
-  // U, V, N as the columns, with either translation.
+  // With U, V, N as the columns, and with either translation.
   const Direction t{view.at(0, 3), view.at(1, 3), view.at(2, 3)};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) columns.at(i, j) = view.at(j, i);
@@ -76,9 +78,9 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   columns_times_eye.at(0, 3) = moved.x;
   columns_times_eye.at(1, 3) = moved.y;
   columns_times_eye.at(2, 3) = moved.z;
-  // U = N x up, and V = N x U with it.
+  // With U = N x up in the wrong order, V = N x U changes its sign too.
   Transform<Eye, World> exchanged = view, forward = view, long_u = view, long_n = view;
-  // Lengths that U and V, or V and N, have where they are not made 1.
+  // The lengths of U and V, or of V and N, where the slip leaves them unnormalised.
   const Direction gaze = camera.target - camera.eye;
   const double n = length(gaze), u_length = length(camera.up) * sine_between(camera.up, gaze);
   for (int j = 0; j < 4; ++j) {
@@ -103,15 +105,17 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   return c;
 }
 
-// What an error of the axes makes of -U.e: three products with the eye's coordinates, and their own roundings.
+// The bound of -U.e that follows from the bound of the axes: three products with the eye's
+// coordinates, and their own roundings.
 double with_eye(double bound, const Camera& camera) {
   const double largest =
       std::max({std::abs(camera.eye.x), std::abs(camera.eye.y), std::abs(camera.eye.z)});
   return bound * (1 + 2 * largest);
 }
 
-// N is right to 4 u; up x N, of length s, to 10 u, so that U is to 10 u / s and V to that and a product. The pipeline's own are
-// within (8 + 4/s) u. Three products with a unit vector sum up to at most sqrt(3) of the largest coordinate.
+// The error of N is at most 4 u, that of up x N, whose length is s, at most 10 u; so U has
+// 10 u / s, and V has that and the error of a product. The pipeline's own axes are within (8 + 4/s)
+// u. Three products with a unit vector sum up to at most sqrt(3) of the largest coordinate.
 Case expect_uvn(const CameraCase& input) {
   const Camera& camera = input.camera;
   const double s = sine_between(camera.up, camera.target - camera.eye);
@@ -119,15 +123,17 @@ Case expect_uvn(const CameraCase& input) {
   return expect_view(input, {bound, with_eye(bound, camera)});
 }
 
-// The axis of the first rotation is a cross product of length g, right to 10 u / g; where the angle is small that is multiplied by
-// its sine again, near half a turn it is not. The second rotation adds what `up` has: 10 u / s.
+// The axis of the first rotation is a cross product of length g, with the error 10 u / g. Where the
+// angle is small the axis is multiplied by the angle's sine, which cancels this; near half a turn
+// it does not. The second rotation adds the error from `up`: 10 u / s.
 Case expect_axis_angle(const CameraCase& input) {
   const Camera& camera = input.camera;
   const Direction gaze = camera.target - camera.eye;
   const double s = sine_between(camera.up, gaze), g = sine_between(gaze, {0, 0, 1});
   const double bound = 64 * u * (1 + 1 / s + (gaze.z > 0 && g > 0 ? 1 / g : 0));
   Case c = expect_view(input, {bound, with_eye(bound, camera)});
-  // There is no U and no V here whose factors could be exchanged.
+  // In this task no U and V are computed, so there is no cross product whose factors could be
+  // swapped.
   std::erase_if(c.slipped, [](const Slipped& each) { return each.slip == "cross-order"; });
   return c;
 }
@@ -146,7 +152,8 @@ std::string onto_text(const OntoCase& input) {
   return fmt::format("from ({}, {}, {}) to ({}, {}, {})", from.x, from.y, from.z, to.x, to.y, to.z);
 }
 
-// R = cos I + [v]x + v v^T / (1 + cos) with v = f x t, where beyond a right angle 1 + cos is |v|^2 / (1 - cos).
+// The formula: R = cos I + [v]x + v v^T / (1 + cos) with v = f x t; beyond a right angle 1 + cos is
+// computed as |v|^2 / (1 - cos).
 Case expect_onto(const OntoCase& input) {
   using Long = Vector<World, long double>;
   const auto unit = [](const Direction& d) {
@@ -164,14 +171,15 @@ Case expect_onto(const OntoCase& input) {
     rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
     rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
   }
-  // The axis is right to 10 u / s, multiplied by the sine or not.
+  // The error of the axis is 10 u / s, whether it is multiplied by the sine or not.
   const double sine = double(std::sqrt(square));
   const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
   const double angle = std::atan2(sine, double(cosine));
   Case c{input.what,
          fmt::format("{}, an angle of {:.9g} radians", onto_text(input), angle),
          {matrix("rotation", 3, rotation, bound)}};
-  // Half and twice the angle, which a matrix of a small rotation does not show by itself.
+  // The slip of half or twice the angle is made here, because the matrix of a small rotation does
+  // not show it by itself.
   const Direction axis(double(across.x), double(across.y), double(across.z));
   for (const double factor : {0.5, 2.0}) {
     const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(angle));
@@ -196,7 +204,8 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) m[j][i] = (*values)[std::size_t(3 * i + j)];
   }
-  // An axis right to 4 u gives products of rows within 8 u, and sums of three that round; the image of `from` likewise.
+  // An axis with errors of 4 u gives products of rows within 8 u, and sums of three that round; the
+  // same holds for the image of `from`.
   found.bound = 16 * u;
   found.element = "largest entry of |R^T R - I|";
   found.actual = found.distance = orthogonality_error(m);

@@ -1,4 +1,5 @@
-// Lab 3 in a picture: the view matrix, the projection's hand, and which models are mirrored, by the student's functions.
+// Lab 3 in a picture: the student's functions make the view matrix, change the projection for our
+// eye space, and find the mirrored models.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,7 +74,8 @@ Numbers kind(RecordReader& in) {
 
 // ---- judgement ----
 
-// student.h: 32 u (1 + 1/s), or 64 u (1 + 1/s + 1/g), and in the last column that times (1 + 2 D); ours errs as much.
+// The bounds of student.h: 32 u (1 + 1/s), or 64 u (1 + 1/s + 1/g), and in the last column that
+// times (1 + 2 D); the reference's error is as large.
 std::optional<WrongNumber> judge_view(const Numbers& in, const Numbers& yours,
                                       const Numbers& reference) {
   const Asked asked(in);
@@ -118,7 +120,7 @@ double from_rigid(const Transform<World, World>& m) {
   return most;
 }
 
-// Turns away what the kinds of the models say is turned away.
+// Culls faces according to the kinds of the models: a mirrored model has the opposite winding.
 class Stages : public Observer {
 public:
   Stages(std::map<std::uint32_t, bool> mirrored, Cull cull)
@@ -133,7 +135,7 @@ public:
   }
 
 private:
-  const std::map<std::uint32_t, bool> mirrored_;  // by instance
+  const std::map<std::uint32_t, bool> mirrored_;  // indexed by instance
   const Cull cull_;
   const Draw* draw_ = nullptr;
 };
@@ -161,7 +163,7 @@ Question camera_question(const Drawn& drawn) {
 }
 
 Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answering& answering) {
-  // Between the sizes that the contract leaves open no matrix is asked for.
+  // Matrices whose size is in the range that the contract leaves open are not asked about.
   constexpr double kRigid = 1e-6;
   std::vector<Question> questions;
   std::vector<std::uint32_t> instances;
@@ -180,14 +182,14 @@ Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answerin
   return mirrored;
 }
 
-// What an answer of one record says of a matrix; as it is where it says none.
+// Asks for a matrix with one record. Without a valid answer the matrix becomes 0.
 template <class M>
 Result<void> ask_for_matrix(const DrawnStage& stage, Question question, Answering& answering,
                             M& matrix) {
   const auto answer = answering.ask(stage, std::array{std::move(question)});
   if (!answer) return tl::unexpected(answer.error());
   if (answer->front().size() != 16) {
-    matrix = M(glm::dmat4(0));  // without a matrix there is no picture
+    matrix = M(glm::dmat4(0));  // no picture can be drawn without a matrix
     return {};
   }
   RecordReader reader(answer->front().data(), 16);

@@ -1,4 +1,5 @@
-// Lab 3 in the chart of D-7: vertices before a camera far from the origin, by the student's view matrices, in double.
+// Lab 3 in the chart of the experiment on one or two matrices for view and projection (D-7):
+// vertices in front of a camera far from the origin, by the student's view matrices, in double.
 #include "labs/measuring/field_errors.h"
 #include "study/experiments/d07_field.h"
 
@@ -10,7 +11,7 @@ using namespace study::d07;
 
 constexpr int kTimed = 1 << 9;  // as in a quick run
 
-// The camera by its eye, what it looks at and what is up for it: the rows of its rotation.
+// The camera's eye, the point it looks at and its up direction, made from the rows of its rotation.
 Numbers question(bool by_rotations, const Field& field, Depth depth) {
   const glm::dmat3 world_from_eye = glm::transpose(study::rounded(field.eye_from_world));
   Numbers numbers{by_rotations ? 1.0 : 0.0};

@@ -1,4 +1,4 @@
-// Puts the cases of lab 3 to your functions.
+// Calls your functions with the cases of lab 3.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"

@@ -1,4 +1,4 @@
-// Puts the camera and the matrices of a scene to your functions.
+// Calls your functions with the camera and the matrices of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,7 +9,8 @@ using glassbox::labs::append_matrix;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// 0 for U, V, N and 1 for two rotations; eye, target and up. The matrix; nothing where there is none.
+// Input: 0 for U, V, N or 1 for two rotations; eye, target and up. Output: the view matrix; nothing
+// where there is none.
 void view(RecordReader& in, Numbers& out) {
   const bool by_rotations = in.number() != 0;
   Camera camera;
@@ -20,12 +21,12 @@ void view(RecordReader& in, Numbers& out) {
   if (const auto made = uvn_view(camera)) append_matrix(out, *made);
 }
 
-// A projection for the left-handed eye. The same for ours.
+// Input: a projection for a left-handed eye space. Output: the same for ours.
 void hand(RecordReader& in, Numbers& out) {
   append_matrix(out, for_right_handed_eye(in.matrix<Transform<Clip, Eye>>()));
 }
 
-// A model matrix. What it is.
+// Input: a model matrix. Output: its kind.
 void kind(RecordReader& in, Numbers& out) {
   out.push_back(double(kind_of(in.matrix<Transform<World, World>>())));
 }

@@ -1,4 +1,4 @@
-// Lab 3: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 3: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ static bool is_finite(double x, double y, double z) {
   return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
 }
 
-// R p - R e: the rows of R are the axes of the eye.
+// The view matrix p -> R p - R e: the rows of R are the axes of the eye, e is its position.
 static Transform<Eye, World> view_of(const Direction& x, const Direction& y, const Direction& z,
                                      const Point<World, double>& eye) {
   const Direction axes[3] = {x, y, z};
@@ -64,7 +64,8 @@ Transform<World, World> rotation_onto(const Vector<World, double>& from,
   if (sine > 0) {
     axis = axis * (1 / sine);
   } else {
-    // Perpendicular to f: its cross product with the coordinate axis that it is furthest from.
+    // To get a vector perpendicular to f: the cross product of f with the coordinate axis that is
+    // furthest from its direction.
     const double x = std::abs(f.x), y = std::abs(f.y), z = std::abs(f.z);
     const Direction far = x <= y && x <= z ? Direction{1, 0, 0}
                           : y <= z         ? Direction{0, 1, 0}
@@ -94,7 +95,7 @@ Transform<Eye, World> axis_angle_view(const Camera& camera) {
   const Direction ahead{0, 0, -1};
   const Transform<World, World> turn = rotation_onto(gaze, ahead);
   const Direction up = turn * camera.up;
-  // About z, until up has no x and a positive y.
+  // Turn about z, until `up` has no x and a positive y.
   const double across = std::sqrt(up.x * up.x + up.y * up.y);
   const double c = up.y / across, s = up.x / across;
   const auto row = [&](int i) { return Direction{turn.at(i, 0), turn.at(i, 1), turn.at(i, 2)}; };

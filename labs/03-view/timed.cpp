@@ -1,4 +1,4 @@
-// Carries vertices through your view matrix, for glassbox lab measure.
+// Transforms vertices by your view matrix, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -15,7 +15,8 @@ struct Asked {
   std::vector<Point<World, double>> points;
 };
 
-// 0 for U, V, N and 1 for two rotations; eye, target and up; a projection, row by row; then vertices.
+// Reads 0 for U, V, N or 1 for two rotations; eye, target and up; a projection, row by row; then
+// vertices.
 Asked read(RecordReader& in) {
   Asked asked;
   asked.by_rotations = in.number() != 0;
@@ -27,7 +28,7 @@ Asked read(RecordReader& in) {
   return asked;
 }
 
-// The depth of each vertex; nothing where there is no view.
+// Writes the depth of each vertex; nothing where there is no view matrix.
 void depths(const Asked& asked, Numbers& out) {
   const auto view = asked.by_rotations ? axis_angle_view(asked.camera) : uvn_view(asked.camera);
   if (!view) return;

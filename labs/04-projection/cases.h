@@ -1,4 +1,5 @@
-// The inputs of lab 4, which the runner puts to the student's functions and the judge to the pipeline's.
+// The inputs of lab 4's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ inline std::vector<Camera> cameras() {
           {1.2, 0.5, 0.5, 64}};
 }
 
-// The first is accepted, so that it does not do to refuse everything.
+// The first camera of each case is valid, so a function that refuses everything does not pass.
 inline std::vector<std::vector<Camera>> refusals() {
   return {{{1, 1, 1, 2},
            {0, 1, 1, 2},
@@ -78,7 +79,8 @@ struct DialectCase {
   Projection m;
 };
 
-// Numbers of few bits, none of them 0 that need not be: every entry must go to its place.
+// Numbers with few bits, and no 0 where another number is possible: so every entry must be in its
+// place.
 inline Projection off_centre() {
   Projection m;
   m.at(0, 0) = 1.5;
@@ -102,7 +104,7 @@ inline Projection parallel() {
   return m;
 }
 
-// A third has no end in binary, and float ends it earlier than double.
+// One third has infinitely many binary digits, of which float keeps fewer than double.
 inline Projection of_thirds() {
   Projection m = off_centre();
   for (int i = 0; i < 16; ++i) m.at(i / 4, i % 4) /= 3;

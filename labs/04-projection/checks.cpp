@@ -1,4 +1,4 @@
-// What is expected of lab 4: by the pipeline's own matrices, and by exact rationals.
+// The expected answers of lab 4: by the pipeline's own matrices, and by exact rationals.
 #include <algorithm>
 #include <cmath>
 
@@ -31,14 +31,15 @@ Expected projection(const Transform<Clip, Eye>& m, double roundings) {
   return expected;
 }
 
-// Tangent, quotients and products round 4 or 5 times, on both sides; student.h allows 16.
+// Tangent, quotients and products round 4 or 5 times, in the student's way and in ours; student.h
+// allows 16.
 constexpr double kEntryRoundings = 16;
 
 Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
   return perspective(c.fovy_radians, c.aspect, {c.near, c.far, DepthRange::kStandard});
 }
 
-// With z from -w to w.
+// The slip of OpenGL's z from -w to w.
 Slipped opengl_slip(const Transform<Clip, Eye>& m) {
   const Transform<Clip, Eye> gl(clip_gl_from_clip().columns * m.columns);
   return {"opengl-depth", {projection(gl, 2 * kEntryRoundings)}};
@@ -87,8 +88,8 @@ Case expect_box(const lab_04::Box& box) {
                       {"translation-sign", {projection(backwards, kEntryRoundings)}}}};
 }
 
-// How a dialect's numbers come from the pipeline's: by a matrix that acts on clip space, after the projection, or on eye space,
-// before it.
+// How a dialect's numbers follow from the pipeline's: by a matrix that acts on clip space, after
+// the projection, or on eye space, before it.
 struct Adaptor {
   glm::dmat4 matrix;
   bool after;
@@ -162,7 +163,7 @@ Case expect_screen(const lab_04::ViewportCase& input) {
           .slipped = {{"half-pixel", expected(-0.5)}, {"half-pixel", expected(0.5)}}};
 }
 
-// z = n f / (f - d (f - n)); with an infinite far plane n / (1 - d).
+// The formula: z = n f / (f - d (f - n)); with an infinite far plane n / (1 - d).
 double exact_distance(const lab_04::DepthCase& input) {
   const Rational d(input.depth), n(input.near);
   if (std::isinf(input.far)) return input.depth == 1 ? input.far : double(n / (Rational(1) - d));
@@ -172,13 +173,13 @@ double exact_distance(const lab_04::DepthCase& input) {
 
 Case expect_depth(const lab_04::DepthCase& input) {
   const double z = exact_distance(input), near = input.near;
-  // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) moves z by u z^2 / n; there are four at most, and the
-  // quotient's own. f = infinity, d = 1 is exact.
+  // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) changes z by u z^2 / n; there
+  // are at most four of these, and that of the quotient. f = infinity, d = 1 is exact.
   const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / near;
   const auto expected = [](double value, double by) {
     return std::vector{numbers("distance", {value}, by, "world units")};
   };
-  // A depth of -1 .. 1 taken to 0 .. 1 first.
+  // The slip of a depth in -1 .. 1, which is mapped to 0 .. 1 first.
   lab_04::DepthCase opengl = input;
   opengl.depth = (input.depth + 1) / 2;
   const double gl = exact_distance(opengl);

@@ -1,5 +1,5 @@
-// Lab 4 in a picture: the projection, the divide and the viewport and, in pictures of depth, the way back to distances, by the
-// student's functions.
+// Lab 4 in a picture: the student's functions make the projection, the divide, the viewport
+// transform and, in pictures of depth, turn depths back into distances.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,7 +19,8 @@ namespace glassbox::labs {
 namespace lab_04_drawing {
 
 constexpr double u = unit_roundoff<double>;
-constexpr float kMostPixels = 32767;  // from the picture's corner: what the snap can carry
+// at most so far from the picture's corner, which the snap can handle
+constexpr float kMostPixels = 32767;
 
 double largest(std::span<const double> numbers) {
   double most = 0;
@@ -74,7 +75,8 @@ Numbers distances(RecordReader& in) {
 
 // ---- judgement: the bounds of student.h ----
 
-// 16 u of the largest entry for the projection, 4 u for the dialect, and our own matrix's share.
+// The bounds: 16 u of the largest entry for the projection, 4 u for the dialect, and the error of
+// our own matrix.
 std::optional<WrongNumber> judge_projection(const Numbers&, const Numbers& yours,
                                             const Numbers& reference) {
   return first_wrong_entry(yours, reference, 24 * u * largest(reference), "");
@@ -101,15 +103,16 @@ std::optional<WrongNumber> judge_placed(const Numbers& in, const Numbers& yours,
   return first_wrong(
       yours, reference,
       [&](std::size_t i) {
-        if (i % 3 == 2) return 0.0;  // z stays
-        // A vertex beside the picture is that much further away.
+        if (i % 3 == 2) return 0.0;  // z keeps its bits
+        // For a vertex outside the picture the bound grows with its distance.
         const double ndc = std::abs(in[4 + i]);
         return 8 * u * (std::abs(in[i % 3]) + in[2 + i % 3]) * std::max(1.0, ndc);
       },
       "px", coordinate);
 }
 
-// With d the depth and z the exact distance, 8 u z^2 / near, theirs and ours.
+// The bound, with d the depth and z the exact distance: 8 u z^2 / near for the student's and as
+// much for ours.
 std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference) {
   return first_wrong(
@@ -158,7 +161,7 @@ public:
     ++vertex_;
   }
 
-  // NDC in double is what to_screen is given: it is rounded to float only for the stages behind.
+  // to_screen gets NDC in double; they are rounded to float only for the later stages.
   std::vector<Question> take_ndcs(std::vector<Numbers> answers) {
     std::vector<Question> placing;
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -201,7 +204,7 @@ private:
   const Draw* draw_ = nullptr;
   std::uint32_t number_ = 0;
   std::size_t count_ = 0, vertex_ = 0;
-  std::vector<Numbers> ndcs_, screens_;  // by triangle
+  std::vector<Numbers> ndcs_, screens_;  // one for each triangle
 };
 
 const std::vector<DrawnStage>& stages() {
@@ -227,7 +230,7 @@ Result<Question> projection_question(const Drawn& drawn) {
               "give the view by --fov or --ortho");
 }
 
-// In place of the distances that the pipeline has from 1/w.
+// Replaces the distances that the pipeline computes from 1/w.
 Result<void> ask_for_distances(StandIn& made, Answering& answering) {
   RenderSettings settings = made.settings;
   settings.want_depth = true;

@@ -1,4 +1,6 @@
-// Lab 4 in the chart of D-7: vertices before a camera far from the origin, by the student's projection and divide, in double.
+// Lab 4 in the chart of the experiment on one or two matrices for view and projection (D-7):
+// vertices in front of a camera far from the origin, by the student's projection and divide, in
+// double.
 #include "labs/measuring/field_errors.h"
 #include "study/experiments/d07_field.h"
 

@@ -1,4 +1,4 @@
-// Puts the cases of lab 4 to your functions.
+// Calls your functions with the cases of lab 4.
 #include "labs/framework/runner.h"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Puts the projection and the vertices of a scene to your functions.
+// Calls your functions with the projection and the vertices of a scene.
 #include <array>
 
 #include "labs/framework/stages.h"
@@ -12,8 +12,8 @@ using glassbox::labs::append_place;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// 1 and fovy, aspect, near, far of a perspective view, or 0 and left, right, bottom, top, near, far of a parallel one; before them
-// 1 where depth is reversed. The matrix.
+// Input: 1 where depth is reversed, else 0; then 1 and fovy, aspect, near, far of a perspective
+// view, or 0 and left, right, bottom, top, near, far of a parallel one. Output: the matrix.
 void projection(RecordReader& in, Numbers& out) {
   const bool reversed = in.number() != 0, is_perspective = in.number() != 0;
   std::array<double, 6> n{};
@@ -24,7 +24,8 @@ void projection(RecordReader& in, Numbers& out) {
   append_matrix(out, m);
 }
 
-// Points of clip space. NDC of each; nothing for a record with a point that has none.
+// Input: points of clip space. Output: NDC of each; nothing for a record with a point that has
+// none.
 void divided(RecordReader& in, Numbers& out) {
   Numbers made;
   while (in.more()) {
@@ -35,7 +36,8 @@ void divided(RecordReader& in, Numbers& out) {
   out.insert(out.end(), made.begin(), made.end());
 }
 
-// The viewport's left, top, width and height, then points of NDC. Each on the screen.
+// Input: the viewport's left, top, width and height, then points of NDC. Output: each on the
+// screen.
 void placed(RecordReader& in, Numbers& out) {
   Rectangle viewport;
   viewport.left = in.number();
@@ -45,7 +47,7 @@ void placed(RecordReader& in, Numbers& out) {
   while (in.more()) append_place(out, to_screen(in.place<Point<Ndc, double>>(), viewport));
 }
 
-// near and far, then depths. The distance of each.
+// Input: near and far, then depths. Output: the distance of each.
 void distances(RecordReader& in, Numbers& out) {
   const double near = in.number(), far = in.number();
   while (in.more()) out.push_back(distance_of(in.number(), near, far));

@@ -9,12 +9,12 @@ namespace lab_04 {
 Projection perspective(double fovy_radians, double aspect, double near, double far) {
   // BEGIN SOLUTION
   constexpr double kPi = 3.14159265358979323846;
-  // Written so that NaN fails too.
+  // Written so that NaN is rejected too.
   if (!(fovy_radians > 0 && fovy_radians < kPi)) throw std::invalid_argument("field of view");
   if (!(aspect > 0 && std::isfinite(aspect))) throw std::invalid_argument("aspect ratio");
   if (!(near > 0 && near < far)) throw std::invalid_argument("near and far plane");
   const double cot = 1 / std::tan(fovy_radians / 2);
-  // f / (f - n), which tends to 1.
+  // alpha = f / (f - n), which tends to 1 as f grows to infinity.
   const double alpha = std::isinf(far) ? 1 : far / (far - near);
   Projection m;
   m.at(0, 0) = cot / aspect;
@@ -47,7 +47,8 @@ Projection in_dialect(const Projection& m, Dialect dialect) {
   // BEGIN SOLUTION
   Projection changed = m;
   for (int i = 0; i < 4; ++i) {
-    // Clip space changes after the projection, eye space before it: a row, or a column.
+    // A change of clip space happens after the projection and changes a row; a change of eye space
+    // happens before it and changes a column.
     if (dialect == Dialect::kOpenGl) changed.at(2, i) = 2 * m.at(2, i) - m.at(3, i);
     if (dialect == Dialect::kReversed) changed.at(2, i) = m.at(3, i) - m.at(2, i);
     if (dialect == Dialect::kLeftHandedEye) changed.at(i, 2) = -m.at(i, 2);

@@ -1,10 +1,11 @@
 // Lab 4: from eye space to the screen. You write student.cpp; handout.md explains.
 //
-// Eye space is right-handed: x right, y up, the camera looks down -z. Clip space: w is the distance along the gaze. After the divide
-// x and y lie in [-1, 1], y up, and z in [0, 1], 0 at the near plane. The screen counts pixels from the top left, y down.
-// Matrices act on columns: p_clip = m * p_eye, and m.at(row, column).
+// Eye space is right-handed: x right, y up, the camera looks down -z. Clip space: w is the distance
+// along the gaze. After the divide x and y are in [-1, 1], y up, and z in [0, 1], 0 at the near
+// plane. The screen counts pixels from the top left, y down. Matrices act on columns:
+// p_clip = m * p_eye, and m.at(row, column).
 //
-// u = 2^-53 is the roundoff of double. Bounds are of every number of the answer.
+// u = 2^-53 is the unit roundoff of double. Every number of an answer must keep the error bound.
 #pragma once
 
 #include <optional>
@@ -27,31 +28,36 @@ using Projection = glassbox::Transform<Clip, Eye, double>;
 //   fovy_radians  the full vertical angle, in (0, pi)
 //   aspect        width / height of the picture, positive and finite
 //   near, far     distances along the gaze, 0 < near < far; far may be infinity
-// Throws std::invalid_argument for anything else, NaN too. Within 16 u of the largest entry.
+// Throws std::invalid_argument for anything else, NaN too. Error bound: 16 u times the largest
+// entry.
 Projection perspective(double fovy_radians, double aspect, double near, double far);
 
 // ---- 4.2 ----
 
-// A parallel view: the box left <= x <= right, bottom <= y <= top, near <= distance <= far of eye space becomes the canonical
-// volume, and w is 1. left < right, bottom < top, near < far, all finite; near may be negative. Within 16 u of the largest entry.
+// A parallel view. The box left <= x <= right, bottom <= y <= top, near <= distance <= far of eye
+// space becomes the canonical volume, and w is 1. left < right, bottom < top, near < far, all
+// finite; near may be negative. Error bound: 16 u times the largest entry.
 Projection orthographic(double left, double right, double bottom, double top, double near,
                         double far);
 
 // ---- 4.3 ----
 
 enum class Dialect {
-  kOpenGl,        // z of clip space in -w .. w in place of 0 .. w
-  kReversed,      // depth 1 at the near plane and 0 at the far one
-  kLeftHandedEye  // for points of an eye space whose z grows into the scene; clip space stays as it is
+  kOpenGl,    // z of clip space in -w .. w in place of 0 .. w
+  kReversed,  // depth 1 at the near plane and 0 at the far one
+  // for points of an eye space whose z grows into the scene; clip space stays as it is
+  kLeftHandedEye
 };
 
-// The matrix that does in the dialect what `m` does in ours; `m` is any projection. Within 4 u of the largest entry.
+// The matrix that does in the dialect what `m` does in the conventions of this lab; `m` is any
+// projection. Error bound: 4 u times the largest entry.
 Projection in_dialect(const Projection& m, Dialect dialect);
 
 // ---- 4.4 ----
 
-// Clip space to NDC; nothing where w <= 0, which is at the eye or behind it, where nothing is seen, nor where w is NaN. Points with
-// w = 1 keep their bits. Within 4 u of the largest coordinate.
+// Clip space to NDC. Returns std::nullopt where w <= 0 (the point is at the eye or behind it and
+// cannot be seen) and where w is NaN. Points with w = 1 keep their bits. Error bound: 4 u times the
+// largest coordinate.
 std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
 
 // ---- 4.5 ----
@@ -61,15 +67,16 @@ struct Rectangle {
   double left = 0, top = 0, width = 0, height = 0;
 };
 
-// NDC to pixels: (-1, 1) becomes the top left corner of the rectangle, (1, -1) the bottom right one. z stays as it is, to the bit.
-// x and y within 8 u (|left| + width) and 8 u (|top| + height).
+// NDC to pixels: (-1, 1) becomes the top left corner of the rectangle, (1, -1) the bottom right
+// one. z keeps its bits. Error bounds: 8 u (|left| + width) for x, 8 u (|top| + height) for y.
 Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& viewport);
 
 // ---- 4.6 ----
 
-// The distance along the gaze that a depth in [0, 1] stands for, in the perspective of 4.1. far may be infinity; depth 1 is then
-// infinitely far, and the answer infinity. With d the depth and z the exact distance, within 8 u z^2 / near: what the rounding of d
-// itself would do, several times over.
+// The distance along the gaze that a depth in [0, 1] belongs to, in the perspective of 4.1. far may
+// be infinity; depth 1 is then infinitely far away, and the answer is infinity. Error bound: 8 u
+// z^2 / near, where z is the exact distance. That is several times the error which the rounding of
+// the depth alone causes.
 double distance_of(double depth, double near, double far);
 
 }  // namespace lab_04

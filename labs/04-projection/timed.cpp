@@ -1,4 +1,4 @@
-// Carries vertices through your projection and your divide, for glassbox lab measure.
+// Transforms vertices by your projection and your divide, for glassbox lab measure.
 #include <vector>
 
 #include "labs/framework/stages.h"
@@ -18,7 +18,8 @@ struct Asked {
   std::vector<Point<World, double>> points;
 };
 
-// 1 where depth is reversed; fovy, aspect, near, far; a view matrix, row by row; then vertices.
+// Reads 1 where depth is reversed; fovy, aspect, near, far; a view matrix, row by row; then
+// vertices.
 Asked read(RecordReader& in) {
   Asked asked;
   asked.reversed = in.number() != 0;
@@ -31,7 +32,7 @@ Asked read(RecordReader& in) {
   return asked;
 }
 
-// The depth of each vertex; nothing after one that is not in front of the eye.
+// Writes the depth of each vertex; stops at one that is not in front of the eye.
 void depths(const Asked& asked, Numbers& out) {
   Projection m = perspective(asked.fovy_radians, asked.aspect, asked.near, asked.far);
   if (asked.reversed) m = in_dialect(m, Dialect::kReversed);

@@ -1,4 +1,5 @@
-// The inputs of lab 5, which the runner puts to the student's functions and the judge to the pipeline's.
+// The inputs of lab 5's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +22,10 @@ struct FaceQuestion {
   std::vector<Point<World>> face;
   Point<World> eye;
 };
-using FaceCase = std::vector<FaceQuestion>;  // one answer for each
+using FaceCase = std::vector<FaceQuestion>;  // one answer for each question
 
-// The faces of a prism over a polygon of the xy plane, counter-clockwise seen from +z, between two heights; seen from `eye`.
+// The faces of a prism over a polygon of the xy plane (counter-clockwise seen from +z) between two
+// heights, seen from `eye`.
 inline FaceCase prism(const std::vector<std::array<float, 2>>& base, float low, float high,
                       Point<World> eye) {
   std::vector<Point<World>> top, bottom;
@@ -40,15 +42,16 @@ inline FaceCase prism(const std::vector<std::array<float, 2>>& base, float low, 
   return questions;
 }
 
-// An L whose corner number `reflex` is the reflex one.
+// The outline of an L; its corner number `reflex` is the reflex one.
 inline std::vector<std::array<float, 2>> ell(int reflex) {
   std::vector<std::array<float, 2>> base{{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}};
   std::rotate(base.begin(), base.end() - reflex, base.end());
   return base;
 }
 
-// Triangles as large as they come, with 13 bits in each coordinate, so that 26 in a product; the eye lies exactly in the plane of the
-// second of each three, half-way along an edge, and a step on either side of it for the others.
+// The largest possible triangles, with 13 bits in each coordinate, so 26 in a product. The eye of
+// the second of every three is exactly in the triangle's plane, at the middle of an edge; for the
+// other two it is one step off, on either side of the plane.
 inline FaceCase large_edge_on(std::uint64_t seed) {
   Random random(seed);
   const auto coordinate = [&] { return float(random.integer(-4095, 4095)) / 8; };
@@ -78,7 +81,7 @@ inline std::vector<FaceCase> solids() {
 }
 
 // BEGIN HIDDEN
-// The smallest triangles, in the xy plane and tilted, from as near as can be.
+// The smallest triangles, in the xy plane and tilted, seen from as near as possible.
 inline FaceCase small_faces() {
   constexpr float k = 1 / 16.0f;
   FaceCase questions;
@@ -89,7 +92,8 @@ inline FaceCase small_faces() {
   return questions;
 }
 
-// Random triangles; the eye of every other one lies exactly in its plane. Large and small ones, and L's that begin anywhere.
+// Random triangles: every other eye is exactly in the triangle's plane. Then large and small
+// triangles, and L's that begin at any corner.
 inline std::vector<FaceCase> faces_edge_on() {
   Random random = glassbox::labs::varied(51);
   const auto coordinate = [&] { return float(random.integer(-128, 128)) / 16; };
@@ -128,7 +132,7 @@ inline std::vector<Point<Clip>> points() {
 }
 
 // BEGIN HIDDEN
-// Every outcome of each coordinate against w: outside, on the boundary, inside; w of both signs.
+// Every relation of each coordinate to w: outside, on the boundary, inside; with w of both signs.
 inline std::vector<Point<Clip>> lattice_points() {
   std::vector<Point<Clip>> all;
   for (const float w : {1.5f, -0.75f}) {
@@ -164,7 +168,8 @@ inline double distance_from(const Plane& plane, const Point<Clip>& p) {
   return plane.a * p.x + plane.b * p.y + plane.c * p.z + plane.d * p.w;
 }
 
-// An edge with coordinates of every digit that a float has, with its ends on different sides of the plane.
+// An edge whose coordinates use all digits of a float, with its ends on different sides of the
+// plane.
 inline Edge random_edge(Random& random, const Plane& plane) {
   const auto point = [&] {
     const auto coordinate = [&] { return float(random.between(-10, 10)); };
@@ -189,7 +194,7 @@ inline std::vector<Edge> some_edges() {
   return edges(53, 1);
 }
 
-// Several edges a case: one in two may well come out the same from both ends by luck.
+// Several edges in one case: a single one may by luck give the same bits from both ends.
 using EdgesCase = std::vector<Edge>;
 inline std::vector<EdgesCase> edges_both_ways() {
   std::vector<EdgesCase> all;
@@ -200,8 +205,9 @@ inline std::vector<EdgesCase> edges_both_ways() {
 // BEGIN HIDDEN
 inline std::vector<Edge> other_edges() {
   std::vector<Edge> all = edges(glassbox::labs::varied_seed(54), 1);
-  // x, w of p, x, w of q: their crossing has an x that lies half-way between two floats and is the nearest double, and a w, on paper
-  // the same, that has lost the digits which say so.
+  // x, w of p, then x, w of q. The x of their crossing is half-way between two floats, and is the
+  // nearest double. The w of the crossing should be the same on paper, but has lost the digits that
+  // show it.
   constexpr std::array<std::array<float, 4>, 3> kApart{
       {{14803879, 1599421440, 10933927, -1799110400},
        {7425691, 1953577216, 11442587, -1267097088},
@@ -215,8 +221,9 @@ inline std::vector<Edge> other_edges() {
   return all;
 }
 
-// Edges whose crossing with the near plane lies half-way between two floats, and where p + t (q - p) in double, rounded once,
-// comes out differently from the two ends. About one such edge in three thousand does.
+// Edges whose crossing with the near plane is half-way between two floats, and where p + t (q - p)
+// in double, rounded once, gives different results from the two ends. About one in three thousand
+// such edges does.
 inline std::vector<EdgesCase> ties() {
   struct Tie {
     float p_z, q_z, p_x, q_x;
@@ -311,7 +318,8 @@ inline std::vector<FrustumCase> triangles() {
            {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
 }
 
-// A square of two triangles reaches across near plane and picture: `shared` are the ends of their common edge, in clip space.
+// A square of two triangles that reaches across the near plane and the picture: `shared` are the
+// ends of their common edge, in clip space.
 struct Pair {
   std::array<Point<Clip>, 2> shared;
   std::array<Point<Clip>, 2> apexes;
@@ -327,7 +335,8 @@ inline std::vector<PairsCase> pairs_of_triangles() {
   std::vector<PairsCase> all(4);
   for (PairsCase& each : all) {
     for (int i = 0; i < 8; ++i) {
-      // From a point in the picture to one behind the near plane; the apexes on both sides.
+      // The edge goes from a point in the picture to one behind the near plane; the two apexes are
+      // on both sides of it.
       const float ax = between(-1, 1), ay = between(-1, 1), bx = between(-2, 2),
                   by = between(-2, 2);
       const Point<Clip> a{ax, ay, between(1, 2), 3}, b{bx, by, between(-2, -1), between(0.5, 1)};
@@ -366,8 +375,8 @@ inline std::vector<FrustumCase> more_triangles() {
   return all;
 }
 
-// A surface that fills a picture, cut into `count` triangles around a point in it. Its outer corners lie far outside the picture,
-// and some of them behind the eye.
+// A surface that fills a picture, cut into `count` triangles around a point in it. Its outer
+// corners are far outside the picture, and some of them behind the eye.
 inline std::vector<std::array<Point<Clip>, 3>> fan_of_triangles(int count) {
   // The plane z = -(3 + x/2 + y/4) of eye space; 90 degrees of view, near 1/2, far 64.
   const auto on_plane = [](double x, double y) {

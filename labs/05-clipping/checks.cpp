@@ -1,4 +1,5 @@
-// What is expected of lab 5: of faces and outcodes by the pipeline's own tests. Crossings and polygons: outlines.h.
+// The expected answers of lab 5 for faces and outcodes, by the pipeline's own tests. Crossings and
+// polygons are in outlines.h.
 #include <fmt/format.h>
 
 #include "labs/05-clipping/outlines.h"
@@ -24,7 +25,7 @@ Case expect_faces(const lab_05::FaceCase& questions) {
       corners.push_back({p.x, p.y, p.z});
       text += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
     }
-    // World space stands for object space: the model matrix is the identity.
+    // World space is used as object space: the model matrix is the identity.
     const BackFaceTest test = test_back_face(corners, {true, {eye.x, eye.y, eye.z}, {0, 0, 0}});
     back.push_back(test.facing == Facing::kBack ? 1 : 0);
     front.push_back(test.value < 0 ? 1 : 0);
@@ -52,7 +53,7 @@ Expected outcode_of(const Point<Clip>& p) {
   return numbers("outcode", {double(outcode(p, pipeline_frustum()))});
 }
 
-// With a near plane at z = -w.
+// The outcode with a near plane at z = -w.
 Expected opengl_outcode_of(const Point<Clip>& p) {
   return numbers("outcode", {double(outcode(p, opengl_frustum()))});
 }
@@ -82,7 +83,7 @@ Case expect_verdict(const std::vector<std::uint32_t>& codes) {
   std::string text;
   for (const std::uint32_t code : codes)
     text += fmt::format("{}a vertex outside of: {}", text.empty() ? "" : "\n", plane_names(code));
-  // kReject, kAccept, kClip are 0, 1, 2 in both.
+  // kReject, kAccept, kClip have the values 0, 1, 2 in both enums.
   static_assert(int(ClipVerdict::kReject) == int(lab_05::Verdict::kReject) &&
                 int(ClipVerdict::kAccept) == int(lab_05::Verdict::kAccept));
   return {fmt::format("outcodes {}", fmt::join(codes, ", ")),

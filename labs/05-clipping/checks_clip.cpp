@@ -1,4 +1,4 @@
-// What is expected of crossings and of clipped polygons: tasks 5.3 to 5.5.
+// The expected answers for crossings and clipped polygons: tasks 5.3 to 5.5.
 #include <algorithm>
 #include <cmath>
 
@@ -45,10 +45,12 @@ Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
                "clip units");
 }
 
-// A vertex that is none of the polygon's own lies on the plane to the bit, as a crossing does.
+// Checks that a vertex which is not one of the polygon's own is exactly on the plane, as a crossing
+// is.
 std::optional<Divergence> off_plane(const lab_05::PlaneCase& input, const Answer& answer) {
   const auto* values = find_field(answer, "polygon");
-  if (values == nullptr) return std::nullopt;  // compared before
+  // a missing field was reported by the comparison before
+  if (values == nullptr) return std::nullopt;
   for (std::size_t i = 0; i + 4 <= values->size(); i += 4) {
     const double* v = values->data() + i;
     const Point<Clip> p{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
@@ -78,7 +80,8 @@ Case expect_outline(const std::string& what, const std::string& text,
           .judge = [expected](const Answer& answer) { return compare_outlines(expected, answer); }};
 }
 
-// Near where it should be, and with a distance from the plane that is 0 to the bit.
+// Checks that the crossing is near where it should be, and that its distance from the plane is
+// exactly 0.
 std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expected& crossing,
                                          const Answer& answer) {
   auto found = compare(crossing, answer).first;
@@ -96,7 +99,8 @@ std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expecte
                     .explanation = "the crossing is near the plane, but not on it to the bit"};
 }
 
-// Each crossing near where it should be, for bits are no use at a wrong place; then the same bits from both ends.
+// Checks first that each crossing is near where it should be, because equal bits mean nothing at a
+// wrong place; then that both directions give the same bits.
 std::optional<Divergence> judge_both_ways(const lab_05::EdgesCase& edges, const Answer& answer) {
   const auto* there = find_field(answer, "p to q");
   if (there == nullptr) return compare(numbers("p to q", {0}), answer).first;

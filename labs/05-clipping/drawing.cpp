@@ -1,5 +1,6 @@
-// Lab 5 in a picture: triangles clipped by the frustum's six planes and turned away by the student's functions, in place of the
-// pipeline's clipping, which cuts at the near plane and the guard band, and its test by the snapped area.
+// Lab 5 in a picture: the student's functions clip triangles by the frustum's six planes and cull
+// back faces. They replace the pipeline's clipping, which cuts at the near plane and the guard
+// band, and its culling by the snapped area.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +19,7 @@ namespace glassbox::labs {
 
 namespace lab_05_drawing {
 
-// An answer of "clip": three outcodes, the verdict, then vertices.
+// The index of the first vertex in an answer of "clip": three outcodes and the verdict come before.
 constexpr std::size_t kVertices = 4;
 
 // ---- the reference ----
@@ -79,8 +80,9 @@ std::optional<WrongNumber> judge_clip(const Numbers& in, const Numbers& yours,
                      found->bound,   found->unit,   found->explanation};
 }
 
-// Between the contract's inputs, for which every product is exact, and a scene's: a value within the rounding of its sums may
-// have either sign. They are products of three differences of up to twice the largest coordinate, a few dozen terms.
+// The contract's inputs make every product exact; those of a scene do not. So a value within the
+// rounding error of its sums may have either sign. The values are products of three differences of
+// up to twice the largest coordinate, a few dozen terms.
 std::optional<WrongNumber> judge_facing(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   if (yours == reference) return std::nullopt;
@@ -101,7 +103,8 @@ bool all_finite(const Point<Clip>& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
-// What a point of the triangle is of its corners: weights that add up to 1, by least squares over the four coordinates.
+// A point of the triangle as a weighted sum of its corners: the weights add up to 1, and are found
+// by least squares over the four coordinates.
 std::array<double, 3> weights_of(const std::array<ClipVertex, 3>& corners, const Point<Clip>& p) {
   for (const ClipVertex& corner : corners) {
     if (corner.position == p) return corner.weights;
@@ -123,8 +126,8 @@ std::array<double, 3> weights_of(const std::array<ClipVertex, 3>& corners, const
   return {1 - of_a - of_b, of_a, of_b};
 }
 
-// What the stages behind can carry of an answer: nothing of a polygon with a vertex that they could not divide, or put on the
-// screen, or with too many of them.
+// The part of an answer that the later stages can handle: the polygon is left out if it has a
+// vertex that cannot be divided or put on the screen, or if it has too many vertices.
 ClipPolygon polygon_of(const Numbers& answer, const std::array<ClipVertex, 3>& corners,
                        std::span<const ClipPlane> carried_by) {
   ClipPolygon polygon;
@@ -160,7 +163,7 @@ public:
     culled = !faces_[number_].empty() && faces_[number_][0] != 0;
   }
 
-  // Answers to the questions, by the triangle's number.
+  // Takes the answers to the questions, by the triangle's number.
   void take(std::vector<Numbers> clips, std::vector<Numbers> faces) {
     clips_ = in_place(clip_questions, std::move(clips));
     faces_ = in_place(face_questions, std::move(faces));
@@ -174,7 +177,7 @@ private:
     Question clip{{}, number_};
     for (const ClipVertex& corner : corners) append_place(clip.numbers, corner.position);
     clip_questions.push_back(std::move(clip));
-    if (!view_.perspective) return;  // no eye point
+    if (!view_.perspective) return;  // a parallel view has no eye point
     Question face{{}, number_};
     append_place(face.numbers, eye());
     const Node& node = scene_.nodes[scene_.instances[draw_->instance].node];
@@ -183,12 +186,12 @@ private:
       const auto world = node.world_from_node * Point<Object, double>(p.x, p.y, p.z);
       append_place(face.numbers, Point<World>(float(world.x), float(world.y), float(world.z)));
     }
-    // A mirror turns the corners round.
+    // A mirror reverses the order of the corners.
     if (draw_->mirrored) std::swap_ranges(&face.numbers[3], &face.numbers[6], &face.numbers[6]);
     face_questions.push_back(std::move(face));
   }
 
-  // The eye is where eye_from_world leads to the origin: -R^T t.
+  // The eye is the point that eye_from_world maps to the origin: -R^T t.
   Point<World> eye() const {
     const Transform<Eye, World>& m = view_.eye_from_world;
     const auto at = [&](int k) {

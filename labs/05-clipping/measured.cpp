@@ -1,4 +1,5 @@
-// Lab 5 in the chart of D-32: how far from the edges of the picture the student's clipper leaves its vertices.
+// Lab 5 in the chart of the experiment on clipping (D-32): how far from the edges of the picture
+// the student's clipper leaves its vertices.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +23,7 @@ Numbers question(double size, std::size_t count) {
   return numbers;
 }
 
-// A corner of the triangle that no plane cuts off.
+// Whether the vertex is a corner of the triangle that no plane cuts off.
 bool is_corner(const Point<Clip>& p, const double* triangle) {
   const bool is_inside = std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= 0 && p.z <= p.w;
   if (!is_inside) return false;
@@ -34,9 +35,10 @@ bool is_corner(const Point<Clip>& p, const double* triangle) {
   return false;
 }
 
-// What the experiment's own clipper leaves: how many triangles have a part in the picture, and these parts' areas together.
+// The result of a clipper: how many triangles have a part in the picture, and the sum of the areas
+// of these parts.
 struct Left {
-  double triangles = 0, area = 0;  // of the picture's width times its height
+  double triangles = 0, area = 0;  // the area is relative to that of the picture
 
   template <class VertexAt>
   void add(int count, const VertexAt& vertex_at) {
@@ -62,21 +64,24 @@ Left right_left(double size) {
   return left;
 }
 
-// Few triangles of random corners are so thin at an edge that rounding decides whether anything of them is left: one in a thousand is
-// more than enough. An eighth of the area is what vertices would change that are a fifth of a small triangle off.
+// Whether the student's result is near enough to the experiment's. Few triangles with random
+// corners are so thin at an edge that rounding decides whether anything of them is left: one in a
+// thousand is more than enough. The area would change by an eighth if vertices were off by a fifth
+// of a small triangle.
 bool is_clipped(const Left& mine, const Left& right) {
   return std::abs(mine.triangles - right.triangles) <= double(kTriangles) / 1000 &&
          std::abs(mine.area - right.area) <= right.area / 8;
 }
 
-// A vertex that clipping made lies on the near or the far plane, or is as far off as from the next edge of the picture.
+// How far a vertex made by clipping is from where it should be: 0 on the near or the far plane,
+// otherwise the distance from the nearest edge of the picture.
 double off(const Point<Clip>& p) {
   if (p.z == 0 || p.z == p.w) return 0;
   return std::min(off_the_edge(p, 0), off_the_edge(p, 2));
 }
 
-// No number where the answer breaks off, has polygons that no clipping leaves, or leaves out what is in the picture: what does not clip
-// would be the fastest way of all.
+// NaN where the answer is too short, has polygons that no clipping gives, or leaves out parts that
+// are in the picture: otherwise a function that does not clip would be the fastest way of all.
 Result<double> farthest_off(const Ask& ask, double size) {
   const Numbers asked = question(size, kTriangles);
   const auto answers = ask({asked});

@@ -28,14 +28,15 @@ double largest(const Point<Clip>& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
 }
 
-// The error that a triangle's vertices may have gathered at any of its planes, each on top of what the ends had
-// (pipeline/clip_bounds.h). The pipeline's own polygon stands for the exact one: it differs by less than the bound.
+// The largest error that a triangle's vertices may have after any of its planes, including the
+// error that the ends had before (pipeline/clip_bounds.h). The pipeline's own polygon is used in
+// place of the exact one: it differs by less than the bound.
 double bound_of(std::span<const Point<Clip>> corners, std::span<const ClipPlane> planes) {
   ClipPolygon polygon;
   for (const Point<Clip>& p : corners) polygon.vertices[std::size_t(polygon.count++)].position = p;
   std::vector<ClipVertexBound> bounds(corners.size());
   double worst = 0;           // vertices that are kept have the same bits
-  if (corners.size() != 3) {  // one plane and a polygon: no inheritance
+  if (corners.size() != 3) {  // one plane and a polygon: the ends have no earlier errors
     for (const Point<Clip>& p : corners) worst = std::max(worst, kRoundings * kU * largest(p));
     return worst;
   }
@@ -85,7 +86,7 @@ double apart(const Point<Clip>& a, const Point<Clip>& b) {
                    std::abs(double(a.z) - b.z), std::abs(double(a.w) - b.w)});
 }
 
-// The vertex nearest to where one should be; nothing if the outline is empty.
+// The vertex of the outline that is nearest to the given point; nothing if the outline is empty.
 std::optional<Point<Clip>> nearest(const std::vector<Point<Clip>>& outline,
                                    const Point<Clip>& place) {
   if (outline.empty()) return std::nullopt;
@@ -98,7 +99,7 @@ std::optional<Point<Clip>> nearest(const std::vector<Point<Clip>>& outline,
 constexpr PixelRect kWindow{0, 0, 48, 32};
 constexpr Viewport kViewport{0, 0, 48, 32};
 
-// Nothing where a vertex cannot be drawn.
+// The reason why a vertex cannot be drawn; nothing if all can be.
 std::optional<std::string> cannot_be_drawn(const std::vector<Point<Clip>>& outline) {
   for (const Point<Clip>& p : outline) {
     if (!(p.w > 0)) return fmt::format("a vertex has w = {}: it is at or behind the eye", p.w);
@@ -170,7 +171,7 @@ Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPl
 
 namespace {
 
-// What no polygon may have: equal neighbours, or one or two vertices.
+// Reports what no polygon may have: equal neighbours, or only one or two vertices.
 std::optional<Divergence> improper(const std::vector<double>& values) {
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
@@ -189,7 +190,8 @@ std::optional<Divergence> improper(const std::vector<double>& values) {
   return std::nullopt;
 }
 
-// Without vertices that lie nearer than `apart_by` to the one before them; empty if less than three are left.
+// The outline without vertices that are nearer than `apart_by` to the one before them; empty if
+// fewer than three are left.
 std::vector<double> merged(const std::vector<double>& values, double apart_by) {
   std::vector<Point<Clip>> kept;
   for (const Point<Clip>& p : outline_of(values)) {
@@ -202,7 +204,8 @@ std::vector<double> merged(const std::vector<double>& values, double apart_by) {
   return left;
 }
 
-// Of all vertices that could be the first, by the one that leaves least wrong.
+// Compares with each vertex as the first one, and returns the result of the start with the fewest
+// differences.
 std::optional<Divergence> compare_from_any(const Expected& expected,
                                            const std::vector<double>& actual) {
   Comparison best = compare(expected, actual);
@@ -223,7 +226,7 @@ std::optional<Divergence> compare_outlines(const Expected& expected, const Answe
   if (actual == nullptr) return compare(expected, answer).first;
   if (auto found = improper(*actual)) return found;
   const auto found = compare_from_any(expected, *actual);
-  // Two vertices that differ by less than the bound may be the same in the answer.
+  // Two vertices that differ by less than the bound may be one vertex in the answer.
   Expected fewer = expected;
   fewer.values = merged(expected.values, 2 * expected.bound);
   if (!found || fewer.values.size() == expected.values.size()) return found;

@@ -1,4 +1,4 @@
-// Puts the triangles of a scene to your functions.
+// Calls your functions with the triangles of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,7 +9,7 @@ using glassbox::labs::append_place;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Three corners in clip space. Their outcodes, the verdict, and what is left of the triangle.
+// Input: three corners in clip space. Output: their outcodes, the verdict, and the clipped polygon.
 void clip(RecordReader& in, Numbers& out) {
   std::array<Point<Clip>, 3> triangle;
   for (Point<Clip>& p : triangle) p = in.place<Point<Clip>>();
@@ -24,7 +24,7 @@ void clip(RecordReader& in, Numbers& out) {
   for (const Point<Clip>& p : left) append_place(out, p);
 }
 
-// The eye, then the corners of a face, in world space. 1 for a back face.
+// Input: the eye, then the corners of a face, in world space. Output: 1 for a back face, else 0.
 void facing(RecordReader& in, Numbers& out) {
   const auto eye = in.place<Point<World>>();
   std::vector<Point<World>> face;

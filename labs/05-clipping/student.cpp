@@ -20,7 +20,7 @@ double distance(const Plane& plane, const Point<Clip>& p) {
 
 bool is_back_face(const std::vector<Point<World>>& face, const Point<World>& eye) {
   // BEGIN SOLUTION
-  // Newell's sums: every corner counts, so that a reflex one cannot turn the normal round.
+  // Newell's sums use every corner, so that a reflex corner cannot reverse the normal.
   double mx = 0, my = 0, mz = 0;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const Point<World>&p = face[i], &n = face[(i + 1) % face.size()];
@@ -65,7 +65,7 @@ Verdict trivial_verdict(const std::vector<std::uint32_t>& outcodes) {
 
 Point<Clip> crossing(const Plane& plane, const Point<Clip>& p, const Point<Clip>& q) {
   // BEGIN SOLUTION
-  // Swapping the ends swaps the terms of two sums, and changes no bit.
+  // Swapping p and q swaps the terms of two sums, and changes no bit.
   const double at_p = std::abs(distance(plane, p)), at_q = std::abs(distance(plane, q));
   const auto between = [&](float a, float b) {
     return float((a * at_q + b * at_p) / (at_p + at_q));

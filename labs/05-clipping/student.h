@@ -1,6 +1,8 @@
-// Lab 5: which faces look away, and what of a polygon is in the picture. You write student.cpp; handout.md explains.
+// Lab 5: which faces look away from the eye, and which part of a polygon is in the picture. You
+// write student.cpp; handout.md explains.
 //
-// Clip space is homogeneous: (x, y, z, w) with w the distance along the gaze, in world units. The visible part is
+// Clip space is homogeneous: (x, y, z, w) with w the distance along the gaze, in world units. The
+// visible part is
 //   0 <= z <= w,  -w <= x <= w,  -w <= y <= w,
 // boundary included. Nothing is divided by w in this lab.
 #pragma once
@@ -19,27 +21,29 @@ using glassbox::World;
 
 // ---- 5.1 ----
 
-// Whether the face looks away from the eye: (P - eye) . m > 0, with P a corner of the face and m its outward normal (any
-// length). A face seen exactly edge-on is no back face.
-//   face  the corners of a plane polygon in world space, at least three, counter-clockwise seen from outside. It may be concave,
-//         and its first corner may be the reflex one.
-//   eye   world space
-// Coordinates are multiples of 1/16 below 512 in size, so that every product and sum you need is exact in double, though not in
-// float. So no error is allowed: the answer is exactly right, edge-on too.
+// Whether the face looks away from the eye: (P - eye) . m > 0, where P is a corner of the face and
+// m its outward normal (of any length). A face seen exactly edge-on is no back face.
+//   face  the corners of a plane polygon in world space, at least three, counter-clockwise seen
+//         from outside. It may be concave, and its first corner may be the reflex one.
+//   eye   in world space
+// Coordinates are multiples of 1/16 below 512 in size, so that every product and sum you need is
+// exact in double, though not in float. So no error is allowed: the answer is exactly right,
+// edge-on too.
 bool is_back_face(const std::vector<Point<World>>& face, const Point<World>& eye);
 
 // ---- 5.2 ----
 
 inline constexpr std::uint32_t kNear = 1, kFar = 2, kLeft = 4, kRight = 8, kBottom = 16, kTop = 32;
 
-// The sum of the bits of all planes that the point is outside of; 0 for a point inside or on the boundary. w may be negative or 0.
-// Comparisons of floats are exact, so no error is allowed.
+// The sum of the bits of all planes that the point is outside of; 0 for a point inside or on the
+// boundary. w may be negative or 0. Comparisons of floats are exact, so no error is allowed.
 std::uint32_t outcode(const Point<Clip>& p);
 
 enum class Verdict { kReject, kAccept, kClip };
 
-// From the outcodes of a polygon's vertices (at least one): kAccept if nothing of it would be cut off; kReject if one plane alone
-// shows that nothing would be left; kClip otherwise. kReject and kAccept have to be certain, kClip is always safe.
+// The verdict from the outcodes of a polygon's vertices (at least one): kAccept if nothing of the
+// polygon would be cut off; kReject if one plane alone shows that nothing would be left; kClip
+// otherwise. kReject and kAccept have to be certain; kClip is always safe.
 Verdict trivial_verdict(const std::vector<std::uint32_t>& outcodes);
 
 // ---- 5.3 ----
@@ -53,28 +57,31 @@ struct Plane {
 inline constexpr std::array<Plane, 6> kFrustum{
     {{0, 0, 1, 0}, {0, 0, -1, 1}, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}}};
 
-// The point where the edge from p to q meets the plane. p and q lie strictly on different sides of it, either may be the one
-// outside. `plane` is one of kFrustum. What is asked, with u = 2^-24 and M the largest |coordinate| of p and q:
-//   - each coordinate is within 8 u M of the exact one;
-//   - crossing(plane, q, p) has the same bits as crossing(plane, p, q): whichever of two triangles that share the edge
-//     is clipped, it is cut at the same place (C-38);
-//   - the point lies on the plane to the bit: z = 0, z = w, x = -w, ... hold exactly.
+// The point where the edge from p to q meets the plane. p and q are strictly on different sides of
+// it; either may be the one outside. `plane` is one of kFrustum. Required, with u = 2^-24 and M the
+// largest |coordinate| of p and q:
+// - each coordinate is within 8 u M of the exact one;
+// - crossing(plane, q, p) has the same bits as crossing(plane, p, q): both triangles that share the
+//   edge are cut at the same place (C-38);
+// - the point is exactly on the plane: z = 0, z = w, x = -w, ... hold to the bit.
 Point<Clip> crossing(const Plane& plane, const Point<Clip>& p, const Point<Clip>& q);
 
 // ---- 5.4 ----
 
 using Polygon = std::vector<Point<Clip>>;
 
-// The part of a convex polygon inside one plane of kFrustum, in the polygon's order, beginning with any vertex. A vertex
-// exactly on the plane is inside; it is kept as it is, and not repeated. Vertices that are kept have the same bits; new ones are as
-// exact as those of 5.3. What would have less than three vertices is empty.
+// The part of a convex polygon inside one plane of kFrustum, in the polygon's order, beginning with
+// any vertex. A vertex exactly on the plane is inside; it is kept as it is, and not repeated.
+// Vertices that are kept have the same bits; new ones are as exact as those of 5.3. If fewer than
+// three vertices would be left, the answer is empty.
 Polygon clip_by_plane(const Polygon& polygon, const Plane& plane);
 
 // ---- 5.5 ----
 
-// The part of a triangle inside all six planes: 3 to 9 vertices in the triangle's order, beginning with any, or none. No two
-// neighbours (the last and the first are neighbours) have equal coordinates. w of the corners may be negative. Two triangles that
-// share an edge, which one of them walks from A to B and the other from B to A, are cut at the same bits.
+// The part of a triangle inside all six planes: 3 to 9 vertices in the triangle's order, beginning
+// with any, or none. No two neighbours (the last and the first are neighbours) have equal
+// coordinates. w of the corners may be negative. Two triangles that share an edge, which one of
+// them passes from A to B and the other from B to A, are cut at points with the same bits.
 Polygon clip_to_frustum(const std::array<Point<Clip>, 3>& triangle);
 
 }  // namespace lab_05

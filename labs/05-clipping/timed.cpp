@@ -1,4 +1,4 @@
-// Puts triangles to your clipper, for glassbox lab measure.
+// Calls your clipper with triangles, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -19,7 +19,8 @@ std::vector<Triangle> triangles(RecordReader& in) {
   return all;
 }
 
-// Outcodes first: most triangles are inside of all planes, or outside of one.
+// The clipped triangle. Outcodes come first: most triangles are inside all planes, or outside one
+// of them.
 Polygon left_of(const Triangle& triangle) {
   std::vector<std::uint32_t> codes;
   for (const Point<Clip>& p : triangle) codes.push_back(outcode(p));
@@ -29,7 +30,7 @@ Polygon left_of(const Triangle& triangle) {
   return clip_to_frustum(triangle);
 }
 
-// Of each triangle how many vertices are left, and these.
+// Writes for each triangle the number of vertices that are left, and these vertices.
 void answer(RecordReader& in, Numbers& out) {
   for (const Triangle& triangle : triangles(in)) {
     const Polygon left = left_of(triangle);

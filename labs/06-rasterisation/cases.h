@@ -1,4 +1,4 @@
-// The inputs of lab 6, the same on both sides.
+// The inputs of lab 6's cases, shared by runner and judge.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace lab_06 {
 
 using glassbox::Random;
 
-// In pixels; multiples of 1/256 lose nothing.
+// A vertex at a position in pixels, without rounding for multiples of 1/256.
 inline SnappedVertex at(double x, double y) {
   return {std::int32_t(x * kSteps), std::int32_t(y * kSteps)};
 }
@@ -98,7 +98,7 @@ inline std::vector<EdgeCase> far_edges() {
 }
 // END HIDDEN
 
-// Directed edges, as many as there are classes: eight directions each, of different lengths.
+// Directed edges in all classes of direction: eight directions in each, of different lengths.
 inline std::vector<EdgeCase> directions() {
   EdgeCase along{"the edges of a clockwise rectangle and its diagonals, both ways", {}};
   for (const auto& [x, y] : {std::array{4.0, 0.0},
@@ -134,12 +134,14 @@ struct CoverageCase {
   PixelRect window{0, 0, 8, 8};
 };
 
-// Triangles around a point, the last joined to the first: every pixel inside the ring is covered once.
+// Triangles around a point, the last one joined to the first: every pixel inside the ring is
+// covered once.
 inline CoverageCase fan(int count, double centre, double radius) {
   CoverageCase c{std::to_string(count) + " triangles around a point", {}, {0, 0, 0, 0}};
   c.window.x1 = c.window.y1 = int(centre + radius) + 2;
   const auto ring = [&](int i) {
-    // A ring with corners: only + - * / and integers, so that it is the same everywhere.
+    // The ring has corners: computed only with + - * / and integers, so that it is the same on
+    // every machine.
     const double turn = 4.0 * (i % count) / count, side = turn - std::floor(turn);
     const double x = 1 - 2 * side, y = 1 - std::abs(x);
     const double forth[4][2] = {{x, y + 0.5}, {-y - 0.5, x}, {-x, -y - 0.5}, {y + 0.5, -x}};
@@ -247,7 +249,8 @@ inline std::vector<PolygonsCase> polygons() {
         {at(0, 0), at(0, 4), at(1, 1), at(4, 0)},
         {at(4, 0), at(0, 0), at(0, 4), at(1, 1)},
         {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}},
-      // From vertex 0, twice the areas of the first one's triangles are 2^31 and less; from vertex 1, both are less.
+      // From vertex 0, twice the areas of the first polygon's triangles are at most 2^31; from
+      // vertex 1, both are smaller.
       {"convex ones that are larger than 2^31 steps squared, and one as large as they come, bent "
        "inwards",
        {{at(0, 0), at(256, 0), at(192, 128), at(0, 96)},
@@ -279,7 +282,7 @@ inline std::vector<PolygonsCase> thin_polygons() {
 struct TileCase {
   const char* what;
   Triangle triangle;
-  int side = 8;  // of a tile
+  int side = 8;  // of a tile, in pixels
   std::vector<PixelRect> tiles;
 };
 

@@ -1,4 +1,5 @@
-// What is expected of lab 6: by the program's snap, set-up and fans, and by the exact oracle of coverage.
+// The expected answers of lab 6: by the program's snap, triangle set-up and fans, and by the exact
+// oracle of coverage.
 #include <cmath>
 #include <cstdint>
 
@@ -30,7 +31,8 @@ std::string text_of(const Triangle& t) {
                                 : "without area");
 }
 
-// `values` of many things in one field, which has nothing to do with points.
+// A case in which the results for many inputs are the `values` of one field; they are not
+// coordinates of points.
 Case expect_numbers(const std::string& what, const std::string& restated, const std::string& field,
                     std::vector<double> values, const std::string& unit = "") {
   return {what, restated + command_for(what), {numbers(field, std::move(values), 0, unit)}};
@@ -56,7 +58,8 @@ Case expect_snap(const SnapCase& input) {
 
 // ---- coverage with a slip ----
 
-// Where a pixel is looked at, and which edges a clockwise triangle owns.
+// A rule of coverage: where in a pixel the sample point is, and which edges a clockwise triangle
+// owns.
 struct Rule {
   const char* slip;
   std::int32_t centre;
@@ -77,7 +80,7 @@ constexpr Rule kSlippedRules[] = {{"half-pixel", 0, top_left},
                                   {"y-direction", kCentre, bottom_left},
                                   {"all-edges", kCentre, all_edges}};
 
-// Edge k of a triangle turned clockwise, at a pixel.
+// Whether a pixel is inside edge k of a triangle that has been made clockwise.
 bool inside_edge(const Rule& rule, const Triangle& t, std::size_t k, int x, int y) {
   const bool turned = double_area(t[0], t[1], t[2]) < 0;
   const SnappedVertex &from = t[k], &to = t[(k + 1) % 3];
@@ -106,17 +109,17 @@ Case expect_edge(const EdgeCase& input) {
   }
   Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
                           "steps squared");
-  // The formula of a y that points up.
+  // The slip: the formula for a y axis that points up.
   c.slipped = {{"y-direction", {numbers("edge function", negated, 0, "steps squared")}}};
   return c;
 }
 
-// A vertex where the grid has it, as the set-up takes vertices.
+// The snapped vertex in pixels, as the triangle set-up takes it.
 ScreenVertex on_screen(const SnappedVertex& v) {
   return {{float(v.x) / 256, float(v.y) / 256, 0}, 1};
 }
 
-// A triangle with the edge is set up, and asked.
+// Sets up a triangle that has the edge, and looks up which edges it owns.
 Case expect_owner(const EdgeCase& input) {
   std::vector<double> owned, going_down, bottom;
   for (const auto& [a, b, p] : input.samples) {
@@ -180,7 +183,7 @@ Case expect_coverage(const CoverageCase& input) {
     text += fmt::format("\n  triangle {}: {}", i, text_of(input.triangles[i]));
   if (input.triangles.size() > 4) text += fmt::format("\n  ... {} in all", input.triangles.size());
   const Expected inside = numbers("outside the window", {0});
-  // Who takes one winding for the only one draws nothing of the other.
+  // A student who accepts only one winding draws nothing of the other.
   Case c{.where = input.what,
          .restated = text + command_for(input.what),
          .expected = {coverage_of(input, true, true), inside},
@@ -207,7 +210,7 @@ Case expect_apex(const PolygonsCase& input) {
 
 // ---- 6.6 ----
 
-// By looking at every centre.
+// Decides by testing every centre of the tile.
 TileCover cover_of(const TriangleSetup& setup, const PixelRect& tile) {
   bool all = true;
   for (const EdgeFunction& edge : setup.edges) {

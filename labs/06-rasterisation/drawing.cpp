@@ -1,4 +1,5 @@
-// Lab 6 in a picture: positions snapped, polygons cut into fans and pixels found by the student's functions.
+// Lab 6 in a picture: the student's functions snap positions, divide polygons into fans and find
+// the covered pixels.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,9 +22,10 @@ namespace lab_06_drawing {
 
 constexpr int kTile = 64;  // pixels, as in stages.cpp
 constexpr std::size_t kFirstTile =
-    4;  // in an answer of "cover": after the area and the owned edges
+    4;  // numbers of a "cover" answer before the tiles: the area and the owned edges
 constexpr std::size_t kPixelNumbers = 5;  // x, y, and three edge functions
-constexpr double kMostSteps = 1 << 23;    // of a position: so that no product leaves 64 bits
+// the limit of a position, so that no product needs more than 64 bits
+constexpr double kMostSteps = 1 << 23;
 
 // ---- the reference ----
 
@@ -69,7 +71,8 @@ std::vector<PixelRect> tiles_of(const PixelRect& window) {
   return tiles;
 }
 
-// Edge by edge; an edge function is smallest and largest at the centres of the tile's corners.
+// Decides edge by edge: an edge function has its smallest and largest values at the centres of the
+// tile's corners.
 double class_of(const TriangleSetup& setup, const PixelRect& tile) {
   constexpr double kNone = 0, kSome = 1, kAll = 2;
   double cover = kAll;
@@ -87,7 +90,7 @@ double class_of(const TriangleSetup& setup, const PixelRect& tile) {
   return cover;
 }
 
-// order[k] of the setup is the vertex that came.
+// Undoes the sorting of the set-up: order[k] is the number of the original vertex.
 template <class T>
 std::array<T, 3> as_they_came(const TriangleSetup& setup, const std::array<T, 3>& numbers) {
   std::array<T, 3> came;
@@ -133,7 +136,7 @@ std::optional<WrongNumber> judge_fan(const Numbers&, const Numbers& yours,
 
 using PixelNumbers = std::array<double, kPixelNumbers>;
 
-// Row by row. A tail that is no whole pixel is left out.
+// Reads the pixels row by row. Numbers at the end that do not make a whole pixel are ignored.
 std::vector<PixelNumbers> pixels_in(const Numbers& answer, std::size_t first) {
   std::vector<PixelNumbers> pixels;
   for (std::size_t i = first; i + kPixelNumbers <= answer.size(); i += kPixelNumbers) {
@@ -301,7 +304,7 @@ private:
     return i < answer.size() ? std::int32_t(std::clamp(answer[i], -kMostSteps, kMostSteps)) : 0;
   }
 
-  // Pixels beside the picture are wrong, and cannot be drawn.
+  // Pixels outside the picture are wrong, and cannot be drawn.
   void add_pixel(const double* numbers) {
     const auto inside = [](double at, int size) { return at >= 0 && at < size; };
     if (!inside(numbers[0], picture_.x1) || !inside(numbers[1], picture_.y1)) return;
@@ -314,7 +317,8 @@ private:
   }
 
   enum class Round { kSnap, kCover, kDraw };
-  using Piece = std::pair<std::uint32_t, std::uint32_t>;  // of which triangle, which
+  // the number of the triangle, and of the piece in it
+  using Piece = std::pair<std::uint32_t, std::uint32_t>;
   const PixelRect picture_;
   Round round_ = Round::kSnap;
   const Draw* draw_ = nullptr;
@@ -323,10 +327,10 @@ private:
   std::vector<SnappedVertex> polygon_;
   int apex_ = 0;
   std::array<int, 3> order_{};
-  std::vector<Numbers> snaps_;  // by triangle
+  std::vector<Numbers> snaps_;  // one for each triangle
   std::map<std::uint32_t, int> apexes_;
   std::map<Piece, std::array<SnappedVertex, 3>> corners_;
-  std::map<Piece, std::size_t> places_;  // of its question
+  std::map<Piece, std::size_t> places_;  // the index of the piece's question
   std::vector<Numbers> covers_;
   std::vector<Coverage> pixels_;
 };

@@ -1,4 +1,5 @@
-// Lab 6 in the chart of D-3: how often the student's edge function gives a pixel to the wrong triangle, and what a pixel costs.
+// Lab 6 in the chart of the experiment on the arithmetic of edge functions (D-3): how often the
+// student's edge function gives a pixel to the wrong triangle, and how long a pixel takes.
 #include <cmath>
 #include <memory>
 
@@ -52,13 +53,13 @@ Numbers timed_triangles(int width) {
   return question;
 }
 
-// The pixels that are timed, of all triangles, by 128 bits.
+// How many pixels all timed triangles cover, computed exactly in 128 bits.
 double right_pixels(int width) {
   double pixels = 0;
   for (const study::TileEdges& t : study::timed_triangles(width, kTimed)) {
     for (int y = 0; y < study::kEdgeTile; ++y) {
       for (int x = 0; x < study::kEdgeTile; ++x) {
-        // Of either winding.
+        // The triangle may have either winding.
         bool is_right = true, is_left = true;
         for (std::size_t k = 0; k < 3; ++k) {
           const EdgeSample s{{t.x0[k], t.y0[k]},
@@ -75,8 +76,9 @@ double right_pixels(int width) {
   return pixels;
 }
 
-// Whether what is timed covers what it should. Single pixels at edges are what the error is about: a hundredth of all is more than
-// they can be.
+// Whether the timed triangles cover as many pixels as they should. Errors at single pixels of edges
+// are what the chart shows, and are allowed here; they cannot be more than a hundredth of all
+// pixels.
 Result<bool> covers_all(const Ask& ask, int width) {
   const auto answers = ask({timed_triangles(width)});
   if (!answers) return tl::unexpected(answers.error());

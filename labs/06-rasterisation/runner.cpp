@@ -1,4 +1,4 @@
-// Puts the cases of lab 6 to your functions.
+// Calls your functions with the cases of lab 6.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"

@@ -1,4 +1,4 @@
-// Puts the triangles of a scene to your functions.
+// Calls your functions with the triangles of a scene.
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +13,7 @@ using glassbox::labs::RecordReader;
 
 constexpr int kTile = 64;  // pixels
 
-// Positions on the screen, one number after the other. The same in steps.
+// Input: positions on the screen in pixels, one number after the other. Output: the same in steps.
 void snap_all(RecordReader& in, Numbers& out) {
   while (in.more()) out.push_back(snap(in.real()));
 }
@@ -23,7 +23,7 @@ SnappedVertex vertex(RecordReader& in) {
   return {x, in.integer()};
 }
 
-// The vertices of a polygon. Which one its fan begins at.
+// Input: the vertices of a polygon. Output: the number of the vertex where its fan begins.
 void fan(RecordReader& in, Numbers& out) {
   std::vector<SnappedVertex> polygon;
   while (in.more()) polygon.push_back(vertex(in));
@@ -41,15 +41,16 @@ std::vector<Pixel> pixels_of(const Triangle& triangle, const PixelRect& tile, Ti
   return all;
 }
 
-// A window and a triangle of some area. Its area; which of its edges 12, 20, 01 it owns; what each tile of the window is, from left
-// to right and top to bottom; and of each pixel x, y and the edge functions opposite the vertices 0, 1, 2.
+// Input: a window and a triangle of non-zero area. Output: its area; which of its edges 12, 20, 01
+// it owns; the class of each tile of the window, from left to right and top to bottom; and for each
+// covered pixel x, y and the edge functions opposite the vertices 0, 1, 2.
 void cover(RecordReader& in, Numbers& out) {
   const int x0 = in.integer(), y0 = in.integer(), x1 = in.integer(), y1 = in.integer();
   Triangle t;
   for (SnappedVertex& v : t) v = vertex(in);
   const std::int64_t area = edge(t[0], t[1], t[2]);
   out.push_back(double(area));
-  // Clockwise: of a triangle that runs the other way each edge is turned round.
+  // The edges in clockwise direction: those of a counter-clockwise triangle are reversed.
   std::array<std::pair<SnappedVertex, SnappedVertex>, 3> edges{
       {{t[1], t[2]}, {t[2], t[0]}, {t[0], t[1]}}};
   if (area < 0) {

@@ -1,4 +1,4 @@
-// Lab 6: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 6: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace lab_06 {
 
 std::int32_t snap(float pixels) {
   // BEGIN SOLUTION
-  // Exact in double: a float has 24 bits, and where the sum is rounded it is nowhere near an integer.
+  // Exact in double: a float has 24 bits, and where the sum is rounded it is not near an integer.
   return std::int32_t(std::floor(double(pixels) * kSteps + 0.5));
   // STUB: return -0x7fffffff;  // in steps of 1/256 pixel
   // END SOLUTION
@@ -21,7 +21,7 @@ std::int32_t snap(float pixels) {
 
 std::int64_t edge(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
   // BEGIN SOLUTION
-  // Differences have 25 bits and a sign, products 50, their difference 51.
+  // The differences have 25 bits and a sign, the products 50 bits, and their difference 51.
   return std::int64_t(b.x - a.x) * (p.y - a.y) - std::int64_t(b.y - a.y) * (p.x - a.x);
   // STUB: return 0;  // positive where a, b, p run clockwise on the screen
   // END SOLUTION
@@ -43,7 +43,7 @@ bool owns_edge(const SnappedVertex& a, const SnappedVertex& b) {
 // BEGIN SOLUTION
 namespace {
 
-// The triangle with its corners in clockwise order. Not for those without area.
+// The triangle with its corners in clockwise order. Its area is not zero.
 Triangle clockwise(Triangle t) {
   if (edge(t[0], t[1], t[2]) < 0) std::swap(t[1], t[2]);
   return t;
@@ -58,7 +58,8 @@ bool covers(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex&
   return e > 0 || (e == 0 && owns_edge(a, b));
 }
 
-// The first pixel whose centre is at or after `low`. Shifting right rounds down, below zero too.
+// The first pixel whose centre is at or after `low`. Shifting right rounds down, also for negative
+// numbers.
 int first_pixel(std::int32_t low) {
   return (low + kCentre - 1) >> 8;
 }
@@ -114,7 +115,8 @@ int fan_apex(const std::vector<SnappedVertex>& polygon) {
 
 TileCover classify_tile(const Triangle& triangle, const PixelRect& tile) {
   // BEGIN SOLUTION
-  // An edge function is linear, so among the centres of a tile its extremes are at the corners.
+  // An edge function is linear, so its extremes among the centres of a tile are at the four
+  // corners.
   const Triangle t = clockwise(triangle);
   const std::array<SnappedVertex, 4> corners{
       centre_of(tile.x0, tile.y0), centre_of(tile.x1 - 1, tile.y0), centre_of(tile.x0, tile.y1 - 1),

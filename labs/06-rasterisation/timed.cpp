@@ -1,4 +1,4 @@
-// Puts edges and triangles to your functions, for glassbox lab measure.
+// Calls your functions with edges and triangles, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -26,8 +26,9 @@ std::vector<Triangle> triangles_of(RecordReader& in) {
   return triangles;
 }
 
-// Of 0 and edges, each with the centre of a pixel near it: whether the pixel belongs to the triangle on the edge's right, and whether it
-// belongs to the other one. Of what is timed: how many pixels each triangle covers.
+// Input: 0 and edges, each with the centre of a pixel near it. Output: whether the pixel belongs to
+// the triangle on the right of the edge, and whether it belongs to the other one. With the input of
+// prepare(): how many pixels each triangle covers.
 void answer(RecordReader& in, Numbers& out) {
   if (const int width = in.integer(); width > 0) {
     for (const Triangle& triangle : triangles_of(in))
@@ -41,7 +42,7 @@ void answer(RecordReader& in, Numbers& out) {
   }
 }
 
-// The width of a tile at the origin, then triangles.
+// Reads the width of a tile at the origin, then triangles.
 std::function<void()> prepare(RecordReader& in) {
   const int width = in.integer();
   return [triangles = triangles_of(in), tile = PixelRect{0, 0, width, width}] {

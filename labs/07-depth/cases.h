@@ -1,4 +1,4 @@
-// The inputs of lab 7, the same on both sides.
+// The inputs of lab 7's cases, shared by runner and judge.
 #pragma once
 
 #include <cmath>
@@ -161,7 +161,7 @@ inline std::vector<BufferCase> more_buffers() {
   std::vector<BufferCase> all;
   Random random = glassbox::labs::varied(72);
   for (const Format format : kFormats) {
-    // Depths of few different values, the ends among them, so that ties are frequent.
+    // Depths of few different values, including 0 and 1, so that ties are frequent.
     BufferCase c{std::string(name_of(format)) + ": many fragments with many ties", format, 40, {}};
     for (int i = 0; i < 400; ++i)
       c.fragments.push_back({int(random.integer(0, 39)), float(random.integer(0, 16)) / 16});

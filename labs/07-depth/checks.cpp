@@ -1,4 +1,4 @@
-// What is expected of lab 7: by the program's projections and depth codes, and in 50 digits.
+// The expected answers of lab 7: by the program's projections and depth codes, and in 50 digits.
 #include <cmath>
 #include <cstdint>
 
@@ -24,7 +24,7 @@ std::string text_of(const Planes& p) {
                      p.range == Range::kStandard ? "standard" : "reversed");
 }
 
-// One number with a bound relative to it; infinity is exact.
+// One number with a relative bound; infinity must be exact.
 Expected number(const std::string& field, double value, double relative, const std::string& unit) {
   const double bound = std::isfinite(value) ? relative * std::abs(value) : 0;
   return numbers(field, {value}, bound, unit);
@@ -36,15 +36,15 @@ Case expect_row(const Planes& input) {
   const DepthRange range =
       input.range == Range::kReversed ? DepthRange::kReversed : DepthRange::kStandard;
   const auto clip_from_eye = perspective_degrees(90, 1, {input.near, input.far, range});
-  if (!clip_from_eye) return {};  // every pair of planes is in order
+  if (!clip_from_eye) return {};  // every pair of planes is valid
   const double a = clip_from_eye->at(2, 2), b = clip_from_eye->at(2, 3);
   const auto expect = [](double a_, double b_, double ulps = 8) {
-    // Ours and theirs are within 4 ulps each of the exact value.
+    // The student's entries and ours are each within 4 ulps of the exact value.
     return std::vector<Expected>{numbers("a", {a_}, ulps * ulp(a_)),
                                  numbers("b", {b_}, ulps * ulp(b_), "world units")};
   };
-  // An eye that looks along +z has z_clip = -a z + b. OpenGL's 2 z - w, with w = -z_eye, has 2 a + 1, which is off by up to 16 ulps
-  // more where |a| is next to 1, and 2 b.
+  // The slips: an eye that looks along +z has z_clip = -a z + b. OpenGL's 2 z - w, with w = -z_eye,
+  // has 2 a + 1, which is off by up to 16 ulps more where |a| is near 1, and 2 b.
   return {.where = text_of(input),
           .restated = text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
           .expected = expect(a, b),
@@ -63,7 +63,8 @@ Case expect_distance(const DistanceCase& input) {
     Decimal inverse = from_far / Decimal(input.planes.near);
     if (std::isfinite(input.planes.far)) inverse += from_near / Decimal(input.planes.far);
     const double z = inverse.sign() == 0 ? kInfinity : double(Decimal(1) / inverse);
-    // 1 - depth, two quotients, a sum of two numbers >= 0 and a quotient: 4 u, and 1/2 u for what is rounded here.
+    // 1 - depth, two quotients, a sum of two numbers >= 0 and a quotient: 4 u, and 1/2 u for the
+    // rounding here.
     c.expected.push_back(number(fmt::format("distance {}", c.expected.size()), z,
                                 16 * unit_roundoff<double>, "world units"));
   }
@@ -100,7 +101,7 @@ Case expect_code(const CodeCase& input) {
 
 // ---- 7.4 ----
 
-// Pixel by pixel, looking through all fragments.
+// Pixel by pixel, testing all fragments.
 Case expect_visible(const BufferCase& input) {
   std::vector<double> seen, seen_last;
   for (int pixel = 0; pixel < input.pixels; ++pixel) {
@@ -130,7 +131,7 @@ Case expect_visible(const BufferCase& input) {
 
 // ---- 7.5 ----
 
-// 1/x, also of infinity.
+// 1/x, and 0 for infinity.
 Decimal inverse_of(double x) {
   return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
 }
@@ -141,7 +142,8 @@ double rung(const LadderCase& input, double d) {
   const Decimal whole = at_near - at_far;
   const bool reversed = input.format == Format::kFloat32Reversed;
   const double depth = double((reversed ? here - at_far : at_near - here) / whole);
-  // No depth of the cases is within 1e-10 of a power of two, so that ours and theirs in double have the same exponent.
+  // No depth of the cases is within 1e-10 of a power of two, so that the student's double and ours
+  // have the same exponent.
   Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
   if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
     step = Decimal(1) / Decimal(double(glassbox::depth_code(ours(input.format), 1.0f)));
@@ -157,8 +159,9 @@ Case expect_ladder(const LadderCase& input) {
       {}};
   for (const double d : input.distances) {
     c.restated += fmt::format(" {}", d);
-    // 1/near - 1/far magnifies the roundings of its terms at most 3 times (far >= 2 near): q has 7 u; q/(1 - q) magnifies
-    // that at most 4 times, since no q of the cases is between 3/4 and 1.
+    // 1/near - 1/far magnifies the roundings of its terms at most 3 times (far >= 2 near), so q has
+    // an error of 7 u; q/(1 - q) magnifies that at most 4 times, since no q of the cases is between
+    // 3/4 and 1.
     c.expected.push_back(number(fmt::format("rung {}", c.expected.size()), rung(input, d),
                                 64 * unit_roundoff<double>, ""));
   }

@@ -1,5 +1,6 @@
-// Lab 7 in a picture: the projection's row of depth, the codes of the buffer, the fragment that is seen at each pixel and, in pictures
-// of depth, the way back to distances, by the student's functions.
+// Lab 7 in a picture: the student's functions make the depth row of the projection, the codes of
+// the buffer, find the visible fragment of each pixel and, in pictures of depth, turn depths back
+// into distances.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,10 +18,10 @@ namespace glassbox::labs {
 
 namespace lab_07_drawing {
 
-constexpr int kRows = 8;  // of the picture, in a question of "seen"
+constexpr int kRows = 8;  // how many rows of the picture one question of "seen" has
 constexpr double u53 = unit_roundoff<double>;
 
-// lab_07::Format, as a number and back.
+// lab_07::Format, and the same formats of the pipeline.
 constexpr DepthFormat kFormats[] = {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
                                     DepthFormat::kFloat32, DepthFormat::kFloat32Reversed};
 double number_of(DepthFormat format) {
@@ -61,7 +62,7 @@ Numbers seen(RecordReader& in) {
   return winners;
 }
 
-// 1/d lies between 1/near and 1/far, in proportion to the depth.
+// Interpolates 1/d linearly from 1/near to 1/far; the depth is the weight.
 Numbers distances(RecordReader& in) {
   const double near = in.number(), far = in.number();
   const bool reversed = range_of(in.number()) == DepthRange::kReversed;
@@ -76,7 +77,7 @@ Numbers distances(RecordReader& in) {
 
 // ---- judgement ----
 
-// Ours and theirs are within 4 ulps each of the exact value.
+// The student's entries and ours are each within 4 ulps of the exact value.
 std::optional<WrongNumber> judge_row(const Numbers&, const Numbers& yours,
                                      const Numbers& reference) {
   return first_wrong(
@@ -104,7 +105,7 @@ std::optional<WrongNumber> judge_seen(const Numbers& in, const Numbers& yours,
       });
 }
 
-// 16 u each of the exact distance.
+// The student's distances and ours are each within 16 u of the exact distance.
 std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference) {
   return first_wrong(
@@ -124,12 +125,12 @@ struct Compared {
   std::uint32_t triangle = 0;
 };
 
-// Gathers the fragments that come to the depth test, and later says which of them pass.
+// Gathers the fragments that reach the depth test, and in a later run decides which of them pass.
 class Stages : public Observer {
 public:
   void draw(const Draw& draw) override {
     if (fragments.empty() && gathering_) first_instance_ = draw.instance;
-    if (draw.instance == first_instance_) next_ = 0;  // another run begins
+    if (draw.instance == first_instance_) next_ = 0;  // a new run begins
   }
 
   void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t,
@@ -143,7 +144,8 @@ public:
     }
   }
 
-  // What the code lets pass, until the fragment that is seen at the end; that one passes.
+  // Lets those fragments pass that the codes let pass, up to the fragment that is visible at the
+  // end; that one always passes.
   void take(const std::vector<double>& code, const std::vector<double>& winner, int width) {
     std::vector<double> nearest(winner.size(), std::numeric_limits<double>::infinity());
     passes_.resize(fragments.size());
@@ -160,7 +162,7 @@ public:
     return std::size_t(at.y) * std::size_t(width) + std::size_t(at.x);
   }
 
-  std::vector<Compared> fragments;  // in the order in which they come
+  std::vector<Compared> fragments;  // in the order in which they reach the test
 
 private:
   bool gathering_ = true;
@@ -179,7 +181,7 @@ std::vector<Question> code_questions(const std::vector<Compared>& fragments, dou
   return questions;
 }
 
-// Some rows of the picture each; `order` is given the fragments of each question.
+// One question for some rows of the picture each; `order` gets the fragments of each question.
 std::vector<Question> seen_questions(const std::vector<Compared>& fragments, double format,
                                      int width, int height,
                                      std::vector<std::vector<std::size_t>>& order) {
@@ -219,7 +221,7 @@ Result<void> ask_for_row(StandIn& made, Answering& answering) {
   return {};
 }
 
-// In place of the distances that the pipeline has from 1/w.
+// Replaces the distances that the pipeline computes from 1/w.
 Result<void> ask_for_distances(StandIn& made, const std::vector<Compared>& fragments,
                                const std::vector<double>& winner, Answering& answering) {
   Question question{planes_of(made.view), kNone};
@@ -266,7 +268,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
     for (std::size_t pixel = 0; pixel < std::min(some.size(), of_band); ++pixel) {
       const double which = some[pixel];
       if (!(which >= 0 && which < double(order[band].size()))) continue;
-      // A fragment of another pixel is wrong, and cannot be shown at this one.
+      // A fragment of another pixel is a wrong answer, and cannot be shown at this pixel.
       const std::size_t fragment = order[band][std::size_t(which)];
       const std::size_t here = band * of_band + pixel;
       if (Stages::pixel_of(seats->fragments[fragment], width) == here)

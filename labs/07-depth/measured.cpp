@@ -1,4 +1,5 @@
-// Lab 7 in the chart of D-6: how far apart two surfaces must be for the student's codes to tell which is in front.
+// Lab 7 in the chart of the experiment on depth formats (D-6): how far apart two surfaces must be
+// for the student's codes to tell which is in front.
 #include <cmath>
 #include <memory>
 
@@ -16,12 +17,13 @@ using namespace study::d06;
 constexpr int kRungs = 2048;  // as in a quick run
 
 struct LabFormat {
-  int number;  // in lab_07::Format
+  int number;  // its value in lab_07::Format
   const char* name;
 };
 constexpr LabFormat kLabFormats[] = {{0, "u16"}, {1, "u24"}, {2, "float"}, {3, "float, reversed"}};
 
-// The windows of the ladder, one after the other, as far as one reaches the far plane.
+// The questions for the windows of the ladder, each twice as large as the last, until one reaches
+// the far plane.
 std::vector<Numbers> questions(int format, double z) {
   std::vector<Numbers> all;
   for (double window = 0x1p-18;; window *= 2) {
@@ -56,7 +58,7 @@ Numbers timed_fragments(int format) {
   return question;
 }
 
-// Whether what is timed keeps each pixel's only fragment.
+// Whether the timed function keeps each pixel's only fragment.
 Result<bool> keeps_all(const Ask& ask, const Numbers& timed) {
   const auto answers = ask({timed});
   if (!answers) return tl::unexpected(answers.error());

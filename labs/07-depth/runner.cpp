@@ -1,4 +1,4 @@
-// Puts the cases of lab 7 to your functions.
+// Calls your functions with the cases of lab 7.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"

@@ -1,4 +1,4 @@
-// Puts the projection and the fragments of a scene to your functions.
+// Calls your functions with the projection and the fragments of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -8,20 +8,21 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// near, far, range. The entries [2][2] and [2][3].
+// Input: near, far, range. Output: the entries [2][2] and [2][3].
 void row(RecordReader& in, Numbers& out) {
   const double near = in.number(), far = in.number();
   const DepthRow made = depth_row(near, far, Range(in.integer()));
   out.insert(out.end(), {made.a, made.b});
 }
 
-// A format, then depths. The code of each.
+// Input: a format, then depths. Output: the code of each.
 void codes(RecordReader& in, Numbers& out) {
   const auto format = Format(in.integer());
   while (in.more()) out.push_back(double(depth_code(format, in.real())));
 }
 
-// A format, how many pixels, then a pixel and a depth for each fragment. Which fragment is seen at each pixel.
+// Input: a format, the number of pixels, then a pixel and a depth for each fragment. Output: the
+// number of the visible fragment at each pixel.
 void seen(RecordReader& in, Numbers& out) {
   const auto format = Format(in.integer());
   const int pixels = in.integer();
@@ -34,7 +35,7 @@ void seen(RecordReader& in, Numbers& out) {
   out.insert(out.end(), winners.begin(), winners.end());
 }
 
-// near, far, range, then depths. The distance of each.
+// Input: near, far, range, then depths. Output: the distance of each.
 void distances(RecordReader& in, Numbers& out) {
   const double near = in.number(), far = in.number();
   const auto range = Range(in.integer());

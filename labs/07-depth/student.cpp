@@ -1,4 +1,4 @@
-// Lab 7: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 7: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <bit>
@@ -23,7 +23,8 @@ DepthRow depth_row(double near, double far, Range range) {
 
 double distance_of(double depth, double near, double far, Range range) {
   // BEGIN SOLUTION
-  // 1/d lies between 1/near and 1/far, in proportion. Nothing is subtracted but the depth from 1.
+  // The depth is the weight in a linear interpolation of 1/d from 1/near to 1/far. The only
+  // subtraction is that of the depth from 1.
   const double from_near = range == Range::kReversed ? 1 - depth : depth;
   const double from_far = range == Range::kReversed ? depth : 1 - depth;
   return 1 / (from_far / near + from_near / far);
@@ -69,7 +70,7 @@ std::vector<int> visible(const std::vector<Fragment>& fragments, int pixels, For
 
 double separation(Format format, double near, double far, double d) {
   // BEGIN SOLUTION
-  // Depth is affine in 1/d: by a step of depth, 1/d changes by step (1/near - 1/far).
+  // Depth is affine in 1/d: one step of depth changes 1/d by step (1/near - 1/far).
   const double whole = 1 / near - 1 / far;
   const double reversed = (1 / d - 1 / far) / whole, standard = (1 / near - 1 / d) / whole;
   double step = 0;

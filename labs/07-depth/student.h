@@ -1,8 +1,10 @@
-// Lab 7: which surface is in front. The contracts of the five functions that you write in student.cpp.
+// Lab 7: which surface is in front. The contracts of the five functions that you write in
+// student.cpp.
 //
-// Eye space is right-handed and the eye looks down -z: a point at the distance d along the gaze has z_eye = -d. A projection's
-// last two rows make z_clip = a z_eye + b and w_clip = -z_eye = d; the divide makes depth = z_clip / w_clip. Distances are in
-// world units, depth has no unit. u = 2^-53.
+// Eye space is right-handed and the eye looks down -z: a point at the distance d along the gaze has
+// z_eye = -d. A projection's last two rows give z_clip = a z_eye + b and w_clip = -z_eye = d; the
+// divide gives depth = z_clip / w_clip. Distances are in world units, depth has no unit. u = 2^-53
+// is the unit roundoff of double.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +12,33 @@
 
 namespace lab_07 {
 
-// kStandard: depth 0 on the near plane and 1 on the far plane. kReversed: 1 on the near plane and 0 on the far plane.
+// kStandard: depth 0 on the near plane and 1 on the far plane. kReversed: 1 on the near plane and 0
+// on the far plane.
 enum class Range { kStandard, kReversed };
 
 struct DepthRow {
   double a = 0, b = 0;
 };
 
-// Task 7.1. The entries [2][2] and [2][3] of a perspective projection. 0 < near < far; far may be infinite (depth then
-// approaches 1, or 0, without reaching it). Each within 4 ulps of its exact value.
+// Task 7.1. The entries [2][2] and [2][3] of a perspective projection. 0 < near < far; far may be
+// infinite (depth then approaches 1, or 0, without reaching it). Each within 4 ulps of its exact
+// value.
 DepthRow depth_row(double near, double far, Range range);
 
-// Task 7.2. The distance along the gaze that has this depth, 0 <= depth <= 1: the way back from a depth buffer. Infinite for
-// the depth of an infinite far plane. Relative error at most 16 u, at the far plane too and for any ratio far / near.
+// Task 7.2. The distance along the gaze that has this depth, 0 <= depth <= 1: the inverse of the
+// mapping to depth. Infinite for the depth of an infinite far plane. Relative error at most 16 u,
+// at the far plane too and for any ratio far / near.
 double distance_of(double depth, double near, double far, Range range);
 
-// What a depth buffer keeps: 16 or 24 bits of fixed point, a float, or a float of the reversed range.
+// The formats of a depth buffer: 16 or 24 bits of fixed point, a float, or a float of the reversed
+// range.
 enum class Format { kUnorm16, kUnorm24, kFloat32, kFloat32Reversed };
 
-// Task 7.3. The code of a depth, the smaller being nearer. Depths below 0 count as 0 and those above 1 as 1 (rounding at a clipped
-// edge makes such depths).
+// Task 7.3. The code of a depth; a smaller code is nearer. Depths below 0 count as 0 and those
+// above 1 as 1 (rounding at a clipped edge makes such depths).
 //   kUnorm16, kUnorm24  the nearest integer to depth (2^bits - 1), halves up: 0 .. 2^bits - 1
-//   kFloat32            the 32 bits of the float as an integer, which for floats >= 0 grows with them
+//   kFloat32            the 32 bits of the float as an integer, which for floats >= 0 grows with
+//                       them
 //   kFloat32Reversed    the bits of 1.0f minus the bits of the depth, so that depth 1 is nearest
 // No error is allowed.
 std::uint32_t depth_code(Format format, float depth);
@@ -41,18 +48,21 @@ struct Fragment {
   float depth = 0;
 };
 
-// Task 7.4. For each pixel the number of the fragment that is seen after all have been drawn in the order given, or -1 where none
-// was: a z-buffer. Of fragments with the same code the first stays. The empty buffer is behind every depth, that of the far
-// plane included.
+// Task 7.4. A z-buffer: for each pixel the number of the fragment that is visible after all have
+// been drawn in the given order, or -1 if the pixel has no fragment. Among fragments with the same
+// code the first one stays. The empty buffer is behind every depth, the depth of the far plane
+// included.
 std::vector<int> visible(const std::vector<Fragment>& fragments, int pixels, Format format);
 
-// Task 7.5. A rung of the ladder: how far apart, relative to the distance d, two surfaces must be for their depths to differ by one
-// step of the format: (d' - d)/d where |depth(d') - depth(d)| = step and d' > d. Depth is the exact depth of the format's range
-// (kFloat32Reversed: reversed, all others: standard). The step is
+// Task 7.5. A rung of the ladder, the resolution of a format at the distance d: how far apart,
+// relative to d, two surfaces must be for their depths to differ by one step of the format. That is
+// (d' - d)/d where |depth(d') - depth(d)| = step and d' > d. Depth is the exact depth of the
+// format's range (kFloat32Reversed: reversed, all others: standard). The step is
 //   kUnorm16, kUnorm24           1/(2^bits - 1)
-//   kFloat32, kFloat32Reversed   the distance between neighbouring floats at depth(d): 2^(e-23) with 2^e <= depth < 2^(e+1)
-// Infinite if no d' up to the far plane is that far apart. near < d < far, far may be infinite, far >= 2 near.
-// Relative error at most 64 u.
+//   kFloat32, kFloat32Reversed   the distance between neighbouring floats at depth(d):
+//                                2^(e-23) with 2^e <= depth < 2^(e+1)
+// Infinite if no d' up to the far plane is that far apart. near < d < far, far may be infinite,
+// far >= 2 near. Relative error at most 64 u.
 double separation(Format format, double near, double far, double d);
 
 }  // namespace lab_07

@@ -1,4 +1,4 @@
-// Puts distances and fragments to your functions, for glassbox lab measure.
+// Calls your functions with distances and fragments, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -16,7 +16,8 @@ std::vector<Fragment> fragments_of(RecordReader& in) {
 
 constexpr int kWhatIsTimed = 1;
 
-// Of 0, a format, near and far, then distances: the code of each distance. Of what is timed: the fragment of each pixel.
+// Input: 0, a format, near and far, then distances. Output: the code of each distance. With the
+// input of prepare(): the number of the fragment at each pixel.
 void answer(RecordReader& in, Numbers& out) {
   const bool is_timed = in.integer() == kWhatIsTimed;
   const auto format = Format(in.integer());
@@ -35,7 +36,7 @@ void answer(RecordReader& in, Numbers& out) {
   }
 }
 
-// 1, a format, then depths: a fragment for each pixel.
+// Input: 1, a format, then depths: one fragment for each pixel.
 std::function<void()> prepare(RecordReader& in) {
   in.integer();
   const auto format = Format(in.integer());

@@ -1,4 +1,4 @@
-// The inputs of lab 8, the same on both sides.
+// The inputs of lab 8's cases, shared by runner and judge.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace lab_08 {
 struct PixelCase {
   const char* what;
   PixelOfTriangle at;
-  const char* command = "";  // that shows the like
+  const char* command = "";  // a command that shows a similar case
 };
 
 inline std::vector<PixelCase> pixels() {
@@ -203,7 +203,7 @@ inline Patch teapot_body() {
             {{{2, 1.35, 0}, {2, 1.35, 1.12}, {1.12, 1.35, 2}, {0, 1.35, 2}}},
             {{{2, 0.9, 0}, {2, 0.9, 1.12}, {1.12, 0.9, 2}, {0, 0.9, 2}}}}}};
 }
-// The knob of the lid: its first row is a single point.
+// The knob of the lid: all points of its first row are the same.
 inline Patch teapot_knob() {
   return {{{{{{0, 3.15, 0}, {0, 3.15, 0}, {0, 3.15, 0}, {0, 3.15, 0}}},
             {{{0.8, 3.15, 0}, {0.8, 3.15, 0.45}, {0.45, 3.15, 0.8}, {0, 3.15, 0.8}}},
@@ -230,7 +230,8 @@ inline Patch teapot_bottom() {
             {{{1.5, 0.075, 0}, {1.5, 0.075, -0.84}, {0.84, 0.075, -1.5}, {0, 0.075, -1.5}}},
             {{{1.5, 0.15, 0}, {1.5, 0.15, -0.84}, {0.84, 0.15, -1.5}, {0, 0.15, -1.5}}}}}};
 }
-// The body with a first row that comes back to where it began, or has some points that are one, but not all: not a pole.
+// The body with a first row that ends where it began, or in which some points are equal, but not
+// all: it is not a pole.
 inline Patch looped_body() {
   Patch p = teapot_body();
   p.rows[0][3] = p.rows[0][0];
@@ -241,7 +242,7 @@ inline Patch doubled_body() {
   p.rows[0][1] = p.rows[0][0];
   return p;
 }
-// Point `i` of the first row is point from[i] of the body's.
+// The body with another first row: its point `i` is point from[i] of the body's row.
 inline Patch body_with_row(const std::array<std::size_t, 4>& from) {
   const Patch body = teapot_body();
   Patch p = body;
@@ -278,8 +279,8 @@ inline std::vector<PatchCase> hidden_patches() {
 }
 // END HIDDEN
 
-// The last row of `a` (v = 1) is a border of `b`, in the opposite order: position i of `a` is position level - i of
-// `b`.
+// The last row of `a` (v = 1) is a border of `b`, in the opposite order: position i of `a` is
+// position level - i of `b`.
 enum class Border { kFirstRow, kFirstColumn, kLastColumn };
 struct SeamCase {
   const char* what;

@@ -1,4 +1,4 @@
-// What is expected of lab 8 at pixels: quotients of exact rationals.
+// The expected answers of lab 8 at pixels: quotients of exact rationals.
 #include <algorithm>
 #include <cmath>
 
@@ -46,11 +46,12 @@ Case expect_pixel(const PixelCase& input) {
       even_spread += Rational(at.edges[k]) * abs(a - a0);
     }
     const double value = double(sum / q);
-    // 13 u of the spread and a last rounding, as raster/interpolate.h derives it; the edge functions are rounded here
-    // as there, and the area, which a student may divide by or not, adds a rounding to each of 1/w and u/w.
+    // The bound: 13 u of the spread and a last rounding, as raster/interpolate.h derives it. Here
+    // too the edge functions are rounded, and the area, by which a student may divide or not, adds
+    // a rounding to each of 1/w and u/w.
     const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
     expected.push_back(numbers(i == 0 ? "u" : "v", {value}, bound));
-    // With the weights of the screen.
+    // With the slip: the weights of the screen, without perspective.
     const double on_screen = double(even / area);
     affine.push_back(numbers(i == 0 ? "u" : "v", {on_screen},
                              16 * u24 * double(even_spread / area) + u24 * std::abs(on_screen)));
@@ -82,7 +83,8 @@ ExactPlace place_on(const Line& line, int x) {
   return {q, (q0 * Rational(line.u0) + q1 * Rational(line.u1)) / q};
 }
 
-// R |u| of the contracts: what an error of u of the largest u/w is after the division by the smallest 1/w.
+// R |u| of the contracts: the error that u of the largest u/w becomes after the division by the
+// smallest 1/w.
 double scale_of(const Line& line) {
   const double larger = std::max(line.inverse_w0, line.inverse_w1);
   return larger / std::min(line.inverse_w0, line.inverse_w1) *
@@ -94,8 +96,9 @@ std::string line_text(const Line& line) {
                      line.inverse_w0, line.inverse_w1, line.pixels);
 }
 
-// Walking 1/w and u/w by additions makes `pixels` roundings of each, and the ends and the division a few more; walking
-// u within a span makes no more than it saves of the others.
+// Adding up 1/w and u/w step by step rounds each `pixels` times, and the ends and the division a
+// few times more; adding up u within a span rounds no more often than it saves roundings of the
+// others.
 Case expect_span(const SpanCase& input) {
   const Line& line = input.line;
   std::vector<double> values, at_borders, even;
@@ -121,7 +124,7 @@ Case expect_span(const SpanCase& input) {
           .slipped = {{"half-pixel", expected(at_borders)}, {"affine", expected(even)}}};
 }
 
-// The largest error of the law over the spans.
+// The largest error over the spans, by the law of task 8.3.
 Decimal law(const Line& line, int every) {
   Decimal largest;
   for (int first = 0; first < line.pixels; first += every) {
@@ -135,8 +138,8 @@ Decimal law(const Line& line, int every) {
   return largest;
 }
 
-// Two coordinates of 8 R u each make du; r is right to 16 R u, which its root halves and the sum of 2 below halves
-// again.
+// du is the difference of two coordinates, each with an error of 8 R u; r has an error of 16 R u,
+// which its root halves, and the sum of 2 below halves it again.
 Case expect_choice(const ChoiceCase& input) {
   const Line& line = input.line;
   int every = 1;
@@ -159,14 +162,15 @@ Case expect_choice(const ChoiceCase& input) {
 
 // ---- footprints ----
 
-// What the derivatives would be of coordinates that are planes over the screen, as they are where all 1/w are 1.
+// The slip: the derivatives of coordinates that are planes over the screen, as they are where all
+// 1/w are 1.
 FootprintCase without_perspective(FootprintCase input) {
   for (TexturedVertex& vertex : input.triangle) vertex.inverse_w = 1;
   return input;
 }
 
-// N = sum E_k q_k a_k and D = sum E_k q_k, with the edge functions E_k, and their derivatives: (N/D)' = (N' - (N/D) D')
-// / D.
+// The derivative of N / D for N = sum E_k q_k a_k and D = sum E_k q_k, where E_k are the edge
+// functions: (N/D)' = (N' - (N/D) D') / D.
 struct ExactGradient {
   Rational along_x, along_y;
 };
@@ -189,9 +193,10 @@ ExactGradient exact_gradient(const FootprintCase& input, Attribute attribute) {
   return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
 }
 
-// With the largest 1/w as unit, e the longer side of the box and s = e^2 / area: a plane's slope is right to 20 u s / e, its
-// value at the pixel to 48 u s, which is 48 u k of the value there. (P' - (P/Q) Q') / Q has terms up to 4 k U / e each, U
-// doubled where coordinates are taken from vertex 0; with the errors of P/Q, Q' and 1/Q that makes 1600 k^2 (U/e) u.
+// Take the largest 1/w as unit, e as the longer side of the box and s = e^2 / area. The slope of a
+// plane has an error of 20 u s / e, its value at the pixel one of 48 u s, which is 48 u k of the
+// value there. (P' - (P/Q) Q') / Q has terms up to 4 k U / e each, with U doubled where coordinates
+// are taken relative to vertex 0. With the errors of P/Q, Q' and 1/Q that gives 1600 k^2 (U/e) u.
 double gradient_bound(const FootprintCase& input, Attribute attribute) {
   const auto& [a, b, c] = input.triangle;
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
@@ -214,7 +219,7 @@ double gradient_bound(const FootprintCase& input, Attribute attribute) {
 
 struct ExpectedFootprint {
   std::vector<Expected> fields;
-  double along_x = 0, along_y = 0;  // texels to a pixel
+  double along_x = 0, along_y = 0;  // texels per pixel
 };
 
 ExpectedFootprint footprint_of(const FootprintCase& input) {
@@ -228,8 +233,8 @@ ExpectedFootprint footprint_of(const FootprintCase& input) {
       std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
   const double longer = std::max(along_x, along_y);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // The level is off by the error of the length, over the length and ln 2 (a length below 1 is level 0), and by the
-  // roundings of lengths and logarithm.
+  // The error of the level is the error of the length divided by the length and ln 2 (a length
+  // below 1 is level 0), and the roundings of lengths and logarithm.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
   const double level = std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last);

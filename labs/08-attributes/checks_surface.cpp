@@ -1,4 +1,4 @@
-// What is expected of lab 8 on curved surfaces: Bezier patches in exact rationals.
+// The expected answers of lab 8 on curved surfaces: Bezier patches in exact rationals.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ Place between(const Place& a, const Place& b, const Rational& t) {
   return p;
 }
 
-// De Casteljau's construction.
+// A point of a Bezier curve by De Casteljau's construction.
 Place on_curve(std::array<Place, 4> p, const Rational& t) {
   for (std::size_t left = 3; left > 0; --left) {
     for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
@@ -60,9 +60,10 @@ void add(const Place& p, std::vector<double>& numbers) {
   for (const Rational& x : p) numbers.push_back(double(x));
 }
 
-// De Casteljau with a rounded t: six steps of three roundings each, and an error of u in t moves the point by up to 3 *
-// 2 times the largest coordinate along either parameter, 30 u; sums of products with Bernstein polynomials in powers of
-// t: 9 roundings of the weights and 3 of the sum, twice, 24 u. Twice that.
+// De Casteljau with a rounded t: six steps of three roundings each; and an error of u in t moves
+// the point by up to 3 * 2 times the largest coordinate along each of the two parameters: 30 u.
+// Sums of products with Bernstein polynomials in powers of t: 9 roundings of the weights and 3 of
+// the sum, twice: 24 u. The bound is twice that.
 double position_bound(const Patch& patch) {
   double largest = 0;
   for (const auto& row : patch.rows) {
@@ -113,7 +114,7 @@ Case expect_patch(const PatchCase& input) {
 
 // ---- seams ----
 
-// Both borders as they should be, within the bound, and equal to the last bit.
+// Checks that both borders are within the bound of the exact one, and equal to the last bit.
 std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer) {
   const Rows rows = exactly(input.a);
   std::vector<double> border;
@@ -139,7 +140,8 @@ Case expect_seam(const SeamCase& input) {
 
 // ---- levels ----
 
-// The longest of the vectors sum_k factor_k P[j + dj_k][i + di_k], for all i and j for which there is one.
+// The longest of the vectors sum_k factor_k P[j + dj_k][i + di_k], over all i and j for which the
+// points exist.
 struct Term {
   std::size_t di, dj;
   int factor;

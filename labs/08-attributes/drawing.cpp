@@ -1,5 +1,5 @@
-// Lab 8 in a picture: what a triangle carries interpolated, two numbers at a time, and the teapot cut into triangles, by the
-// student's functions.
+// Lab 8 in a picture: the student's functions interpolate the attributes of triangles, two numbers
+// at a time, and divide the teapot into triangles.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -48,11 +48,11 @@ struct Asked {
     }
     pixels = std::span(in).subspan(kHead + 3 * of_corner);
   }
-  // Numbers of an answer for each pixel.
+  // How many numbers an answer has for each pixel.
   std::size_t of_pixel() const { return 2 * pairs + (width > 0 ? 1 : 0); }
 };
 
-// The weights of the corners on the triangle, from the edge functions.
+// The perspective-correct weights of the corners, from the edge functions.
 std::array<double, 3> weights_at(const Asked& asked, std::span<const double> pixel) {
   std::array<double, 3> share{};
   for (std::size_t k = 0; k < 3; ++k) share[k] = pixel[2 + k] * asked.corners[k].inverse_w;
@@ -60,7 +60,7 @@ std::array<double, 3> weights_at(const Asked& asked, std::span<const double> pix
   return {share[0] / sum, share[1] / sum, share[2] / sum};
 }
 
-// ---- footprints: (N/D)' = (N' - (N/D) D')/D with N = sum E_k q_k a_k, D = sum E_k q_k and the edge functions E_k ----
+// ---- footprints ----
 
 struct Gradient {
   double along_x = 0, along_y = 0;
@@ -81,6 +81,8 @@ Edges edges_at(const Asked& asked, double x, double y) {
   return edges;
 }
 
+// The derivative of N / D for N = sum E_k q_k a_k and D = sum E_k q_k, where E_k are the edge
+// functions: (N/D)' = (N' - (N/D) D')/D.
 Gradient gradient_of(const Asked& asked, const Edges& edges, std::size_t attribute) {
   double n = 0, d = 0, nx = 0, ny = 0, dx = 0, dy = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -92,7 +94,8 @@ Gradient gradient_of(const Asked& asked, const Edges& edges, std::size_t attribu
   return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
 }
 
-// The bound of task 8.4: 2048 k^2 (U / e) u53 with k = (e^2 / twice the area) (largest 1/w / 1/w at the pixel).
+// The bound of task 8.4: 2048 k^2 (U / e) u53 with k = (e^2 / twice the area) (largest 1/w / 1/w at
+// the pixel).
 double gradient_bound(const Asked& asked, const Edges& edges, std::size_t attribute) {
   double left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
   double largest = 0, largest_w = 0, area = 0, here = 0;
@@ -122,7 +125,8 @@ Level level_at(const Asked& asked, std::span<const double> pixel) {
   const double last = std::log2(std::max(asked.width, asked.height));
   const double off = std::hypot(asked.width * gradient_bound(asked, edges, 0),
                                 asked.height * gradient_bound(asked, edges, 1));
-  // log2 magnifies by 1 / (length ln 2), and below a length of 1 the level is 0. Both sides err.
+  // log2 magnifies an error by 1 / (length ln 2), and below a length of 1 the level is 0. The
+  // student's answer and ours both have errors.
   return {std::clamp(longer > 0 ? std::log2(longer) : 0.0, 0.0, last),
           2 * off / std::max(longer, 0.5) / std::log(2.0) + 32 * u53 * last};
 }
@@ -151,7 +155,8 @@ Numbers attributes(RecordReader& in) {
 
 using Vec = Vector<Object, double>;
 
-// From integers, so that i/n from one end and (n-i)/n from the other give the same four numbers.
+// Computed from integers, so that i/n from one end and (n-i)/n from the other give the same four
+// numbers.
 std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
@@ -205,7 +210,7 @@ std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yo
     return asked.pixels.subspan(
         std::min(i / of_pixel * kPixelNumbers, asked.pixels.size() - kPixelNumbers), kPixelNumbers);
   };
-  // 16 u24 (b1 |a1 - a0| + b2 |a2 - a0|) + u24 |a|, as the contract has it.
+  // The bound of the contract: 16 u24 (b1 |a1 - a0| + b2 |a2 - a0|) + u24 |a|.
   const auto bound = [&](std::size_t i) {
     const std::span<const double> pixel = pixel_of(i);
     const std::size_t k = i % of_pixel;
@@ -224,7 +229,7 @@ std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yo
   });
 }
 
-// 64 u53 times the largest coordinate of a control point.
+// The bound: 64 u53 times the largest coordinate of a control point.
 std::optional<WrongNumber> judge_patch(const Numbers& in, const Numbers& yours,
                                        const Numbers& reference) {
   double largest = 0;
@@ -245,7 +250,8 @@ std::optional<WrongNumber> judge_patch(const Numbers& in, const Numbers& yours,
 
 // ---- the teapot ----
 
-// Its level, if the scene is the built-in teapot: 32 patches of n x n cells of two triangles, 8 of them with a pole.
+// The level of the teapot, if the scene is the built-in teapot: 32 patches of n x n cells of two
+// triangles, 8 of them with a pole.
 int teapot_level(const Scene& scene) {
   if (scene.name != "teapot" || !scene.file.empty() || scene.meshes.size() != 1) return 0;
   for (int n = 1; n <= 256; ++n) {
@@ -261,17 +267,18 @@ std::vector<Question> patch_questions(int level) {
     question.numbers.push_back(level);
     for (const std::uint16_t index : indices) {
       const auto& p = kTeapotPoints[index];
-      append_place(question.numbers, Vec(p[0], p[2], 0 - p[1]));  // z up to y up
+      append_place(question.numbers, Vec(p[0], p[2], 0 - p[1]));  // from z up to y up
     }
     questions.push_back(std::move(question));
   }
   return questions;
 }
 
-// Normals and texture coordinates are the teapot's own, which has those of each patch one after the other.
+// The teapot made of the student's patches. Normals and texture coordinates are those of the
+// original teapot, which has the ones of each patch one after the other.
 Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
   mesh.positions.clear(), mesh.corners.clear(), mesh.faces.clear();
-  std::map<std::array<float, 3>, std::uint32_t> shared;  // borders of patches
+  std::map<std::array<float, 3>, std::uint32_t> shared;  // positions on the borders of patches
   const auto count = std::size_t(level + 1) * std::size_t(level + 1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const Numbers& answer = patches[p];
@@ -304,7 +311,7 @@ Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
 
 constexpr std::size_t kPairs = 9;
 
-// Texture coordinates; normal and position; colour; light at the vertices.
+// The pairs of attributes: texture coordinates; normal and position; colour; light at the vertices.
 std::array<float*, 2 * kPairs> slots(Varyings& v) {
   return {&v.texcoord[0], &v.texcoord[1], &v.normal[0],   &v.normal[1],  &v.normal[2],
           &v.position[0], &v.position[1], &v.position[2], &v.color[0],   &v.color[1],
@@ -419,7 +426,7 @@ private:
   const RenderSettings settings_;
   bool gathering_ = true;
   const Draw* draw_ = nullptr;
-  std::vector<std::size_t> wanted_;  // pairs of slots()
+  std::vector<std::size_t> wanted_;  // indices of the pairs of slots()
   std::uint32_t number_ = 0;
   const ReadyTriangle* ready_ = nullptr;
   bool asked_here_ = false, is_triangle_ = false;

@@ -1,4 +1,5 @@
-// Lab 8 in the chart of D-4: rows of pixels by the student's span_coordinates, with a division every so many pixels.
+// Lab 8 in the chart of the experiment on where the perspective divide is done (D-4): rows of
+// pixels by the student's span_coordinates, with a division every so many pixels.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-// Puts the cases of lab 8 to your functions.
+// Calls your functions with the cases of lab 8.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"
@@ -45,7 +45,7 @@ void put_patch(const PatchCase& input, Answer& answer) {
   answer.emit("triangles", triangles);
 }
 
-// Along the common border, as each of the two patches has it.
+// Emits the positions along the common border, as each of the two patches has them.
 void put_seam(const SeamCase& input, Answer& answer) {
   const int n = input.level;
   const Tessellation a = tessellate(input.a, n), b = tessellate(input.b, n);

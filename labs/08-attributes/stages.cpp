@@ -1,4 +1,4 @@
-// Puts the fragments and the patches of a scene to your functions.
+// Calls your functions with the fragments and the patches of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -14,9 +14,10 @@ struct Corner {
   float inverse_w = 1;
 };
 
-// How many pairs of attributes there are; the size of the texture, 0 without one, whose coordinates are the first pair; three
-// corners, each with its place on the screen, 1/w and its attributes; then pixels, each with x, y and the edge functions. Of each
-// pixel the attributes, and the mip level where there is a texture.
+// Input: the number of pairs of attributes; the size of the texture, or 0 without one (its
+// coordinates are the first pair); three corners, each with its position on the screen, 1/w and its
+// attributes; then pixels, each with x, y and the edge functions. Output: for each pixel the
+// attributes, and the mip level where there is a texture.
 void attributes(RecordReader& in, Numbers& out) {
   const auto pairs = std::size_t(in.number());
   const int width = in.integer(), height = in.integer();
@@ -50,7 +51,8 @@ void attributes(RecordReader& in, Numbers& out) {
   }
 }
 
-// The level, then sixteen control points. How many positions and triangles, and these.
+// Input: the level, then sixteen control points. Output: the numbers of positions and triangles,
+// then the positions and triangles.
 void patch(RecordReader& in, Numbers& out) {
   const int level = in.integer();
   Patch asked;

@@ -1,4 +1,4 @@
-// Lab 8: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 8: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace lab_08 {
 
 std::array<float, 2> texcoord_at(const PixelOfTriangle& at) {
   // BEGIN SOLUTION
-  // The sum of the edge functions divides out.
+  // The common factor, the sum of the edge functions, cancels in the division below.
   std::array<float, 3> share;
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -21,7 +21,7 @@ std::array<float, 2> texcoord_at(const PixelOfTriangle& at) {
   const float b1 = share[1] / sum, b2 = share[2] / sum;
   std::array<float, 2> result;
   for (std::size_t i = 0; i < 2; ++i) {
-    // From vertex 0, so that a large common part is not rounded with the rest.
+    // Relative to vertex 0, so that a large common part of the coordinates is not rounded.
     const float a0 = at.texcoords[0][i], a1 = at.texcoords[1][i], a2 = at.texcoords[2][i];
     result[i] = a0 + (b1 * (a1 - a0) + b2 * (a2 - a0));
   }
@@ -84,7 +84,7 @@ SpanChoice longest_span(const Line& line, double tolerance) {
 Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, double y, int width,
                        int height) {
   // BEGIN SOLUTION
-  // Relative to vertex 0: the planes of 1/w, (u - u0)/w and (v - v0)/w over the screen.
+  // The planes of 1/w, (u - u0)/w and (v - v0)/w over the screen: differences from vertex 0.
   const TexturedVertex& a = triangle[0];
   const double x1 = triangle[1].x - a.x, y1 = triangle[1].y - a.y;
   const double x2 = triangle[2].x - a.x, y2 = triangle[2].y - a.y;
@@ -101,7 +101,7 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
   const Plane q = plane(a.inverse_w, q1, q2);
   const Plane u = plane(0, (triangle[1].u - a.u) * q1, (triangle[2].u - a.u) * q2);
   const Plane v = plane(0, (triangle[1].v - a.v) * q1, (triangle[2].v - a.v) * q2);
-  // (P/Q)' = (P' - (P/Q) Q') / Q.
+  // The quotient rule: (P/Q)' = (P' - (P/Q) Q') / Q.
   const auto derivative = [&](const Plane& p, double p_along, double q_along) {
     return (p_along - p.here / q.here * q_along) / q.here;
   };
@@ -124,13 +124,15 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
 // BEGIN SOLUTION
 using Place = Point<Object, double>;
 
-// The Bernstein polynomials at i/n from integers: at (n - i)/n they are the same four numbers in the opposite order.
+// The Bernstein polynomials at i/n, from integers: at (n - i)/n they are the same four numbers in
+// the opposite order.
 static std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
 }
 
-// The outer two and the inner two first: the opposite order exchanges terms within the two sums only.
+// Adds the outer two terms and the inner two terms first: the opposite order of the points swaps
+// terms only within these two sums, so the bits stay the same.
 static Place on_curve(const std::array<Place, 4>& p, int i, int n) {
   const auto [a, b, c, d] = bernstein(i, n);
   return {(p[0].x * a + p[3].x * d) + (p[1].x * b + p[2].x * c),

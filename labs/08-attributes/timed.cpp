@@ -1,4 +1,4 @@
-// Puts rows of pixels to your span_coordinates, for glassbox lab measure.
+// Calls your span_coordinates with rows of pixels, for glassbox lab measure.
 #include <algorithm>
 
 #include "labs/framework/stages.h"
@@ -15,7 +15,8 @@ struct Asked {
   std::vector<Line> lines;
 };
 
-// From how many pixels to how many a division is done; then rows: u and 1/w at both ends, and how many pixels.
+// Reads the number of pixels between divisions; then rows: u and 1/w at both ends, and the number
+// of pixels.
 Asked read(RecordReader& in) {
   Asked asked;
   asked.every = in.integer();
@@ -30,7 +31,8 @@ Asked read(RecordReader& in) {
   return asked;
 }
 
-// The coordinates of all pixels, row after row; a row of another length ends them.
+// Writes the coordinates of all pixels, row after row; stops at a row that does not have the right
+// length.
 void answer(RecordReader& in, Numbers& out) {
   const Asked asked = read(in);
   for (const Line& line : asked.lines) {

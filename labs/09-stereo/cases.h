@@ -1,4 +1,4 @@
-// The inputs of lab 9, the same on both sides.
+// The inputs of lab 9's cases, shared by runner and judge.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct ProjectionCase {
   Pair pair;
 };
 
-// The rows of x and z; y is seen as large as x.
+// A projection with the given rows of x and z; the scale of y is that of x.
 inline Transform<Clip, Eye> perspective_matrix(double scale, double off_middle, double a,
                                                double b) {
   Transform<Clip, Eye> m;
@@ -44,7 +44,7 @@ inline Transform<Clip, Eye> parallel_matrix(double scale, double off_middle, dou
   return m;
 }
 
-// Near 1, far 5; near 2, far 18.
+// Projections with near 1, far 5, and with near 2, far 18.
 inline std::vector<ProjectionCase> projections() {
   return {
       {"a window at 4", perspective_matrix(2, 0, -1.25, -1.25), {0.5, 4}},
@@ -77,8 +77,8 @@ inline std::vector<ProjectionCase> hidden_projections() {
 }
 // END HIDDEN
 
-// Two eyes without skew see more of the same pixels to the sides; the pictures are laid over each other and cut. p = s scale
-// width / window is a whole number of pixels.
+// Two eyes without skew, whose pictures show more columns at the sides; the pictures are then
+// shifted against each other and cropped. p = s scale width / window is a whole number of pixels.
 struct CropCase {
   const char* what;
   double scale;
@@ -151,8 +151,8 @@ struct CullCase {
   }
 };
 
-// A point as both eyes have it: a square picture with scale 1, near plane at 1, far plane at 65. Scaled to w = distance, which is
-// behind the eye where negative.
+// A point in the clip space of both eyes: a square picture with scale 1, near plane at 1, far plane
+// at 65. Scaled so that w = distance; a negative distance is behind the eye.
 inline StereoPoint seen_at(const Pair& pair, double x, double y, double distance) {
   const double shift = pair.half_separation * (1 - distance / pair.window);
   return {float(x + shift), float(x - shift), float(y), float((distance - 1) * 65 / 64),
@@ -207,7 +207,7 @@ inline std::vector<CullCase> hidden_triangles() {
           {StereoPoint{8, 6, 0, 4, 8}, {9, 9, 0, 4, 8}, {9, 9, 1, 4, 8}});
   odd.add("far before the near plane",
           {StereoPoint{1, 0, 0, -9, 2}, {1, 0, 1, -9, 2}, {0, -1, 0, -8, 2}});
-  // One corner on a plane, and nothing inside of it.
+  // One corner is on a plane, and nothing is inside it.
   odd.add("with a corner on the far plane",
           {StereoPoint{0, 0, 0, 8, 8}, {1, 1, 0, 9, 8}, {0, 0, 1, 9, 8}});
   odd.add("with a corner on the top plane",
@@ -330,7 +330,7 @@ struct ColourCase {
 inline Matrix mask_matrix() {
   return {{{1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}}};
 }
-// Dubois 2009.
+// The matrix of Dubois (2009).
 inline Matrix dubois_matrix() {
   return {{{0.437, 0.449, 0.164, -0.011, -0.032, -0.007},
            {-0.062, -0.062, -0.024, 0.377, 0.761, 0.009},

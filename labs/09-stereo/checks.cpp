@@ -1,4 +1,5 @@
-// What is expected of lab 9: by exact rationals, and by the pipeline's own culling, cutting and comfort. Pictures: pictures.h.
+// The expected answers of lab 9: by exact rationals, and by the pipeline's own culling, cropping
+// and comfort. Pictures are in pictures.h.
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +35,7 @@ Rational inverse(double distance) {
   return std::isinf(distance) ? Rational(0) : Rational(1) / Rational(distance);
 }
 
-// A camera between the eyes with this entry (0, 0), and a picture of this width.
+// A camera between the eyes whose projection has this entry (0, 0), and a picture of this width.
 View centre_view(const Picture& picture) {
   View view;
   view.clip_from_eye = perspective_matrix(picture.scale, 0, -1.25, -1.25);
@@ -58,7 +59,8 @@ std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rationa
           matrix(name_of_eye(side) + ", rows of y, z, w", 4, others)};
 }
 
-// m02 + m00 (s/f): a quotient, a product and a sum round, to 3 u (|m00 s/f| + |m02|); m03 + m00 s likewise.
+// m02 + m00 (s/f): a quotient, a product and a sum round, to 3 u (|m00 s/f| + |m02|); m03 + m00 s
+// likewise.
 Case expect_projection(const ProjectionCase& input) {
   const auto& [what, given, pair] = input;
   const double s = pair.half_separation, scale = std::abs(given.at(0, 0));
@@ -92,7 +94,7 @@ Case expect_projection(const ProjectionCase& input) {
     add(c.slipped[2].expected, skew * projection);
     add(c.slipped[3].expected, projection * backwards);
   }
-  // In the other order a sum has terms of the projection's other rows, each rounded.
+  // With the other order a sum has terms of the projection's other rows, each of them rounded.
   for (Expected& each : c.slipped[2].expected) {
     for (const double value : each.values)
       each.bound = std::max(each.bound, 8 * u * std::abs(value));
@@ -103,8 +105,9 @@ Case expect_projection(const ProjectionCase& input) {
   return c;
 }
 
-// Both ways have entries right to 3 u, x sums three products of the size `terms` in all (a x, a s z/f, a s), w divides it, and the
-// pixel takes a sum and two products more: below 16 u (terms/w + 1) columns each.
+// In both ways the entries have errors of 3 u. x sums three products of the size `terms` together
+// (a x, a s z/f, a s), is divided by w, and the pixel position needs a sum and two products more:
+// below 16 u (terms/w + 1) columns for each way.
 Case expect_crop(const CropCase& input) {
   const Picture picture{input.scale, input.width};
   const auto cut = align_and_crop(centre_view(picture), pair_of(input.pair)).value();
@@ -153,7 +156,7 @@ Case expect_parallax(const ParallaxCase& input) {
 
 // ---- culling ----
 
-// With a near plane at z = -w.
+// Whether neither eye sees the triangle, with the slip of a near plane at z = -w.
 bool unseen_with_opengl_near(const std::array<StereoPoint, 3>& triangle) {
   const auto all = [&](auto outside) { return std::ranges::all_of(triangle, outside); };
   using P = const StereoPoint&;
@@ -195,8 +198,9 @@ Case expect_culled(const CullCase& input) {
 
 // ---- comfort ----
 
-// A limit is a quotient by a parallax, right to 10 u, and the pipeline's own is 12 u smaller; a step of the filter rounds three
-// times, 4 u, and what it carries along is forgotten by 1/(1 + frames) a step: 22 u + 4 (1 + frames) u.
+// A limit is a quotient by a parallax, with an error of 10 u, and the pipeline's own limit is 12 u
+// smaller. A step of the filter rounds three times, 4 u, and earlier errors shrink by
+// 1/(1 + frames) in each step: 22 u + 4 (1 + frames) u.
 Case expect_comfort(const ComfortCase& input) {
   const View centre = centre_view(input.picture);
   const ParallaxBudget budget{input.budget.in_front_px, input.budget.behind_px};

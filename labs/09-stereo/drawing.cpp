@@ -1,5 +1,5 @@
-// Lab 9 in a picture for red and cyan glasses: the eyes' projections, the triangles that neither eye sees, and the one colour buffer of
-// both, by the student's functions.
+// Lab 9 in a picture for red and cyan glasses: the student's functions make the eyes' projections,
+// cull the triangles that neither eye sees, and fill the common colour buffer of both eyes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,9 @@ namespace lab_09_drawing {
 
 constexpr double u = unit_roundoff<double>;
 constexpr double kDraw = 1, kCull = 2;  // lab_09::Verdict
-constexpr int kRows = 16;               // of the picture, in a question of "anaglyph"
-constexpr std::size_t kSizes = 2;       // width and height, before its answer's pixels
+// how many rows of the picture one question of "anaglyph" has
+constexpr int kRows = 16;
+constexpr std::size_t kSizes = 2;  // width and height come before the pixels in its answer
 using Projection = Transform<Clip, Eye>;
 
 // ---- the reference ----
@@ -62,7 +63,7 @@ Numbers verdict(RecordReader& in) {
   return {unseen ? kCull : kDraw};
 }
 
-// Red from the left eye, green and blue from the right one.
+// The channel red from the left eye, green and blue from the right eye.
 Numbers anaglyph(RecordReader& in) {
   const auto width = std::size_t(in.number()), height = std::size_t(in.number());
   const auto background = std::uint32_t(in.number());
@@ -88,7 +89,8 @@ Numbers anaglyph(RecordReader& in) {
 
 // ---- judgement ----
 
-// The rows of y, z and w bit for bit; 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and |m03| in that of x, and ours.
+// The bounds: the rows of y, z and w bit for bit; in the row of x 8 u times the largest of |m00
+// s/f|, |m02|, |m00 s| and |m03|, for the student's matrix and as much for ours.
 std::optional<WrongNumber> judge_eye(const Numbers& in, const Numbers& yours,
                                      const Numbers& reference) {
   const double s = in[0], f = in[1], m00 = in[3], m02 = in[5], m03 = in[6];
@@ -137,7 +139,8 @@ double packed(const Rgba8& c) {
   return 65536.0 * c.r + 256.0 * c.g + c.b;
 }
 
-// One eye: gathers its corners, leaves out what is culled, and gathers the fragments that come to be written.
+// Watches one eye: gathers its corners, leaves out the triangles that are culled, and gathers the
+// fragments that are written.
 class Stages : public Observer {
 public:
   void draw(const Draw& draw) override { draw_ = &draw; }
@@ -163,13 +166,13 @@ public:
   }
   void gather_fragments(std::vector<Seen>* seen) { seen_ = seen; }
 
-  std::vector<std::uint32_t> numbers;  // of triangles, with three corners each
+  std::vector<std::uint32_t> numbers;  // of triangles, which have three corners each
   std::vector<Point<Clip>> clip;
 
 private:
   const Draw* draw_ = nullptr;
   bool gathering_ = true;
-  std::vector<bool> culled_;  // by triangle
+  std::vector<bool> culled_;  // one for each triangle
   std::vector<Seen>* seen_ = nullptr;
 };
 
@@ -200,7 +203,7 @@ Result<void> ask_for_eyes(const StereoPair& pair, std::array<StandIn, 2>& eyes,
   return {};
 }
 
-// Both eyes' corners, of which y, z and w are the left one's.
+// The corners of both eyes; y, z and w are those of the left one.
 std::vector<Question> verdict_questions(const Stages& left, const Stages& right) {
   std::vector<Question> questions;
   for (std::size_t t = 0; t < left.numbers.size(); ++t) {
@@ -231,7 +234,7 @@ Result<void> ask_for_verdicts(std::array<StandIn, 2>& eyes,
   return {};
 }
 
-// Some rows each.
+// One question for some rows of the picture each.
 std::vector<Question> anaglyph_questions(const std::array<std::vector<Seen>, 2>& seen, int width,
                                          int height, const Rgba8& background) {
   std::vector<Question> questions;

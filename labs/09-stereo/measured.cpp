@@ -1,4 +1,5 @@
-// Lab 9 in the chart of D-10: what both eyes' pictures lose where the student's function culls.
+// Lab 9 in the chart of the experiment on culling a stereo pair (D-10): what both eyes' pictures
+// lose where the student's function culls.
 #include <memory>
 
 #include "labs/measuring/measuring.h"
@@ -14,7 +15,7 @@ using namespace study::d10;
 
 constexpr double kCull = 2;  // lab_09::Verdict
 
-// All triangles, draw after draw.
+// All triangles, one draw after the other.
 Numbers question(const Eyes& eyes) {
   Numbers numbers;
   for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
@@ -32,7 +33,7 @@ Numbers question(const Eyes& eyes) {
   return numbers;
 }
 
-// Triangles that no eye sees, by the experiment's own planes.
+// The number of triangles that no eye sees, by the experiment's own planes.
 double could_be_culled(const Eyes& eyes) {
   double culled = 0;
   for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
@@ -43,8 +44,8 @@ double could_be_culled(const Eyes& eyes) {
   return culled;
 }
 
-// No number where the answer breaks off, or where less than half of what could be culled is: what culls nothing loses nothing, in no
-// time.
+// NaN where the answer is too short, or where it culls less than half of the triangles that could
+// be culled: a function that culls nothing loses nothing, and takes no time.
 Result<double> lost(const Ask& ask, const Eyes& eyes) {
   const auto answers = ask({question(eyes)});
   if (!answers) return tl::unexpected(answers.error());

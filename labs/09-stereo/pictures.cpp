@@ -16,7 +16,7 @@ using exact::Rational;
 
 namespace lab_09_pictures {
 
-// Of equally near fragments the first is seen, or the last.
+// Whether the first or the last of equally near fragments is visible.
 enum class Ties { kFirst, kLast };
 
 Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& fragments,
@@ -39,7 +39,7 @@ Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& f
 
 }  // namespace lab_09_pictures
 
-// Both eyes' own pictures, put together by make_anaglyph.
+// The expected picture: each eye's own picture, combined by make_anaglyph.
 Case expect_anaglyph(const AnaglyphCase& input) {
   using namespace lab_09_pictures;
   const Anaglyph& a = input.anaglyph;
@@ -82,8 +82,8 @@ Case expect_anaglyph(const AnaglyphCase& input) {
                       {"y-direction", expected(Ties::kFirst, true)}}};
 }
 
-// Recoloured colours are at most 1 and right to 10 u; the sizes of a row add up to less than 1.5, and six products and their sum
-// round: 15 u + 9 u.
+// Recoloured colours are at most 1 and have errors of 10 u. The sizes of a row add up to less than
+// 1.5, and six products and their sum round: 15 u + 9 u.
 Case expect_colour(const ColourCase& input) {
   using namespace lab_09_pictures;
   const Rational k(input.recolour.desaturate), b(input.recolour.brighten), one(1);

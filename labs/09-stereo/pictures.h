@@ -1,4 +1,4 @@
-// What is expected of anaglyphs: by the composition of images/stereo, and by exact rationals.
+// The expected answers for anaglyphs: by the composition of images/stereo, and by exact rationals.
 #pragma once
 
 #include "labs/09-stereo/cases.h"

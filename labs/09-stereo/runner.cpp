@@ -1,4 +1,4 @@
-// Puts the cases of lab 9 to your functions.
+// Calls your functions with the cases of lab 9.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"
@@ -18,7 +18,7 @@ void projection(const ProjectionCase& input, Answer& answer) {
   }
 }
 
-// Where your eyes' pictures have the points.
+// Emits the positions of the points in the pictures of your eyes.
 void crop(const CropCase& input, Answer& answer) {
   const Transform<Clip, Eye> centre = perspective_matrix(input.scale, 0, -1.25, -1.25);
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -37,7 +37,7 @@ void parallax(const ParallaxCase& input, Answer& answer) {
   answer.emit("px and percent", {found.px, found.percent});
 }
 
-// 1 is drawn, 2 is culled.
+// Emits 1 for a drawn triangle, 2 for a culled one.
 void culled(const CullCase& input, Answer& answer) {
   std::vector<double> verdicts;
   for (const auto& triangle : input.triangles) verdicts.push_back(int(cull(triangle)));

@@ -1,4 +1,4 @@
-// Puts the eyes, the triangles and the fragments of a scene to your functions.
+// Calls your functions with the eyes, the triangles and the fragments of a scene.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,14 +9,15 @@ using glassbox::labs::append_matrix;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// s, f, 0 for the left eye and 1 for the right one, and the centre's projection. The eye's.
+// Input: s, f, 0 for the left eye or 1 for the right one, and the centre's projection. Output: the
+// eye's projection.
 void eye(RecordReader& in, Numbers& out) {
   const Pair pair{in.number(), in.number()};
   const Side side = in.number() == 0 ? Side::kLeft : Side::kRight;
   append_matrix(out, eye_projection(in.matrix<Transform<Clip, Eye>>(), pair, side));
 }
 
-// Three corners: left x, right x, y, z, w. What becomes of the triangle.
+// Input: three corners: left x, right x, y, z, w. Output: the verdict on the triangle.
 void verdict(RecordReader& in, Numbers& out) {
   std::array<StereoPoint, 3> triangle;
   for (StereoPoint& p : triangle) {
@@ -34,8 +35,9 @@ Rgba8 colour(RecordReader& in) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-// Width, height, background, how many fragments are the left eye's, then fragments: x, y, depth, colour (65536 red + 256 green +
-// blue). The picture's width and height, and the picture row by row.
+// Input: width, height, background, how many fragments the left eye has, then fragments: x, y,
+// depth, colour (65536 red + 256 green + blue). Output: the picture's width and height, then its
+// pixels row by row.
 void anaglyph(RecordReader& in, Numbers& out) {
   Anaglyph asked;
   asked.width = in.integer();

@@ -1,4 +1,4 @@
-// Lab 9: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 9: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, c
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance) {
   // BEGIN SOLUTION
   const double f = pair.window, z = distance;
-  // 1/f - 1/z. The difference comes first, while it is exact or as good.
+  // 1/f - 1/z. The difference z - f comes first: there it is exact, or as good as exact.
   double closeness = (z - f) / f / z;
   if (std::isinf(z)) {
     closeness = 1 / f;

@@ -1,8 +1,9 @@
-// Lab 9: two eyes and one picture for both. The contracts of the six functions that you write in student.cpp.
+// Lab 9: two eyes and one picture for both. The contracts of the six functions that you write in
+// student.cpp.
 //
-// Eye space: x right, y up, the eye looks down -z. A *distance* is measured along the gaze and positive in front of the
-// eye: distance = -z. Column vectors: p_clip = clip_from_eye * p_eye, M.at(row, column). u = 2^-53 is the rounding unit
-// of double.
+// Eye space: x right, y up, the eye looks down -z. A *distance* is measured along the gaze and
+// positive in front of the eye: distance = -z. Column vectors: p_clip = clip_from_eye * p_eye,
+// M.at(row, column). u = 2^-53 is the unit roundoff of double.
 #pragma once
 
 #include <array>
@@ -22,22 +23,25 @@ using glassbox::Transform;
 
 enum class Side { kLeft, kRight };
 
-// The left eye stands `half_separation` = s to the left of the centre camera, the right eye as far to the right; what lies at the
-// distance `window` = f has no parallax. World units. s >= 0; f > 0, and may be infinite: eyes without skew.
+// The left eye is `half_separation` = s to the left of the centre camera, the right eye as far to
+// the right. A point at the distance `window` = f has no parallax. World units. s >= 0; f > 0, and
+// f may be infinite: then the eyes have no skew.
 struct Pair {
   double half_separation = 0, window = 1;
 };
 
-// The picture of each eye: `scale` is the entry (0, 0) of the projection, d/h in the slides; `width` in pixels.
+// What both eyes' pictures have in common: `scale` is the entry (0, 0) of the projection, d/h in
+// the slides; `width` is in pixels.
 struct Picture {
   double scale = 1;
   int width = 640;
 };
 
-// Task 9.1. The projection of one eye: the centre camera's after the skew x' = x + s (1 - distance/f) for the left eye, and with
-// -s for the right one. The centre's may be any: with its window off the middle, parallel, reversed.
-// The rows of y, z and w: the centre's, bit for bit. Bound of the row of x: 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and
-// |m03|. Without separation the centre's own matrix, bit for bit.
+// Task 9.1. The projection of one eye: that of the centre camera after the skew x' = x + s
+// (1 - distance/f) for the left eye, and with -s for the right one. The centre's projection may be
+// any: with its window off the middle, parallel, reversed. The rows of y, z and w are the centre's,
+// bit for bit. Without separation the whole matrix is the centre's, bit for bit.
+// Error bound of the row of x: 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and |m03|.
 Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, const Pair& pair,
                                     Side side);
 
@@ -46,24 +50,25 @@ struct Parallax {
   double percent = 0;  // of the picture's width
 };
 
-// Task 9.2. How much further right than the left eye the right eye sees what is at this distance: x in the right eye's picture
-// minus x in the left one's. The centre's projection is a perspective one. 0 < distance, which may be infinite.
-// Bound: 16 u |parallax|, near the window too.
+// Task 9.2. The parallax of a point at this distance: its x in the right eye's picture minus
+// its x in the left one's. The centre's projection is a perspective one. 0 < distance, which may be
+// infinite. Error bound: 16 u |parallax|, near the window too.
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance);
 
-// A corner in the clip space of both eyes, which share y, z and w. What the left eye sees has -w <= left_x <= w, -w <= y <= w and
-// 0 <= z <= w, the right eye likewise.
+// A corner in the clip space of both eyes, which share y, z and w. The left eye sees what has
+// -w <= left_x <= w, -w <= y <= w and 0 <= z <= w; for the right eye likewise with its own x.
 struct StereoPoint {
   float left_x = 0, right_x = 0, y = 0, z = 0, w = 0;
 };
 
 enum class Verdict { kUnknown = -1, kDraw = 1, kCull = 2 };
 
-// Task 9.3. One verdict for both eyes. An eye misses a triangle if one of the six planes of its frustum has all three corners
-// outside: on the plane is inside. kCull if both eyes miss it, be it for different planes; else kDraw. All numbers are finite.
+// Task 9.3. One verdict for both eyes. An eye misses a triangle if for one of the six planes of its
+// frustum all three corners are outside; on the plane is inside. kCull if both eyes miss it, even
+// if for different planes; otherwise kDraw. All numbers are finite.
 Verdict cull(const std::array<StereoPoint, 3>& triangle);
 
-// What an eye draws at one pixel. 0 <= depth <= 1, smaller is nearer.
+// A fragment that an eye draws at one pixel. 0 <= depth <= 1, smaller is nearer.
 struct Fragment {
   int x = 0, y = 0;  // from the left, from the top
   float depth = 0;
@@ -74,35 +79,41 @@ struct Channels {
   bool r = false, g = false, b = false;
 };
 
-// A picture made of what both eyes draw, the fragments in the order in which they come. Every channel is in one of the two masks.
+// A picture made from the fragments of both eyes, in the order in which they are drawn. Every
+// channel is in one of the two masks.
 struct Anaglyph {
   int width = 0, height = 0;
-  Rgba8 background;  // of both eyes
+  Rgba8 background;  // the background of both eyes
   Channels left_mask{true, false, false}, right_mask{false, true, true};
   std::vector<Fragment> left, right;
 };
 
-// Task 9.4. One colour buffer, in which each eye writes only the channels of its mask. Each channel must be the one of that eye's
-// own picture: the nearest fragment of the pixel, of equally near ones the first, without one the background.
-// Alpha is not looked at. Exact.
+// Task 9.4. One colour buffer, in which each eye writes only the channels of its mask. Each channel
+// must be that of the eye's own picture: the colour of the nearest fragment of the pixel, the first
+// one among equally near ones, or the background if the pixel has no fragment. Alpha is not
+// compared. Exact.
 Image<Rgba8> draw_anaglyph(const Anaglyph& anaglyph);
 
 using Colour = std::array<double, 3>;  // red, green and blue as light, 0 to 1
 
-// c' = b + (1 - b) ((1 - k) c + k Y(c)), Y = 0.299 red + 0.587 green + 0.114 blue.
+// A change of colour c to c' = b + (1 - b) ((1 - k) c + k Y(c)), Y = 0.299 red + 0.587
+// green + 0.114 blue.
 struct Recolour {
   double desaturate = 0, brighten = 0;  // k and b, 0 to 1
 };
 
-// Rows: red, green and blue as shown. Columns: red, green and blue of the left eye, then of the right one.
+// Rows: red, green and blue as shown. Columns: red, green and blue of the left eye, then of the
+// right eye.
 using Matrix = std::array<std::array<double, 6>, 3>;
 
-// Task 9.5. What is shown for the colours of the two eyes: first both recoloured, then through the matrix, then each channel
-// clamped to 0 .. 1. Bound of each channel: 32 u.
+// Task 9.5. The colour shown for the colours of the two eyes: first both are recoloured, then
+// multiplied by the matrix, then each channel is clamped to 0 .. 1. Error bound of each channel:
+// 32 u.
 Colour anaglyph_colour(const Matrix& matrix, const Recolour& recolour, const Colour& left,
                        const Colour& right);
 
-// A frame: what is seen lies between the distances `nearest` and `farthest` (which may be infinite), 0 < nearest <= farthest.
+// A frame: everything visible is between the distances `nearest` and `farthest` (which may be
+// infinite), 0 < nearest <= farthest.
 struct Frame {
   double nearest = 1, farthest = 1, window = 1;
 };
@@ -112,11 +123,13 @@ struct Budget {
   double in_front_px = 0, behind_px = 0;
 };
 
-// Task 9.6. Half the separation of the eyes for each frame, by a camera that does not know the next one.
-// The limit of a frame is the largest s with which neither its nearest nor its farthest distance is beyond the budget, and at most
-// window/scale, half of what the picture shows at the window. The first frame has its limit. A limit that is not above the last
-// frame's separation is followed at once; towards a higher one the separation goes 1/(1 + release_frames) of the way.
-// Bound: 64 (1 + release_frames) u times the largest separation of the frames.
+// Task 9.6. Half the separation of the eyes for each frame, by a camera that does not know the next
+// frame. The limit of a frame is the largest s for which the parallax at its nearest and at its
+// farthest distance stays within the budget, but at most window/scale, half of what the picture
+// shows at the window. The first frame gets its limit. A limit that is not above the last frame's
+// separation is taken at once; towards a higher limit the separation goes 1/(1 + release_frames) of
+// the way in each frame.
+// Error bound: 64 (1 + release_frames) u times the largest separation of the frames.
 std::vector<double> comfortable_separations(const Picture& picture, const Budget& budget,
                                             const std::vector<Frame>& frames,
                                             double release_frames);

@@ -1,4 +1,4 @@
-// Puts triangles to your cull, for glassbox lab measure.
+// Calls your cull with triangles, for glassbox lab measure.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -9,7 +9,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Triangle = std::array<StereoPoint, 3>;
 
-// Corners: left x, right x, y, z, w.
+// Reads corners: left x, right x, y, z, w.
 std::vector<Triangle> triangles(RecordReader& in) {
   std::vector<Triangle> all;
   while (in.more()) {
@@ -24,7 +24,7 @@ std::vector<Triangle> triangles(RecordReader& in) {
   return all;
 }
 
-// What becomes of each triangle.
+// Writes the verdict on each triangle.
 void answer(RecordReader& in, Numbers& out) {
   for (const Triangle& triangle : triangles(in)) out.push_back(double(cull(triangle)));
 }

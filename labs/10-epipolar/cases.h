@@ -1,4 +1,4 @@
-// The inputs of lab 10, the same on both sides.
+// The inputs of lab 10's cases, shared by runner and judge.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace lab_10 {
 
-// The rotation of the quaternion (w, x, y, z), of any length.
+// The rotation of the quaternion (w, x, y, z), which may have any length.
 inline Matrix turned_by(double w, double x, double y, double z) {
   const double n = w * w + x * x + y * y + z * z;
   return {
@@ -28,7 +28,7 @@ inline Pose parallel_pose() {
   return {not_turned(), {0.5, 0, 0}};
 }
 inline Pose converging_pose() {
-  return {turned_by(15, 0, 1, 0), {1, 0, 0.125}};  // both look at what is some 8 away
+  return {turned_by(15, 0, 1, 0), {1, 0, 0.125}};  // both look at a point about 8 away
 }
 inline Pose arbitrary_pose() {
   return {turned_by(12, 1, -2, 1.5), {0.8, -0.3, 0.4}};
@@ -74,7 +74,7 @@ struct LineCase {
   Pixel pixel;
 };
 
-// R S, for the inputs: a student's own is asked for elsewhere.
+// R S, made here for the inputs: the student's own is tested by another task.
 inline Matrix given_essential(const Pose& pose) {
   Matrix e{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,11 +164,12 @@ inline std::vector<PointsCase> hidden_points() {
 
 struct MatchesCase {
   std::string what;
-  Pose pose;  // of the cameras; of the matches no more than the noise lets through
+  Pose pose;  // of the cameras; with noise the matches do not fit it exactly
   std::vector<Match> matches;
 };
 
-// Points up to `farthest` away that both cameras have before them, their calibrated coordinates off by up to `noise`.
+// Points up to `farthest` away that are in front of both cameras; their calibrated coordinates are
+// off by up to `noise`.
 inline MatchesCase seen_by(const std::string& what, const Pose& pose, int count, double noise,
                            std::uint64_t seed, double farthest = 9) {
   glassbox::Random random(seed);
@@ -234,7 +235,8 @@ inline std::vector<ChoiceCase> hidden_choices() {
       choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
       choice("behind the other, E of any size", {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
       choice("one match", arbitrary_pose(), 1, 1, 16)};
-  // In every direction, so that the other poses have the points behind the left camera, and behind the right one.
+  // Translations in every direction, so that with the wrong poses the points are behind the left
+  // camera, or behind the right one.
   const std::vector<Vector> directions{{0.1, 0.9, 0.1},  {0.1, -0.9, 0.1}, {0.2, 0.1, -1},
                                        {-0.9, 0.3, 0.2}, {0.1, 0.2, 1},    {0.6, 0.6, -0.5}};
   for (std::size_t i = 0; i < directions.size(); ++i)
@@ -274,7 +276,7 @@ inline std::vector<RaysCase> rays() {
           {"a point behind both cameras", {0.125, 0}, {0.25, 0}, parallel_pose()}};
 }
 // BEGIN HIDDEN
-// Both cameras look at what is infinitely far; rounding leaves them a little apart.
+// Both cameras look at an infinitely far point; rounding leaves the directions slightly different.
 inline RaysCase parallel_rays(const char* what, const Pose& pose) {
   const Vector p = times(pose.rotation, Vector{0.3, -0.2, 1});
   return {what, {0.3, -0.2}, {p[0] / p[2], p[1] / p[2]}, pose};

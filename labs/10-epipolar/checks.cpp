@@ -1,4 +1,5 @@
-// What is expected of lab 10: by the geometry of views/two_view, and by formulas in extended precision.
+// The expected answers of lab 10: by the geometry of views/two_view, and by formulas in extended
+// precision.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +28,7 @@ using lab_10::Vector;
 
 constexpr double u = unit_roundoff<double>;
 
-// Rounded once.
+// Computed in long double, then rounded once.
 using Wide = Eigen::Matrix<long double, 3, 3>;
 using WideVector = Eigen::Matrix<long double, 3, 1>;
 Wide wide(const Matrix& m) {
@@ -50,7 +51,7 @@ std::string text_of(const Matrix& m) {
   return text_of(m[0]) + " " + text_of(m[1]) + " " + text_of(m[2]);
 }
 
-// Two products and their difference of each entry, r_i t_j of a row of R: below 3 u |T|.
+// Each entry is two products r_i t_j of a row of R, and their difference: below 3 u |T|.
 Case expect_matrix(const PoseCase& input) {
   const Wide r = wide(input.pose.rotation);
   const WideVector t = wide(input.pose.translation);
@@ -100,7 +101,8 @@ Case expect_line(const LineCase& input) {
           .slipped = {{"row-column-order", expected(transposed(e))}}};
 }
 
-// A sum of n numbers takes n - 1 roundings of what it has come to; a distance has the centre's error besides.
+// A sum of n numbers rounds n - 1 times, each time by u of the sum so far; a distance also has the
+// error of the centre.
 Case expect_normaliser(const PointsCase& input) {
   const auto count = double(input.points.size());
   long double x = 0, y = 0, sum = 0;
@@ -143,7 +145,7 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
                       {"rank-first", expected(solution.made_rank_two_first)}}};
 }
 
-// E is R S but for its rounding, and so are U and V; R is made of two products of them.
+// E is R S except for its rounding, and so are U and V; R is made from two products of them.
 Case expect_pose(const ChoiceCase& input) {
   const auto chosen = views::pose_in_front(matrix_of(input.essential), matches_of(input.matches));
   const views::RelativePose pose = chosen ? chosen->pose : views::RelativePose{};

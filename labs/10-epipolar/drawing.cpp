@@ -1,5 +1,5 @@
-// Lab 10 in a picture: what the second camera sees, with the epipolar lines of some of the first camera's pixels, and the points
-// where the student's pose has them.
+// Lab 10 in a picture: the picture of the second camera, with the epipolar lines of some of the
+// first camera's pixels, and the points at the positions that the student's pose gives.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,7 +62,8 @@ void append(Numbers& out, const views::Matches& matches) {
     out.insert(out.end(), {m.left.x(), m.left.y(), m.right.x(), m.right.y()});
 }
 
-// So many numbers that what comes behind can be computed with.
+// The answer with exactly `count` numbers, finite and not too large, so that the later stages can
+// compute with it.
 Numbers usable(Numbers answer, std::size_t count) {
   answer.resize(count);
   for (double& x : answer) x = std::isfinite(x) ? std::clamp(x, -1e9, 1e9) : 0;
@@ -128,7 +129,8 @@ std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
       [](std::size_t i) { return fmt::format("E, row {}, column {}", i / 3, i % 3); });
 }
 
-// Where no pose has more matches before both cameras than the others, any of them is right.
+// If several poses have the largest number of matches in front of both cameras, any of them is
+// right.
 std::optional<WrongNumber> judge_pose(const Numbers& in, const Numbers& yours,
                                       const Numbers& reference) {
   RecordReader record = reader(in);
@@ -179,7 +181,8 @@ const std::vector<DrawnStage>& stages() {
 
 // ---- the pair ----
 
-// The second camera stands to the right of the first one and a little above, is turned towards what lies in the window, and rolled.
+// The second camera is to the right of the first one and a little above it, turned towards the
+// centre of the window, and rolled.
 View second_view(const View& first, const StereoPair& pair) {
   const double right = 2 * pair.half_separation, up = 0.3 * right;
   const double x = up / pair.window / 2, y = -right / pair.window / 2, z = 0.04;  // w is 1
@@ -198,13 +201,13 @@ View second_view(const View& first, const StereoPair& pair) {
   return second;
 }
 
-constexpr int kColumns = 12, kRows = 9;  // of pixels whose points are matched
-constexpr std::size_t kFewest = 16;      // twice as many as have to be
-constexpr std::size_t kShownEach = 6;    // every sixth has its line drawn
+constexpr int kColumns = 12, kRows = 9;  // of the grid of pixels whose points are matched
+constexpr std::size_t kFewest = 16;      // twice as many as are needed
+constexpr std::size_t kShownEach = 6;    // every sixth match has its line drawn
 
 struct Pair {
   lab_10::Camera left, right;
-  std::vector<lab_10::Pixel> pixels;  // of the left picture
+  std::vector<lab_10::Pixel> pixels;  // pixels of the left picture
   views::Matches calibrated;
 };
 
@@ -212,7 +215,7 @@ lab_10::Camera camera_of(const views::PinholeCamera& camera) {
   return {camera.intrinsic(0, 0), camera.intrinsic(0, 2), camera.intrinsic(1, 2)};
 }
 
-// Matches from the rasterizer, of a grid of pixels.
+// Matches from the rasterizer, for a grid of pixels.
 Result<Pair> matched(const Drawn& drawn, const View& second) {
   const auto left = views::known_picture(drawn.scene, drawn.view, drawn.settings);
   if (!left) return tl::unexpected(left.error());
@@ -240,7 +243,7 @@ Result<Pair> matched(const Drawn& drawn, const View& second) {
 
 // ---- in the picture ----
 
-// One of twelve hues.
+// One of twelve hues, by number.
 Rgba8 hue(std::size_t i) {
   const double turn = double(i * 5 % 12) / 2;
   const auto channel = [turn](double at) {
@@ -254,7 +257,7 @@ void mark(Image<Rgba8>& picture, int x, int y, const Rgba8& colour) {
   if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) picture.at(x, y) = colour;
 }
 
-// A pixel in each column, or in each row of a steep one.
+// Draws a pixel in each column, or in each row if the line is steep.
 void draw_line(Image<Rgba8>& picture, const lab_10::Line& line, const Rgba8& colour) {
   const bool steep = std::abs(line.a) > std::abs(line.b);
   const double along = steep ? line.b : line.a, across = steep ? line.a : line.b;
@@ -266,7 +269,7 @@ void draw_line(Image<Rgba8>& picture, const lab_10::Line& line, const Rgba8& col
   }
 }
 
-// A white cross around a black one's middle, where the point is seen.
+// Draws a white cross with a black centre at the position where the point is seen.
 void draw_point(Image<Rgba8>& picture, const Vector3d& seen, const lab_10::Camera& camera) {
   if (!(seen.z() > 0)) return;
   const auto place = [](double x) { return int(std::clamp(std::floor(x), -1e6, 1e6)); };

@@ -69,9 +69,11 @@ Matrix3d told(const Matrix3d& m) {
   return m / (largest < 0 ? -m.norm() : m.norm());
 }
 
-// The solution of the system turns by the system's rounding, some 20 u of sigma_1 with either solver, over the gap of its last two
-// singular values. Carried back, |T_r| |T_l| times that, of a matrix of the size that comes out; the nearest essential matrix turns
-// by no more than four times what its argument does while that is near one, and telling doubles it.
+// The rounding of the system, some 20 u of sigma_1 with either solver, rotates its solution by that
+// divided by the gap between its last two singular values. Undoing the normalisation multiplies
+// this by |T_r| |T_l|, relative to the size of the resulting matrix. The nearest essential matrix
+// rotates by at most four times as much as its argument if that is near one; scaling to length 1
+// doubles it.
 LinearSolution solve(const views::Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
   if (!normal) return {};
@@ -92,7 +94,8 @@ LinearSolution solve(const views::Matches& calibrated) {
   return solution;
 }
 
-// u = E p takes 5 u |E| |p| of rounding, c three products with the camera's numbers of as much, and all are divided by |(u_x, u_y)|.
+// u = E p has a rounding error of 5 u |E| |p|; c has three products of the camera's numbers with
+// such errors; all are divided by |(u_x, u_y)|.
 double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel) {
   const Matrix3d e = matrix_of(essential);
@@ -117,7 +120,8 @@ views::Triangulated point_of(const views::Rays& rays, const views::RelativePose&
   return views::midpoint(rays, pose);
 }
 
-// Both factors along the lines are quotients of sums of products by |d x e|^2, whose terms cancel by the sine squared.
+// Both factors along the lines are quotients of sums of products by |d x e|^2; the terms of these
+// sums cancel by the square of the sine.
 double bound_of_point(const views::Rays& rays, const views::RelativePose& pose,
                       const views::Triangulated& point) {
   if (!point.is_finite()) return 0;

@@ -1,4 +1,5 @@
-// The geometry of two views (views/two_view) in lab 10's terms, with what its answers may differ by.
+// The geometry of two views (views/two_view) in the terms of lab 10, with the bounds for its
+// answers.
 #pragma once
 
 #include <optional>
@@ -14,23 +15,25 @@ views::Matrix3d matrix_of(const lab_10::Matrix& m);
 views::Vector3d vector_of(const lab_10::Vector& v);
 views::RelativePose pose_of(const lab_10::Pose& pose);
 views::Matches matches_of(const std::vector<lab_10::Match>& matches);
-// Row by row.
+// The entries, row by row.
 std::vector<double> entries_of(const views::Matrix3d& m);
 
-// Scaled to |M| = 1, the entry that is largest in size positive: what told() of student.h makes of it.
+// The matrix scaled to |M| = 1 with a positive sign of its largest entry in size, as told() of
+// student.h does it.
 views::Matrix3d told(const views::Matrix3d& m);
 
-// What eight_point() gives, told, and what comes of it with a step too few or in the wrong place.
+// The result of eight_point(), scaled by told(), and the results with one step left out or in the
+// wrong place.
 struct LinearSolution {
   views::Matrix3d essential;
-  views::Matrix3d not_carried_back;  // the nearest essential matrix of the normalised points' one
-  views::Matrix3d made_rank_two_first;  // that one, carried back
+  views::Matrix3d not_carried_back;     // the nearest essential matrix for the normalised points
+  views::Matrix3d made_rank_two_first;  // the same, with the normalisation undone
   double condition = 0;                 // sigma_1/(sigma_8 - sigma_9) of the normalised system
-  double bound = 0;                     // of an entry of either
+  double bound = 0;                     // of an entry of any of them
 };
 LinearSolution solve(const views::Matches& calibrated);
 
-// What line, pose and point may differ by (student.h).
+// The bounds of the line, the pose and the point (student.h).
 double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel);
 lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,

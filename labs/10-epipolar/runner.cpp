@@ -1,4 +1,4 @@
-// Puts the inputs of lab 10 to your functions.
+// Calls your functions with the inputs of lab 10.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"
@@ -21,7 +21,7 @@ void matrix_of_pose(const PoseCase& input, Answer& answer) {
   answer.emit("E", numbers(essential(input.pose)));
 }
 
-// The pose's translation as the other textbooks' t.
+// Passes the pose's translation as the t of other textbooks.
 void centre(const PoseCase& input, Answer& answer) {
   answer.emit("T", numbers(centre_from_shift(input.pose.rotation, input.pose.translation)));
 }

@@ -1,4 +1,4 @@
-// Puts the matches and pixels of a pair of pictures to your functions.
+// Calls your functions with the matches and pixels of a pair of pictures.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -35,12 +35,12 @@ void append(Numbers& out, const Matrix& m) {
   for (const Vector& row : m) append(out, row);
 }
 
-// Calibrated matches: left x, y, right x, y of each. E, of length 1.
+// Input: calibrated matches: left x, y, right x, y of each. Output: E, of length 1.
 void matrix_stage(RecordReader& in, Numbers& out) {
   append(out, told(eight_point(matches(in))));
 }
 
-// E and calibrated matches. R and T.
+// Input: E and calibrated matches. Output: R and T.
 void pose_stage(RecordReader& in, Numbers& out) {
   const Matrix e = matrix(in);
   const Pose pose = relative_pose(e, matches(in));
@@ -48,7 +48,7 @@ void pose_stage(RecordReader& in, Numbers& out) {
   append(out, pose.translation);
 }
 
-// E, f, x, y of both cameras, pixels. a, b, c of each.
+// Input: E; f, x, y of both cameras; pixels. Output: a, b, c of each line.
 void lines_stage(RecordReader& in, Numbers& out) {
   const Matrix e = matrix(in);
   const Vector left = vector(in), right = vector(in);
@@ -59,7 +59,7 @@ void lines_stage(RecordReader& in, Numbers& out) {
   }
 }
 
-// R, T, calibrated matches. x, y, z, w of each.
+// Input: R, T, calibrated matches. Output: x, y, z, w of each point.
 void points_stage(RecordReader& in, Numbers& out) {
   const Matrix rotation = matrix(in);
   const Pose pose{rotation, vector(in)};

@@ -1,4 +1,4 @@
-// Lab 10: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 10: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& ri
   // BEGIN SOLUTION
   const Vector seen{(left_pixel.x - left.x) / left.f, (left_pixel.y - left.y) / left.f, 1};
   const Vector u = times(essential, seen);
-  // u_x (x - x0)/f + u_y (y - y0)/f + u_z = 0
+  // As an equation of pixels: u_x (x - x0)/f + u_y (y - y0)/f + u_z = 0.
   Line line{u[0], u[1], right.f * u[2] - u[0] * right.x - u[1] * right.y};
   const double size = std::sqrt(line.a * line.a + line.b * line.b);
   if (size == 0) return {};
@@ -152,7 +152,7 @@ Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose) {
   const Vector across = cross(d, e);
   const double squared = dot(across, across);
   if (std::sqrt(squared) <= 0x1p-50 * length(d) * length(e)) return {d[0], d[1], d[2], 0};
-  // t_l d - t_r e = T, in the least squares sense
+  // Solves t_l d - t_r e = T in the least squares sense.
   const double along_left = dot(cross(t, e), across) / squared;
   const double along_right = dot(cross(t, d), across) / squared;
   const Vector sum = plus(times(along_left, d), plus(t, times(along_right, e)));

@@ -1,8 +1,11 @@
-// Lab 10: where the point is that two pictures show. The contracts of the seven functions that you write in student.cpp.
+// Lab 10: where in space the point is that two pictures show. The contracts of the seven functions
+// that you write in student.cpp.
 //
-// A camera's space has x to the right, y down and z along the gaze. P_r = R (P_l - T): R turns the left camera's axes into the right
-// one's, and T is where the right camera stands, as the left one sees it. A *calibrated* point is (X/Z, Y/Z): where the line of sight
-// meets the plane z = 1. u = 2^-53 is the rounding unit of double, |.| of a matrix the root of the sum of its squared entries.
+// A camera's space has x to the right, y down and z along the gaze. P_r = R (P_l - T): R turns the
+// left camera's axes into those of the right one, and T is the position of the right camera in the
+// left camera's space. A *calibrated* point is (X/Z, Y/Z): where the line of sight meets the plane
+// z = 1. u = 2^-53 is the unit roundoff of double; |.| of a matrix is the root of the sum of its
+// squared entries.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +23,7 @@ struct Pixel {
   double x = 0, y = 0;
 };
 
-// One point seen twice, calibrated.
+// One point as both pictures show it, calibrated.
 struct Match {
   Pixel left, right;
 };
@@ -30,12 +33,13 @@ struct Pose {
   Vector translation{};  // T
 };
 
-// Focal length and the principal point, in pixels: the pixel of a calibrated point p is (f p.x + x, f p.y + y).
+// Focal length f and the principal point (x, y), in pixels: the pixel of a calibrated point p is
+// (f p.x + x, f p.y + y).
 struct Camera {
   double f = 1, x = 0, y = 0;
 };
 
-// The pixels (x, y) with a x + b y + c = 0.
+// The line of the pixels (x, y) with a x + b y + c = 0.
 struct Line {
   double a = 0, b = 0, c = 0;
 };
@@ -45,44 +49,55 @@ struct Point {
   double x = 0, y = 0, z = 0, w = 0;
 };
 
-// Task 10.1. E = R S, S the matrix with S P = T x P, so that P_r . (E P_l) = 0. Bound of an entry: 4 u |T|.
+// Task 10.1. E = R S, where S is the matrix with S P = T x P, so that P_r . (E P_l) = 0. Error
+// bound of an entry: 4 u |T|.
 Matrix essential(const Pose& pose);
 
-// Task 10.1. Other textbooks have P_r = R P_l + t. The T of the same two cameras. Bound: 8 u |t|.
+// Task 10.1. Other textbooks have P_r = R P_l + t. Returns the T of the same two cameras. Error
+// bound: 8 u |t|.
 Vector centre_from_shift(const Matrix& rotation, const Vector& shift);
 
-// Task 10.2. The line of the right picture on which the point lies that the left picture shows at this pixel. a^2 + b^2 = 1, and b > 0,
-// or b = 0 and a > 0. Where E p_l is 0 there is no line: a = b = c = 0.
-// Bound: 64 u (1 + the largest of the right camera's numbers) |E| |p_l| / |(u_x, u_y)|, u = E p_l.
+// Task 10.2. The epipolar line of a pixel of the left picture: the point that the left picture
+// shows there is on this line of the right picture. a^2 + b^2 = 1, and b > 0, or b = 0 and a > 0.
+// Where E p_l is 0 there is no line: a = b = c = 0.
+// Error bound: 64 u (1 + the largest of the right camera's numbers) |E| |p_l| / |(u_x, u_y)|, where
+// the vector u_x, u_y, u_z is E p_l.
 Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& right,
                    const Pixel& left_pixel);
 
-// Moved by -(x, y), then scaled.
+// A normalisation of points: each is moved by -(x, y), then scaled.
 struct Normaliser {
   double x = 0, y = 0, scale = 1;
 };
 
-// Task 10.3. Of the points p, not all one: (x, y) is their mean, and scale (p - (x, y)) has the mean length sqrt 2.
-// Bound: 8 n u of the largest coordinate, n the number of points; of the scale 16 n u scale (1 + scale times that coordinate).
+// Task 10.3. The normalisation of the given points, not all of which are the same: (x, y) is their
+// mean, and scale (p - (x, y)) has the mean length sqrt 2.
+// Error bound: 8 n u times the largest coordinate, where n is the number of points; for the scale:
+// 16 n u scale (1 + scale times that coordinate).
 Normaliser normalising(const std::vector<Pixel>& points);
 
 // Task 10.4. E of at least 8 matches, of any sign and scale:
-//   1. both pictures' points normalised, each picture's by themselves;
-//   2. M of |M| = 1 for which the sum of (q_r . (M q_l))^2 is least, q = (x, y, 1) of normalised points;
-//   3. carried back: the matrix for the points as they were given;
-//   4. the nearest matrix with singular values (s, s, 0): of s_1 >= s_2 >= s_3, s = (s_1 + s_2)/2.
-// Bound of E scaled to |E| = 1: some thousand u times the condition of step 2; the report has it.
+//   1. normalise the points of each picture, each picture by itself;
+//   2. find the M with |M| = 1 for which the sum of (q_r . (M q_l))^2 is least, where q = (x, y, 1)
+//      of normalised points;
+//   3. undo the normalisation: the matrix for the points as they were given;
+//   4. take the nearest matrix with singular values (s, s, 0): of s_1 >= s_2 >= s_3,
+//      s = (s_1 + s_2)/2.
+// Error bound of E scaled to |E| = 1: some thousand u times the condition number of step 2; the
+// report shows it.
 Matrix eight_point(const std::vector<Match>& matches);
 
-// Task 10.5. From E = U diag(s, s, 0) V^T to R and T with |T| = 1. There are four (R, T) with R S = E up to sign and scale. Wanted is
-// the one for which more matches than for any other lie in front of both cameras. R is a rotation: its determinant is 1.
-// Bound: 256 u.
+// Task 10.5. From E = U diag(s, s, 0) V^T to R and T with |T| = 1. There are four (R, T) with
+// R S = E up to sign and scale. The one wanted is that for which more matches than for any other
+// are in front of both cameras. R is a rotation: its determinant is 1. Error bound: 256 u.
 Pose relative_pose(const Matrix& essential, const std::vector<Match>& matches);
 
-// Task 10.6. Halfway between the two lines of sight where they come closest: on the left one t_l (x, y, 1) of the left calibrated
-// point, on the right one T + t_r R^T (x, y, 1) of the right one. In the left camera's space, with w = 1.
-// Lines that are parallel, |d x e| <= 8 u |d| |e| of their directions, meet at infinity: the left direction (x, y, 1), w = 0.
-// Bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines.
+// Task 10.6. The point halfway between the two lines of sight where they come closest to each
+// other. The left line is t_l (x, y, 1) of the left calibrated point, the right line is T + t_r R^T
+// (x, y, 1) of the right one. The answer is in the left camera's space, with w = 1. Lines that are
+// parallel, |d x e| <= 8 u |d| |e| for their directions d and e, meet at infinity: then the answer
+// is the left direction (x, y, 1) with w = 0.
+// Error bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines.
 Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose);
 
 // ---- given ----
@@ -116,7 +131,8 @@ inline double determinant(const Matrix& m) {
   return dot(m[0], cross(m[1], m[2]));
 }
 
-// The matrix scaled to |M| = 1, its entry that is largest in size positive: how a matrix of any sign and scale is told.
+// The matrix scaled to |M| = 1 and with a positive sign of its largest entry in size. This is the
+// form in which a matrix known up to sign and scale is compared and printed.
 inline Matrix told(const Matrix& m) {
   double squares = 0, largest = 0;
   for (const Vector& row : m) {
@@ -129,8 +145,9 @@ inline Matrix told(const Matrix& m) {
   return {times(factor, m[0]), times(factor, m[1]), times(factor, m[2])};
 }
 
-// A = U diag(s) V^T with perpendicular unit vectors as columns of U and of V, s descending. Columns of A are turned against each other
-// until all are perpendicular (Hestenes 1958): their lengths are s, the turns V.
+// Rotates pairs of columns of A until all columns are perpendicular to each other (Hestenes 1958).
+// This gives A = U diag(s) V^T, with perpendicular unit vectors as columns of U and of V: s are the
+// lengths of the resulting columns, and `turns` becomes V.
 template <class Columns>
 void make_perpendicular(Columns& columns, Columns& turns) {
   const auto product = [](const auto& a, const auto& b) {
@@ -182,14 +199,14 @@ inline SingularValues decomposed(const Matrix& a) {
     v[i] = turns[order[i]];
     if (i < 2 && found.s[i] > 0) u[i] = times(1 / found.s[i], columns[order[i]]);
   }
-  u[2] = cross(u[0], u[1]);  // what is left; its sign makes no difference where s_3 is 0
+  u[2] = cross(u[0], u[1]);  // the third direction; its sign makes no difference where s_3 is 0
   if (dot(u[2], columns[order[2]]) < 0) u[2] = times(-1, u[2]);
   found.u = transposed(u);
   found.v = transposed(v);
   return found;
 }
 
-// The x of length 1 for which the sum of (row . x)^2 over all rows is least; at least 8 rows.
+// Finds the x of length 1 for which the sum of (row . x)^2 over all rows is least; at least 8 rows.
 using Row = std::array<double, 9>;
 inline Row least_squares_direction(const std::vector<Row>& rows) {
   std::vector<std::vector<double>> columns(9), turns(9, std::vector<double>(9, 0.0));

@@ -1,4 +1,4 @@
-// The inputs of lab 11, the same on both sides.
+// The inputs of lab 11's cases, shared by runner and judge.
 #pragma once
 
 #include <string>
@@ -18,7 +18,8 @@ inline Picture noise(int width, int height, std::uint64_t seed) {
   return picture;
 }
 
-// What the right camera sees of a wall at disparity d; what comes in at the edge is noise.
+// The right camera's picture of a wall at disparity d; the pixels that come into view at the edge
+// are noise.
 inline Picture seen_from_right(const Picture& left, int d, std::uint64_t seed) {
   Picture right = noise(left.width, left.height, seed);
   for (int y = 0; y < left.height; ++y) {
@@ -28,7 +29,7 @@ inline Picture seen_from_right(const Picture& left, int d, std::uint64_t seed) {
   return right;
 }
 
-// gain (grey - 128) + 128 + offset, without fractions: gain in hundredths.
+// gain (grey - 128) + 128 + offset in integers: the gain is in hundredths.
 inline Picture brighter(Picture picture, int gain, int offset) {
   for (int& grey : picture.grey)
     grey = std::clamp((grey - 128) * gain / 100 + 128 + offset, 0, 255);
@@ -77,11 +78,11 @@ inline std::vector<SadCase> hidden_squares() {
 struct CensusCase {
   std::string what;
   Picture picture;
-  std::vector<Place> places;  // d is not looked at
+  std::vector<Place> places;  // their d is not used
 };
 inline std::vector<CensusCase> words() {
   Picture one{5, 5, std::vector<int>(25, 100)};
-  one.grey[0] = 99;  // darker, at the top left
+  one.grey[0] = 99;  // a darker pixel, at the top left
   Picture last{5, 5, std::vector<int>(25, 100)};
   last.grey[24] = 99;
   const Picture picture = noise(9, 8, 5);
@@ -249,7 +250,7 @@ struct DepthCase {
 };
 inline std::vector<DepthCase> depths() {
   const Calibration camera{800, 0.1, 0};
-  // The calibration of the data set's motorcycle, in px and mm.
+  // The calibration of the motorcycle scene of the data set, in px and mm.
   const Calibration motorcycle{994.978, 193.001, 31.086};
   return {{"sixteen pixels", 16, camera},
           {"an offset of the principal points (C-114)", 40.25, motorcycle},

@@ -1,4 +1,5 @@
-// What is expected of lab 11: definitions written out (reference.h), of whole numbers but for parts of a pixel and depths.
+// The expected answers of lab 11: the definitions, written out (reference.h). All are whole numbers
+// except for fractions of a pixel and depths.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +20,7 @@ std::vector<double> doubles(const std::vector<int>& values) {
   return {values.begin(), values.end()};
 }
 
-// Some numbers of a list, for a report.
+// Some numbers of a list, as text for a report.
 template <class T>
 std::string text_of(const std::vector<T>& values) {
   constexpr std::size_t kMost = 24;
@@ -81,7 +82,8 @@ Case expect_path(const PathCase& input) {
           {matrix("sums", input.disparities, doubles(sums))}};
 }
 
-// The quotient is of whole numbers, at most 1/2, and is added to d: two roundings on either side.
+// The quotient is of whole numbers, at most 1/2, and is added to d: two roundings in the student's
+// way and two in ours.
 Case expect_best(const WinnerCase& input) {
   const double d = matching::winner(input.costs);
   return {input.what,

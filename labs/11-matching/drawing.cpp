@@ -1,5 +1,6 @@
-// Lab 11 in a picture: how far away things are, matched by the student's functions from two pictures that the rasterizer draws. The
-// pair is small, so that every cost of it can go to the student's process and back; each of its pixels becomes a square.
+// Lab 11 in a picture of depth: the student's functions match two pictures that the rasterizer
+// draws. The pair is small, so that all its costs can be sent to the student's process and back;
+// each of its pixels becomes a square.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +22,7 @@ using lab_11::Picture;
 
 constexpr int kLargestSide = 128;  // px, of the pair
 constexpr int kMostDisparities = 48;
-constexpr int kReach = 2;                   // rows above and below that a cost looks at
+constexpr int kReach = 2;                   // how many rows above and below a cost uses
 constexpr double kStep = 120, kJump = 700;  // P1 and P2
 constexpr double kTolerance = 1;            // px
 
@@ -100,7 +101,7 @@ Numbers depth_stage(RecordReader& in) {
 
 // ---- judgement ----
 
-// Numbers of pixels and disparities, exact.
+// Numbers for pixels and disparities, which must be exact.
 std::optional<WrongNumber> judge_costs(const Numbers& in, const Numbers& yours,
                                        const Numbers& reference) {
   const auto disparities = std::size_t(in[0]);
@@ -159,7 +160,7 @@ struct Pair {
   Picture left, right;
   int disparities = 1;
   lab_11::Calibration calibration;
-  int square = 1;  // px of the picture for each of the pair's
+  int square = 1;  // the side in px of the square for each pixel of the pair
 };
 
 Picture grey_of(const Image<Rgba8>& image) {
@@ -167,7 +168,7 @@ Picture grey_of(const Image<Rgba8>& image) {
   return {image.width, image.height, {planes.grey.begin(), planes.grey.end()}};
 }
 
-// Eyes without skew, so that disparities begin at 0.
+// Renders the pair with eyes without skew, so that disparities begin at 0.
 Result<Pair> rendered(const Drawn& drawn) {
   View view = drawn.view;
   const int width = int(view.viewport.width()), height = int(view.viewport.height());
@@ -191,7 +192,8 @@ Result<Pair> rendered(const Drawn& drawn) {
 
 // ---- whole pictures of answers ----
 
-// So many numbers of each answer that what comes behind can be computed with.
+// The answers with exactly `count` numbers each, clamped, so that the later stages can compute with
+// them.
 std::vector<Numbers> usable(std::vector<Numbers> answers, std::size_t count, double least,
                             double most) {
   for (Numbers& answer : answers) {
@@ -244,7 +246,7 @@ private:
     return usable(std::move(*answers), count, least, most);
   }
 
-  // Each with the rows around it that it looks at.
+  // One question for each row, with the rows around it that the costs use.
   std::vector<Question> rows_of_pictures() const {
     std::vector<Question> questions;
     const int height = pair_.left.height;
@@ -260,14 +262,14 @@ private:
     return questions;
   }
 
-  // Along the rows both ways and along the columns both ways.
+  // Sums the paths along the rows in both directions and along the columns in both directions.
   Result<std::vector<Numbers>> sums_of_paths(const std::vector<Numbers>& costs) {
     std::vector<Numbers> sums(height_, Numbers(width_ * count_, 0));
     for (const bool along_rows : {true, false}) {
       for (const bool backwards : {false, true}) {
         const std::size_t paths = along_rows ? height_ : width_;
         const std::size_t length = along_rows ? width_ : height_;
-        // The costs of a path's pixel, in rows[y].
+        // The position in rows[y] of the costs of a path's pixel.
         const auto cell = [&](auto& rows, std::size_t path, std::size_t step) {
           const std::size_t at = backwards ? length - 1 - step : step;
           const std::size_t x = along_rows ? at : path, y = along_rows ? path : at;
@@ -294,7 +296,7 @@ private:
         }
       }
     }
-    // Matches that cannot be have not become ones that can.
+    // Impossible matches stay impossible, and possible ones stay possible.
     for (std::size_t y = 0; y < height_; ++y) {
       for (std::size_t i = 0; i < sums[y].size(); ++i)
         sums[y][i] = costs[y][i] >= kNever ? kNever : std::min<double>(sums[y][i], kNever - 1);
@@ -307,7 +309,8 @@ private:
   std::size_t width_, height_, count_;
 };
 
-// White at the largest disparity that is sought, black infinitely far, blue where nothing is known.
+// White at the largest disparity that is searched, black infinitely far away, blue where the depth
+// is unknown.
 Rgba8 shade_of(double depth, const Pair& pair) {
   if (!std::isfinite(depth)) return {30, 40, 90, 255};
   const double d = pair.calibration.focal * pair.calibration.baseline / depth;

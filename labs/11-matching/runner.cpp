@@ -1,4 +1,4 @@
-// Puts the inputs of lab 11 to your functions.
+// Calls your functions with the inputs of lab 11.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"

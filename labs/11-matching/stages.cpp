@@ -1,4 +1,4 @@
-// Puts the rows and paths of a pair of pictures to your functions.
+// Calls your functions with the rows and paths of a pair of pictures.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -18,7 +18,8 @@ void append(Numbers& out, const Numbers& more) {
   out.insert(out.end(), more.begin(), more.end());
 }
 
-// Disparities, width, height, the row, both pictures' greys. Of each pixel of the row the costs, by squares of 3 x 3 and census.
+// Input: disparities, width, height, the row, the grey values of both pictures. Output: the costs
+// of each pixel of the row, by squares of 3 x 3 and census.
 void costs_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer(), width = in.integer(), height = in.integer();
   const int y = in.integer();
@@ -32,7 +33,7 @@ void costs_stage(RecordReader& in, Numbers& out) {
   }
 }
 
-// Disparities, P1, P2, the costs of the path's pixels. Their sums.
+// Input: disparities, P1, P2, the costs of the path's pixels. Output: their sums.
 void paths_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer(), p1 = in.integer(), p2 = in.integer();
   std::vector<int> costs;
@@ -40,7 +41,7 @@ void paths_stage(RecordReader& in, Numbers& out) {
   for (const int sum : along_path(costs, disparities, p1, p2)) out.push_back(sum);
 }
 
-// Disparities, the costs of the row's pixels. The left disparities.
+// Input: disparities, the costs of the row's pixels. Output: the left disparities.
 void left_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer();
   while (in.more()) {
@@ -50,7 +51,7 @@ void left_stage(RecordReader& in, Numbers& out) {
   }
 }
 
-// Disparities, the costs of the row's pixels. The right disparities.
+// Input: disparities, the costs of the row's pixels. Output: the right disparities.
 void right_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer();
   std::vector<int> costs;
@@ -58,7 +59,8 @@ void right_stage(RecordReader& in, Numbers& out) {
   append(out, right_winners(costs, int(costs.size()) / disparities, disparities));
 }
 
-// Tolerance, width, a row of left disparities and one of right ones. The left ones that are confirmed.
+// Input: tolerance, width, a row of left disparities and one of right ones. Output: the confirmed
+// left ones.
 void check_stage(RecordReader& in, Numbers& out) {
   const double tolerance = in.number();
   const int width = in.integer();
@@ -68,7 +70,7 @@ void check_stage(RecordReader& in, Numbers& out) {
   append(out, left_right_check(left, right, tolerance));
 }
 
-// Focal length, baseline, offset, disparities. Depths.
+// Input: focal length, baseline, offset, disparities. Output: depths.
 void depth_stage(RecordReader& in, Numbers& out) {
   const double focal = in.number(), baseline = in.number();
   const Calibration calibration{focal, baseline, in.number()};

@@ -1,4 +1,4 @@
-// Lab 11: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 11: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>

@@ -1,9 +1,10 @@
-// Lab 11: which pixel of the right picture a pixel of the left one is. The contracts of the eight functions that you write in
-// student.cpp.
+// Lab 11: which pixel of the right picture corresponds to a pixel of the left one. The contracts of
+// the eight functions that you write in student.cpp.
 //
-// Both pictures are rectified: a point is on the same row of both. Pixel (x, y) of the left picture and pixel (x - d, y) of the right
-// one are a match of *disparity* d >= 0: the larger d, the nearer the point. Columns count from the left, rows from the top.
-// u = 2^-53 is the rounding unit of double.
+// Both pictures are rectified: a point is on the same row of both. Pixel (x, y) of the left picture
+// and pixel (x - d, y) of the right one are a match of *disparity* d >= 0: the larger d, the nearer
+// the point. Columns count from the left, rows from the top. u = 2^-53 is the unit roundoff of
+// double.
 #pragma once
 
 #include <algorithm>
@@ -13,62 +14,70 @@
 
 namespace lab_11 {
 
-// Codes of grey, 0 to 255, row by row from the top.
+// Grey values, 0 to 255, row by row from the top.
 struct Picture {
   int width = 0, height = 0;
   std::vector<int> grey;
 
-  // Beyond the edge the picture's last row and column go on.
+  // Beyond the edge of the picture its last row or column is repeated.
   int at(int x, int y) const {
     const int column = std::clamp(x, 0, width - 1), row = std::clamp(y, 0, height - 1);
     return grey[std::size_t(row) * std::size_t(width) + std::size_t(column)];
   }
 };
 
-constexpr int kNever = 65536;  // the cost of a match that cannot be; every other cost is below it
+constexpr int kNever = 65536;       // the cost of an impossible match; every other cost is below it
 constexpr double kNone = INFINITY;  // a pixel without disparity, or without depth
 
-// Task 11.1. The sum of |left (x + i, y + j) - right (x + i - d, y + j)| over i, j = -radius .. radius, by at() of both pictures.
-// kNever where the right pixel (x - d, y) itself is not in the picture. radius <= 7, so that sums stay below kNever. Exact.
+// Task 11.1. The sum of absolute differences |left (x + i, y + j) - right (x + i - d, y + j)| over
+// i, j = -radius .. radius, by at() of both pictures. kNever where the right pixel (x - d, y)
+// itself is not in the picture. radius <= 7, so that sums stay below kNever. Exact.
 int sad(const Picture& left, const Picture& right, int x, int y, int d, int radius);
 
-// Task 11.2. One bit for each of the 24 pixels around (x, y) in a square of 5 x 5, by at(), row by row from the top left, the first is
-// bit 0: whether it is darker than the pixel itself. Exact.
+// Task 11.2. The census word of pixel (x, y): one bit for each of the 24 pixels around it in a
+// square of 5 x 5, read by at(), row by row from the top left; the first one is bit 0. A bit is 1
+// if its pixel is darker than (x, y) itself. Exact.
 std::uint32_t census(const Picture& picture, int x, int y);
 
-// Task 11.2. In how many bits two words differ. Exact.
+// Task 11.2. The number of bits in which two words differ. Exact.
 int hamming(std::uint32_t a, std::uint32_t b);
 
-// Task 11.3. Costs summed along a path of pixels. costs[p D + d] is the cost C(p, d) of pixel p and disparity d, D the number of
-// disparities; the answer has the same order. Of the first pixel L = C; then, q the pixel before p,
-//   L(p, d) = C(p, d) + min(L(q, d), L(q, d - 1) + P1, L(q, d + 1) + P1, min_k L(q, k) + P2) - min_k L(q, k)
+// Task 11.3. Costs summed along a path of pixels. costs[p D + d] is the cost C(p, d) of pixel p and
+// disparity d, where D is the number of disparities; the answer has the same order. For the first
+// pixel L = C. After it, where q is the pixel before p,
+//   L(p, d) = C(p, d) + min(L(q, d), L(q, d - 1) + P1, L(q, d + 1) + P1, min_k L(q, k) + P2)
+//                     - min_k L(q, k)
 // where disparities below 0 and from D on are left out. 0 <= P1 <= P2. Exact.
 std::vector<int> along_path(const std::vector<int>& costs, int disparities, int p1, int p2);
 
-// Task 11.4. The disparity d of the least of the costs c[0], c[1], ...; of equal ones the smallest d. Where both neighbours are there
-// and below kNever, the parabola through the three has its least value at
+// Task 11.4. The disparity d of the least of the costs c[0], c[1], ...; the smallest d among equal
+// costs. Where both neighbours of d exist and cost less than kNever, the answer is the minimum of
+// the parabola through the three costs,
 //   d + (c[d - 1] - c[d + 1]) / (2 (c[d - 1] - 2 c[d] + c[d + 1])),
-// which is the answer; elsewhere it is d itself. kNone where no cost is below kNever. Bound: 8 u (1 + d).
+// and elsewhere it is d itself. kNone where no cost is below kNever. Error bound: 8 u (1 + d).
 double winner(const std::vector<int>& costs);
 
-// Task 11.5. What the right pixels of the row would have won. costs[x D + d] is that of left pixel x, which lies at x - d on the right.
-// For each right pixel the d with the least cost of all that lie on it, of equal ones the smallest; kNone where none is below
-// kNever. Exact.
+// Task 11.5. The disparities that the right pixels of the row choose. costs[x D + d] is the cost of
+// left pixel x at disparity d; this match is at column x - d on the right. For each right pixel:
+// the d with the least of all costs at its column, the smallest d among equal costs; kNone where no
+// cost is below kNever. Exact.
 std::vector<double> right_winners(const std::vector<int>& costs, int width, int disparities);
 
-// Task 11.5. A row of left disparities, of which those that the right row does not confirm become kNone: left pixel x of disparity d lies
-// at column x - d on the right, rounded to the nearest, halves of it to the right, and must find there a disparity at most
-// `tolerance` away. Exact.
+// Task 11.5. A row of left disparities, in which those that the right row does not confirm become
+// kNone. Left pixel x of disparity d is at column x - d on the right, rounded to the nearest
+// column, halves to the right. It must find there a disparity at most `tolerance` away from d.
+// Exact.
 std::vector<double> left_right_check(const std::vector<double>& left,
                                      const std::vector<double>& right, double tolerance);
 
-// f in pixels; B between the cameras, and so depths, in world units. `offset`: the left principal point's column less the right one's.
+// f is in pixels; the baseline B (the distance between the cameras) and depths are in world units.
+// `offset` is the column of the left principal point minus that of the right one.
 struct Calibration {
   double focal = 0, baseline = 0, offset = 0;
 };
 
-// Task 11.6. Z = f B / (d + offset). kNone where there is no disparity, and where d + offset <= 0: such rays meet nowhere in front of
-// the cameras. Bound: 4 u Z.
+// Task 11.6. Z = f B / (d + offset). kNone where there is no disparity, and where d + offset <= 0:
+// such rays do not meet in front of the cameras. Error bound: 4 u Z.
 double depth(double disparity, const Calibration& calibration);
 
 }  // namespace lab_11

@@ -1,4 +1,4 @@
-// The inputs of lab 12, the same on both sides.
+// The inputs of lab 12's cases, shared by runner and judge.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ inline double number_of_colour(const Rgba8& c) {
   return 65536.0 * c.r + 256.0 * c.g + c.b;
 }
 
-// A colour that says which sample it is.
+// A colour that encodes the number of a sample.
 inline Rgba8 number_colour(int n) {
   return {std::uint8_t(n >> 16), std::uint8_t(n >> 8), std::uint8_t(n), 255};
 }
@@ -35,7 +35,7 @@ inline std::vector<Sample> numbered(std::vector<Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].colour = number_colour(int(i) + 1);
   return samples;
 }
-// Samples of one pixel, each `step` of its depth behind the one before it.
+// Samples of one pixel, each of them behind the one before by `step` times its depth.
 inline std::vector<Sample> chain(int x, int y, int count, double step) {
   std::vector<Sample> all;
   double depth = 0.5;
@@ -44,7 +44,7 @@ inline std::vector<Sample> chain(int x, int y, int count, double step) {
 }
 
 inline std::vector<PackCase> packs() {
-  // Of a chain, as they come from several pictures.
+  // The samples of a chain in mixed order, as if from several pictures.
   std::vector<Sample> mixed = chain(1, 0, 7, 0.9 / 64);
   std::swap(mixed[0], mixed[3]);
   std::swap(mixed[1], mixed[6]);
@@ -88,12 +88,13 @@ inline std::vector<PackCase> hidden_packs() {
 
 // ---- cameras (tasks 12.2, 12.3) ----
 
-// An eye at (x, y, z) that looks along -z, turned to the left by an angle of which `left` is the tangent of the half, so that both sides
-// have the same numbers; focal length, width and height in pixels.
+// An eye at (x, y, z) that looks along -z, then is turned to the left by an angle; `left` is the
+// tangent of half this angle, so that runner and judge get the same numbers. Focal length, width
+// and height are in pixels.
 inline Transform<Screen, World> camera(double focal, double width, double height, double near,
                                        double x, double y, double z, double left = 0) {
   const double c = (1 - left * left) / (1 + left * left), s = 2 * left / (1 + left * left);
-  // Rows of the eye: right, up, back.
+  // The rows of the rotation: right, up, back.
   const double rows[3][3] = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
   double e[4][4] = {};
   for (int i = 0; i < 3; ++i) {
@@ -152,7 +153,8 @@ struct RowCase {
   std::vector<std::vector<float>> depths;
 };
 
-// Dyadic numbers, so that both sides have the very same. A step to the right moves by nearly a pixel, and w changes on the way.
+// Numbers with few binary digits, so that runner and judge have exactly the same ones. A step to
+// the right moves by nearly a pixel, and w changes along the row.
 inline Transform<Screen, Screen> row_matrix(double width) {
   Transform<Screen, Screen> m;
   const double rows[4][4] = {{0.98, 0.004, 0.37 * width, 7.3},
@@ -288,7 +290,8 @@ inline std::vector<DrawCase> pictures() {
 inline DrawCase random_picture(glassbox::Random& random) {
   Canvas canvas =
       canvas_of(random.integer(0, 1) == 0 ? Hiding::kNearest : Hiding::kLast, {}, 24, 16);
-  // Places and half sides in eighths of a pixel that meet no middle, and w a power of two.
+  // Positions and half sides are in eighths of a pixel, so that no edge is on a pixel centre, and w
+  // is a power of two.
   for (int i = 0; i < 60; ++i) {
     const double side = double(random.integer(1, 6));
     const double off = std::fmod(side, 2) == 0 ? 0.125 : 0.625;

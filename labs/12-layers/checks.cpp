@@ -1,4 +1,5 @@
-// What is expected of lab 12: matrices by exact rationals, rows in double, pictures and lists pixel by pixel.
+// The expected answers of lab 12: matrices by exact rationals, rows in double, pictures and lists
+// pixel by pixel.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +24,7 @@ using Screens = Transform<lab_12::Screen, lab_12::Screen>;
 
 // ---- packing ----
 
-// Those of one pixel that stay, from back to front, as numbers of samples.
+// The samples of one pixel that are kept, from back to front, as indices.
 std::vector<std::size_t> kept_samples(const PackCase& input, int x, int y) {
   std::vector<std::size_t> here, kept;
   for (std::size_t i = 0; i < input.samples.size(); ++i) {
@@ -124,8 +125,9 @@ std::array<double, 4> row_bounds(const Sizes& sizes) {
   return bounds;
 }
 
-// Elimination, or cofactors over the determinant, answers for a matrix that is off by some roundings of its entries (Higham 2002, chapter
-// 14), which the inverse magnifies to |A^-1| |A| |A^-1|; a few dozen roundings of each entry in all, and the product's.
+// Elimination, or cofactors over the determinant, gives the exact answer for a matrix whose entries
+// are off by some roundings (Higham 2002, chapter 14); the inverse magnifies these to
+// |A^-1| |A| |A^-1|. Together a few dozen roundings of each entry, and those of the product.
 Case expect_matrix(const MatrixCase& input) {
   const auto first = exact::exactly<Rational>(input.first),
              second = exact::exactly<Rational>(input.second);
@@ -148,7 +150,7 @@ Case expect_matrix(const MatrixCase& input) {
 
 // ---- rows ----
 
-// Middles of pixels are `middle` from their corner.
+// The fields for a row; the sample point of a pixel is at `middle` from its corner.
 std::vector<Expected> row_fields(const RowCase& input, const Screens& warp, double middle) {
   std::array<std::vector<double>, 4> all;
   std::array<double, 4> largest{};
@@ -179,8 +181,9 @@ Screens transposed(const Screens& m) {
   return t;
 }
 
-// The start rounds once, 63 additions by u of a sum that is no larger than the largest start, the rounded step is off by 63 u of itself,
-// which is two starts' difference: 66 u. The product with the depth, its column and the last sum are 3 u of what is added.
+// The start rounds once; 63 additions round by u of a sum that is no larger than the largest start;
+// and the rounded step is off by 63 u of itself, which is the difference of two starts: 66 u. The
+// product with the depth, its column and the last sum give 3 u of what is added.
 Case expect_row(const RowCase& input) {
   std::size_t samples = 0;
   for (const auto& here : input.depths) samples += here.size();
@@ -198,7 +201,7 @@ Case expect_row(const RowCase& input) {
 
 // ---- sizes ----
 
-// A quotient, a root of a quotient, and a product: 4 roundings, of either side.
+// A quotient, a root of a quotient, and a product: 4 roundings, in the student's way and in ours.
 Case expect_size(const SizeCase& input) {
   const auto& [what, ratio, w, first, second] = input;
   const bool at_edge = first == 0;
@@ -216,7 +219,8 @@ Case expect_size(const SizeCase& input) {
 
 Case expect_order(const OrderCase& input) {
   const auto& [what, epipole, w, count] = input;
-  // Towards an epipole before the camera, away from one behind it; i + 1/2 and the epipole's place are compared without rounding.
+  // Towards an epipole in front of the camera, away from one behind it; i + 1/2 and the epipole's
+  // position are compared without rounding.
   const auto grows = [epipole = epipole, w = w](int i) {
     const Rational from_here = Rational(epipole) - Rational(2 * i + 1) / Rational(2) * Rational(w);
     return from_here.sign() > 0;
@@ -242,7 +246,7 @@ Case expect_order(const OrderCase& input) {
 
 struct Rule {
   bool last_of_equals = false;
-  double middle = 0.5;  // of a pixel, from its corner
+  double middle = 0.5;  // of a pixel: the distance of its sample point from its corner
   bool from_bottom = false;
 };
 

@@ -1,5 +1,5 @@
-// Lab 12 in a picture: the left eye's layers, packed, warped to the right eye and splatted by the student's functions, in an order of
-// visits in which what comes later is nearer.
+// Lab 12 in a picture: the student's functions pack the left eye's layers, warp them to the right
+// eye and draw them as splats, in an order in which later samples are nearer.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ namespace glassbox::labs {
 namespace lab_12_drawing {
 
 constexpr int kLayers = 3;
-constexpr int kRows = 16;  // of a picture, in a question
+constexpr int kRows = 16;  // how many rows of a picture one question has
 constexpr double kEpsilon = 0x1p-10;
 constexpr double kMostPx = 64;
 using Screens = Transform<Screen, Screen>;
@@ -71,8 +71,8 @@ Numbers matrix(RecordReader& in) {
   return out;
 }
 
-// The sums are begun anew every 64 pixels, as the solution's are: another way rounds otherwise, and a sample in some thousands comes to
-// another pixel.
+// The sums start anew every 64 pixels, as in the solution: another way has other rounding errors,
+// and one sample in some thousands would fall on another pixel.
 Numbers row(RecordReader& in) {
   const auto warp = in.matrix<Screens>();
   const int y = in.integer();
@@ -147,7 +147,8 @@ std::optional<WrongNumber> judge_pack(const Numbers& in, const Numbers& yours,
   });
 }
 
-// The bound of student.h, for yours and for the reference's, which is an inverse in double, too.
+// The bound of student.h, for the student's matrix and as much for the reference's, which is also
+// an inverse in double.
 std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   using ByRows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
@@ -163,13 +164,14 @@ std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
       "", [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
 }
 
-// 72 u of the largest coordinate of the row, and ours.
+// The bound: 72 u of the largest coordinate of the row, for the student's answer and as much for
+// ours.
 std::optional<WrongNumber> judge_row(const Numbers& in, const Numbers& yours,
                                      const Numbers& reference) {
   std::array<double, 4> largest{};
   for (std::size_t i = 0; i < reference.size(); ++i)
     largest[i % 4] = std::max(largest[i % 4], std::abs(reference[i]));
-  // The start is at most that and what the depth, up to 1, has added.
+  // The start is at most as large as this coordinate plus what the depth, up to 1, has added.
   for (std::size_t i = 0; i < 4; ++i) largest[i] += 2 * std::abs(in[4 * i + 2]);
   return first_wrong(
       yours, reference,
@@ -233,7 +235,8 @@ Rgba8 unpacked_colour(double colour) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-// Some rows of the first picture, from the bottom up, as they are packed: samples of pixel (x, y) with their depths and colours.
+// Some rows of the first picture, from the bottom up, as they are packed: the samples of pixel
+// (x, y) with their depths and colours.
 struct Seen {
   double depth = 0, colour = 0;
 };
@@ -261,7 +264,7 @@ std::vector<Question> pack_questions(const View& first, const std::vector<views:
   return questions;
 }
 
-// What an answer says of a row of its band; nothing where its offsets say nothing.
+// The samples of one row in a band's answer; empty where its offsets are not valid.
 Row row_of(const Numbers& band, int width, int rows, int y) {
   Row row(static_cast<std::size_t>(width));
   const std::size_t offsets = std::size_t(width) * std::size_t(rows) + 1;
@@ -290,7 +293,8 @@ Question row_question(const Numbers& warp, int y, const Row& row) {
   return question;
 }
 
-// The same for both axes, where the lens has square pixels; the geometric mean where not.
+// The focal length is the same for both axes if the lens has square pixels; otherwise this is the
+// geometric mean.
 double focal_length(const views::LayerCamera& camera) {
   const Eigen::Vector3d gaze = camera.screen_from_world.row(3).head<3>();
   const auto across = [&](int i) {
@@ -301,11 +305,12 @@ double focal_length(const views::LayerCamera& camera) {
 }
 
 struct Placed {
-  double x, y, z, w;  // times w
+  double x, y, z, w;  // x, y and z are multiplied by w
   double side, colour;
 };
 
-// Those that may cover a band of the second picture, in the order of visits. What is not before the eye is nowhere: it is asked in the first.
+// One question for each band of the second picture: the samples that may cover it, in the order of
+// visits. A sample that is not in front of the eye has no position: it is put into the first band.
 std::vector<Question> draw_questions(const std::vector<Placed>& samples, int width, int height,
                                      double background) {
   std::vector<Question> questions;
@@ -347,7 +352,8 @@ Numbers matrix_numbers(const views::LayerCamera& first, const views::LayerCamera
   return numbers;
 }
 
-// Of each row of the first picture, from the top: samples with their places in the second one.
+// For each row of the first picture, from the top: its samples with their positions in the second
+// picture.
 using PlacedRows = std::vector<std::vector<std::vector<Placed>>>;
 
 Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp, int width,
@@ -361,7 +367,7 @@ Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp,
   }
   auto warped = ask(answering, kRow, questions);
   if (!warped) return tl::unexpected(warped.error());
-  // What comes back is short where an answer is.
+  // A short answer is padded with zeros.
   std::vector<Question> size_questions;
   for (std::size_t y = 0; y < rows.size(); ++y) {
     std::size_t samples = 0;
@@ -447,7 +453,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-// What the right eye sees.
+// The right eye's own picture.
 StandIn truth(const Drawn& drawn) {
   StandIn right{drawn.scene, eye_of_pair(drawn, Side::kRight), drawn.settings, nullptr, {}};
   right.settings.show = Show::kColor;

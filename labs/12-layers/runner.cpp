@@ -1,4 +1,4 @@
-// Puts the cases of lab 12 to your functions.
+// Calls your functions with the cases of lab 12.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"
@@ -41,7 +41,7 @@ void row(const RowCase& input, Answer& answer) {
   answer.emit("w", w);
 }
 
-// 1 is cut, 0 is not.
+// Emits 1 for a cut sample, else 0.
 void size(const SizeCase& input, Answer& answer) {
   const Splat splat =
       splat_size(input.focal_ratio, input.w, input.cosine_first, input.cosine_second);

@@ -1,4 +1,4 @@
-// Puts the samples of two eyes to your functions.
+// Calls your functions with the samples of two eyes.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -17,8 +17,8 @@ Rgba8 colour(RecordReader& in) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-// Width, height, epsilon, then samples: x, y, depth, colour (65536 red + 256 green + blue). The offsets, then depth and colour of each
-// sample.
+// Input: width, height, epsilon, then samples: x, y, depth, colour (65536 red + 256 green + blue).
+// Output: the offsets, then depth and colour of each sample.
 void packed(RecordReader& in, Numbers& out) {
   const int width = in.integer(), height = in.integer();
   const double epsilon = in.number();
@@ -36,13 +36,14 @@ void packed(RecordReader& in, Numbers& out) {
   }
 }
 
-// Two matrices from the world. The one between the pictures.
+// Input: two matrices from the world. Output: the matrix between the pictures.
 void matrix(RecordReader& in, Numbers& out) {
   const auto first = in.matrix<Transform<Screen, World>>();
   append_matrix(out, warp_matrix(first, in.matrix<Transform<Screen, World>>()));
 }
 
-// The matrix, y, then for each pixel how many depths, and those. x w, y w, z w, w of each sample.
+// Input: the matrix, y, then for each pixel the number of its depths, and the depths. Output: x w,
+// y w, z w, w of each sample.
 void row(RecordReader& in, Numbers& out) {
   const auto warp = in.matrix<Transform<Screen, Screen>>();
   const int y = in.integer();
@@ -55,7 +56,8 @@ void row(RecordReader& in, Numbers& out) {
     out.insert(out.end(), {double(at.x), double(at.y), double(at.z), double(at.w)});
 }
 
-// F2/F1, then w of some samples, which face both eyes. Side and 1 for a cut one, or 0, of each.
+// Input: F2/F1, then w of some samples that face both eyes. Output: for each the side, and 1 if it
+// is cut or 0.
 void size(RecordReader& in, Numbers& out) {
   const double focal_ratio = in.number();
   while (in.more()) {
@@ -65,15 +67,15 @@ void size(RecordReader& in, Numbers& out) {
   }
 }
 
-// The epipole's coordinate, w, how many. Their order.
+// Input: the epipole's coordinate, w, the number of columns. Output: their order.
 void order(RecordReader& in, Numbers& out) {
   const double epipole = in.number(), w = in.number();
   const std::vector<int> visited = visiting_order(epipole, w, in.integer());
   out.insert(out.end(), visited.begin(), visited.end());
 }
 
-// Width, height, background, then samples in their order: x w, y w, z w, w, side, colour. The picture row by row, of which the last
-// sample stays.
+// Input: width, height, background, then samples in their order: x w, y w, z w, w, side, colour.
+// Output: the picture row by row, where the last sample of a pixel stays.
 void picture(RecordReader& in, Numbers& out) {
   Canvas canvas;
   canvas.width = in.integer();

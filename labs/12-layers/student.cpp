@@ -1,4 +1,4 @@
-// Lab 12: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 12: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ Image<Rgba8> draw(const Canvas& canvas) {
     const double x = sample.at.x / w, y = sample.at.y / w, z = sample.at.z / w;
     if (z > 1) continue;
     const double half = sample.side / 2;
-    // Clamped before it becomes an int.
+    // Clamped before the conversion, because not every double fits into an int.
     const auto bounded = [](double v, int end) { return int(std::clamp(v, 0.0, double(end))); };
     const int left = bounded(std::floor(x - half + 0.5), canvas.width);
     const int right = bounded(std::floor(x + half + 0.5), canvas.width);

@@ -1,8 +1,10 @@
-// Lab 12: a layered depth image and a second eye. The contracts of the six functions that you write in student.cpp.
+// Lab 12: a layered depth image and a second eye. The contracts of the six functions that you write
+// in student.cpp.
 //
-// Screen space: pixels from the top left, y down; pixel (i, j) has its middle at (i + 1/2, j + 1/2). *Depth* grows towards the eye: it
-// is near / distance, 1 at the near plane and towards 0 far away. Column vectors: p_screen = screen_from_world * p_world,
-// M.at(row, column). u is the rounding unit, 2^-24 of float and 2^-53 of double.
+// Screen space: pixels from the top left, y down; pixel (i, j) has its centre at
+// (i + 1/2, j + 1/2). *Depth* grows towards the eye: it is near / distance, 1 at the near plane and
+// towards 0 far away. Column vectors: p_screen = screen_from_world * p_world, M.at(row, column). u
+// is the unit roundoff, 2^-24 of float and 2^-53 of double.
 #pragma once
 
 #include <vector>
@@ -18,43 +20,51 @@ using glassbox::Screen;
 using glassbox::Transform;
 using glassbox::World;
 
-// What one eye sees at a pixel: one of the surfaces on its line. 0 < depth <= 1.
+// A sample of a pixel: one of the surfaces on the pixel's line of sight. 0 < depth <= 1.
 struct Sample {
   int x = 0, y = 0;
   float depth = 1;
   Rgba8 colour;
 };
 
-// The same, packed for drawing: rows from the bottom to the top, pixels from left to right, the samples of a pixel from back to front.
+// The samples of a picture, packed for drawing: rows from the bottom to the top, pixels from left
+// to right, the samples of a pixel from back to front.
 struct Layers {
   int width = 0, height = 0;
-  // width * height + 1 numbers: the samples of the i-th pixel, in that order, begin at first[i] and end before first[i + 1].
+  // width * height + 1 numbers: the samples of the i-th pixel, in that order, begin at first[i] and
+  // end before first[i + 1].
   std::vector<int> first;
   std::vector<float> depth;
   std::vector<Rgba8> colour;
 };
 
-// Task 12.1. Packs samples, which come in any order and lie in the picture. A sample is *near* to one in front of it whose depth is z
-// if the depths differ by at most epsilon z, computed in double. From the front of each pixel: the first sample stays and takes in all
-// that are near to it, then the first of the rest, and so on; what was taken in takes in nothing. Of equal depths the first of
-// `samples` is in front. Exact.
+// Task 12.1. Packs samples, which come in any order and are all inside the picture. A sample is
+// *near* to one in front of it, whose depth is z, if the depths differ by at most epsilon z,
+// computed in double. In each pixel, from front to back: the first sample is kept and absorbs all
+// that are near to it, then the first of the rest is kept and absorbs those near to it, and so on;
+// an absorbed sample absorbs nothing. Among equal depths the first of `samples` is in front. Exact.
 Layers pack(int width, int height, const std::vector<Sample>& samples, double epsilon);
 
-// A homogeneous place in a picture: (x w, y w, z w, w), x and y in pixels, z the depth. w <= 0 is behind the eye.
+// A homogeneous position in a picture: (x w, y w, z w, w), with x and y in pixels, z the depth.
+// w <= 0 is behind the eye.
 struct Warped {
   float x = 0, y = 0, z = 0, w = 0;
 };
 
-// Task 12.2. The matrix that carries (x1, y1, z1, 1), a pixel of the first eye with its depth, to (x2 w, y2 w, z2 w, w) of the second
-// one. first and second carry the world to either's picture. In double.
-// Bound of a row's entries: 256 u times the largest of that row of |second| |first^-1| |first| |first^-1|, all entries without signs.
+// Task 12.2. The matrix that maps (x1, y1, z1, 1), a pixel of the first eye with its depth, to
+// (x2 w, y2 w, z2 w, w) of the second eye. `first` and `second` map the world to the pictures of
+// the two eyes. In double.
+// Error bound of a row's entries: 256 u times the largest entry in that row of
+// |second| |first^-1| |first| |first^-1|, where |.| makes all entries of a matrix positive.
 Transform<Screen, Screen> warp_matrix(const Transform<Screen, World>& first,
                                       const Transform<Screen, World>& second);
 
-// Task 12.3. Row y of the first picture, warped: depths[x] are those of the samples of pixel (x, y). One answer for each sample, pixels
-// from left to right, the samples of a pixel in their order; in float.
-// Bound of each coordinate: 72 u (u of float) times the largest that |start| + |z1 column| is in the row for it: start is
-// warp * (x + 1/2, y + 1/2, 0, 1), column the third one of warp. Rows may be 16,384 px long.
+// Task 12.3. Row y of the first picture, warped. depths[x] are the depths of the samples of pixel
+// (x, y). One answer for each sample, pixels from left to right, the samples of a pixel in their
+// order; in float.
+// Error bound of each coordinate: 72 u (u of float) times the largest value that |start| + |z1
+// column| has in the row for that coordinate, where start is warp * (x + 1/2, y + 1/2, 0, 1) and
+// column the third column of warp. Rows may be 16,384 px long.
 std::vector<Warped> warp_row(const Transform<Screen, Screen>& warp, int y,
                              const std::vector<std::vector<float>>& depths);
 
@@ -63,21 +73,24 @@ struct Splat {
   bool is_cut = false;
 };
 
-// Task 12.4. How large a sample is drawn: l = focal_ratio / w sqrt(cosine_second / cosine_first), at least 1 px and at most 64; is_cut if
-// l is larger than that. focal_ratio is F2/F1 > 0, w = d2/d1 > 0, and the cosines, 0 to 1, are those of the angles between the surface's
-// normal and the lines to the two eyes. A surface that the first eye saw at its very edge (cosine 0) is cut to 64 px.
-// Bound of the side: 8 u side.
+// Task 12.4. The size at which a sample is drawn: l = focal_ratio / w
+// sqrt(cosine_second / cosine_first), but at least 1 px and at most 64; is_cut if l is larger than
+// 64. focal_ratio is F2/F1 > 0, w = d2/d1 > 0, and the cosines, 0 to 1, are those of the angles
+// between the surface's normal and the lines to the two eyes. A surface that the first eye saw
+// exactly edge-on (cosine 0) is cut to 64 px. Error bound of the side: 8 u side.
 Splat splat_size(double focal_ratio, double w, double cosine_first, double cosine_second);
 
-// Task 12.5. In which order the columns 0 .. count - 1 of the first picture are visited (or its rows), so that of two samples that hide
-// each other the one that is visited later is nearer to the second eye. The second eye is seen in the first picture at the column
-// epipole / w if w > 0, and is before the first eye; with w < 0 it is behind it, and epipole / w the place where the line through both
-// eyes meets the picture; with w = 0 it lies to the side: to the right (or below) if epipole > 0. Columns are told by their middles.
-// First all those that are visited with growing numbers, then the others with falling ones; a column that has the epipole in its middle
-// is one of the others. Exact.
+// Task 12.5. The order in which the columns 0 .. count - 1 of the first picture (or its rows) are
+// visited, so that of two samples that hide each other the nearer one to the second eye is visited
+// later. The epipole is where the first picture shows the second eye. With w > 0 the second eye is
+// in front of the first eye and is seen at the column epipole / w. With w < 0 it is behind the
+// first eye, and epipole / w is where the line through both eyes meets the picture. With w = 0 it
+// is to the side: to the right (or below) if epipole > 0. The position of a column is its centre.
+// First come all columns that are visited with growing numbers, then the others with falling
+// numbers; a column whose centre is the epipole is one of the others. Exact.
 std::vector<int> visiting_order(double epipole, double w, int count);
 
-// A sample on its way into the second picture: a square about its place.
+// A sample on its way into the second picture: a square around its position.
 struct Placed {
   Warped at;
   double side = 1;  // px
@@ -85,8 +98,8 @@ struct Placed {
 };
 
 enum class Hiding {
-  kNearest,  // the nearest sample of a pixel stays, of equally near ones the first
-  kLast,     // the last
+  kNearest,  // the nearest sample of a pixel stays, the first among equally near ones
+  kLast,     // the last sample of a pixel stays
 };
 
 struct Canvas {
@@ -96,10 +109,11 @@ struct Canvas {
   std::vector<Placed> samples;
 };
 
-// Task 12.6. The second picture. A sample is drawn if w > 0 and its depth z w / w is at most 1: what is behind the eye, or nearer than
-// the near plane, is not. It covers those pixels whose middles are in (x - side/2, x + side/2] and (y - side/2, y + side/2], with x =
-// x w / w in double. It may lie beside the picture, or be as far away as a float can say. Exact: no middle is within 2^-20 px of an
-// edge, but where x, y and side are short numbers.
+// Task 12.6. The second picture. A sample is drawn if w > 0 and its depth z w / w is at most 1: not
+// if it is behind the eye or nearer than the near plane. It covers those pixels whose centres are
+// in (x - side/2, x + side/2] and (y - side/2, y + side/2], with x = x w / w in double, and y
+// likewise. It may be outside the picture, or as far away as a float can express. Exact: no pixel
+// centre is within 2^-20 px of an edge of the square, unless x, y and side are short numbers.
 Image<Rgba8> draw(const Canvas& canvas);
 
 }  // namespace lab_12

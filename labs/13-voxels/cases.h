@@ -1,4 +1,4 @@
-// The inputs of lab 13, the same on both sides.
+// The inputs of lab 13's cases, shared by runner and judge.
 #pragma once
 
 #include <algorithm>
@@ -163,7 +163,8 @@ struct FootprintCase {
   Voxel voxel;
   int width = 16, height = 12;
 };
-// Looks along z from (0, 0, -depth), f px to the unit at distance 1, the axis at pixel (cu, cv).
+// A camera that looks along z from (0, 0, -depth), with f px per unit at distance 1 and the axis at
+// pixel (cu, cv).
 inline Projection along_z(double focal, double cu, double cv, double depth) {
   return {{{focal, 0, cu, cu * depth}, {0, focal, cv, cv * depth}, {0, 0, 1, depth}}};
 }
@@ -175,7 +176,7 @@ inline std::vector<FootprintCase> footprints() {
 }
 // BEGIN HIDDEN
 inline FootprintCase random_footprint(glassbox::Random& random) {
-  // Turned about two axes by angles with short cosines.
+  // Turned about two axes by angles whose cosines have few digits.
   const double c = 0.8, s = 0.6, depth = random.between(20, 60), focal = random.between(10, 400);
   const double rows[3][3] = {{c, 0, -s}, {s * s, c, s * c}, {s * c, -s, c * c}};
   FootprintCase made{"any", {}, {}, 24, 18};
@@ -216,21 +217,22 @@ struct SweepCase {
   Grid grid;
   Threshold threshold{0, 18};
 };
-// A camera so far away that voxel (x, y, z) is the pixel (x - slope z + beside, y).
+// A camera so far away that voxel (x, y, z) is at pixel (x - slope z + beside, y).
 inline Picture flat_picture(double slope, double beside, int width, int height) {
   return {{{{1, 0, -slope, beside + slope / 2}, {0, 1, 0, 0}, {0, 0, 0, 1}}},
           width,
           height,
           std::vector<Pixel>(std::size_t(width) * std::size_t(height), background())};
 }
-// Three of them over 8 x 3 x 5 voxels, as they see these: the nearest layers first.
+// A coloured voxel. flat_pictures() gives the pictures of 8 x 3 x 5 voxels by one such camera for
+// each slope; nearer layers hide farther ones.
 struct Solid {
   Voxel at;
   Colour colour;
 };
 inline std::vector<Picture> flat_pictures(std::vector<Solid> solids, std::vector<double> slopes) {
   std::vector<Picture> pictures;
-  // The nearest are painted last.
+  // The nearest ones are painted last.
   std::stable_sort(solids.begin(), solids.end(),
                    [](const Solid& a, const Solid& b) { return a.at.z > b.at.z; });
   for (const double slope : slopes) {
@@ -255,13 +257,14 @@ inline std::vector<SweepCase> sweeps() {
            kGrid}};
 }
 // BEGIN HIDDEN
-// The same pictures of a grid whose layers are along another axis: rows of the grid change places.
+// The same pictures for a grid whose layers are along another axis: the axes of the grid are
+// swapped.
 inline SweepCase turned(SweepCase made, int axis, int away) {
   const std::size_t to = std::size_t(axis);
   for (Picture& picture : made.pictures) {
     for (auto& row : picture.pixel_from_grid) {
       std::swap(row[to], row[2]);
-      // Coordinate n - c in place of c.
+      // Uses coordinate n - c in place of c.
       if (away > 0) continue;
       row[3] += row[to] * made.grid.count[2];
       row[to] = -row[to];
@@ -305,7 +308,8 @@ inline std::vector<SweepCase> hidden_sweeps() {
   }
   SweepCase behind = wall;
   behind.what = "one camera behind the grid";
-  // The same places in the picture, by lines through the camera from behind it.
+  // The same positions in the picture, but seen from behind along the same lines through the
+  // camera.
   for (auto& row : behind.pictures[0].pixel_from_grid)
     for (double& entry : row) entry = -entry;
   SweepCase along_x = turned(wall, 0, 1), back = turned(wall, 2, -1), along_y = turned(wall, 1, -1);

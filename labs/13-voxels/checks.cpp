@@ -1,4 +1,4 @@
-// What is expected of lab 13: definitions written out (reference.h).
+// The expected answers of lab 13: the definitions, written out (reference.h).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

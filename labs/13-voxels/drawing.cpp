@@ -1,5 +1,5 @@
-// Lab 13 in a picture: eight pictures of the scene from around it, its voxels from these by the student's functions, and the voxels as the
-// camera sees them.
+// Lab 13 in a picture: eight pictures of the scene are taken from around it, the student's
+// functions make its voxels from them, and the voxels are drawn as the camera sees them.
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +15,11 @@ namespace glassbox::labs {
 
 namespace lab_13_drawing {
 
-// An angle that no scene's planes of symmetry have, so that no voxel's middle is exactly between two pixels.
+// An angle that is not one of a scene's planes of symmetry, so that no voxel's centre is exactly
+// between two pixels.
 constexpr int kViews = 8, kSide = 64, kResolution = 32;
 constexpr double kElevation = 40, kStart = 7.3;
-// Its square is no quotient that eight whole levels could have.
+// Its square is not a quotient that eight whole levels can give.
 constexpr double kThreshold = 18.3;
 
 using views::Vector3d;
@@ -81,7 +82,7 @@ std::optional<WrongNumber> judge_order(const Numbers&, const Numbers& yours,
       });
 }
 
-// A voxel's three coordinates are whole, its colour is a mean of at most eight.
+// The three coordinates of a voxel must be exact; its colour is a mean of at most eight values.
 std::optional<WrongNumber> judge_sweep(const Numbers&, const Numbers& yours,
                                        const Numbers& reference) {
   return first_wrong(
@@ -157,7 +158,7 @@ Numbers sweep_question(const views::PictureSet& set, const views::VoxelGrid& gri
   return numbers;
 }
 
-// Those of an answer that are voxels of the grid.
+// The voxels of an answer that are in the grid.
 std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::VoxelGrid& grid) {
   std::vector<views::ColoredVoxel> all;
   for (std::size_t i = 0; i + 6 <= answer.size(); i += 6) {
@@ -167,7 +168,7 @@ std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::V
     if (!is_in) continue;
     const auto level = [&](std::size_t k) {
       const double value = answer[i + 3 + k];
-      // Means of whole levels: a half is not to depend on the last digit.
+      // Means of whole levels: whether a half is rounded up must not depend on the last digit.
       constexpr double kHalf = 0.5 + 0x1p-20;
       return std::uint8_t(std::floor(std::clamp(value > 0 ? value : 0.0, 0.0, 255.0) + kHalf));
     };
@@ -179,7 +180,7 @@ std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::V
   return all;
 }
 
-// The first axis that has an order; without one z, as if it had.
+// The first axis that has an order, and its direction; z if there is none.
 std::pair<int, int> way_of(const Numbers& order) {
   for (std::size_t axis = 0; axis < 3 && axis + 1 < order.size(); ++axis) {
     if (order[axis + 1] == 1 || order[axis + 1] == -1) return {int(axis), int(order[axis + 1])};
@@ -215,7 +216,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-// What the camera sees of the scene itself.
+// The camera's picture of the scene itself.
 StandIn truth(const Drawn& drawn) {
   StandIn scene{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
   scene.settings.show = Show::kColor;

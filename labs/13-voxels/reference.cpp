@@ -60,13 +60,15 @@ double largest(const std::vector<Colour>& colours) {
 
 }  // namespace
 
-// A sum of K numbers rounds K - 1 times by u of at most K times the largest, and once more when it is divided.
+// A sum of K numbers rounds K - 1 times, by u of at most K times the largest number, and once more
+// when it is divided.
 double mean_bound(const std::vector<Colour>& colours) {
   return (double(colours.size()) + 4) * kUnit * largest(colours);
 }
 
-// A variance is right to n u kappa, kappa^2 = 1 + mean^2 / deviation^2 (Chan, Golub and LeVeque 1983), its root to half of that, and a few
-// roundings more. Where all are equal a mean that is off by some u leaves squares of that.
+// A variance has an error of n u kappa, kappa^2 = 1 + mean^2 / deviation^2 (Chan, Golub and LeVeque
+// 1983); its root has half of that and a few roundings more. Where all values are equal, a mean
+// that is off by some u leaves squares of that size.
 double deviation_bound(const std::vector<Colour>& colours, double deviation) {
   return (double(colours.size()) + 8) * kUnit * std::hypot(deviation, largest(colours));
 }
@@ -99,7 +101,7 @@ namespace {
 struct Seen {
   long double u = 0, v = 0;
 };
-// Nothing where the place is not before the camera.
+// Returns nothing where the point is not in front of the camera.
 std::optional<Seen> project(const Projection& p, long double x, long double y, long double z) {
   long double h[3];
   for (std::size_t i = 0; i < 3; ++i) h[i] = p[i][0] * x + p[i][1] * y + p[i][2] * z + p[i][3];
@@ -143,7 +145,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
 
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold) {
-  // All voxels in the order of the visit.
+  // All voxels in the order in which they are visited.
   const auto layer_of = [&](const Voxel& v) {
     const int place = grid.axis == 0 ? v.x : grid.axis == 1 ? v.y : v.z;
     return grid.away > 0 ? place : grid.count[std::size_t(grid.axis)] - 1 - place;

@@ -1,4 +1,4 @@
-// Voxel colouring written out as its definitions say it, for lab 13's judges.
+// Voxel colouring, written exactly as its definitions say, for lab 13's judges.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace glassbox::labs::voxels {
 
 lab_13::Order classify(const std::vector<lab_13::Place>& cameras, const lab_13::Box& box);
 
-// In long double: what is left of rounding is far below the bounds.
+// Computed in long double: the remaining rounding errors are far below the bounds.
 lab_13::Statistics statistics(const std::vector<lab_13::Colour>& colours);
 inline constexpr double kUnit = 0x1p-53;
 double mean_bound(const std::vector<lab_13::Colour>& colours);

@@ -1,4 +1,4 @@
-// Puts the pictures of a ring to your functions.
+// Calls your functions with the pictures of a ring of cameras.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -13,7 +13,7 @@ Place place(RecordReader& in) {
   return {x, y, in.number()};
 }
 
-// The box's corners, then cameras. The kind, and the way along each axis.
+// Input: the box's corners, then cameras. Output: the kind, and the direction along each axis.
 void order(RecordReader& in, Numbers& out) {
   const Place low = place(in);
   const Box box{low, place(in)};
@@ -24,8 +24,9 @@ void order(RecordReader& in, Numbers& out) {
   for (const int away : found.away) out.push_back(away);
 }
 
-// Voxels along x, y and z, axis, way, k1, k2, then pictures: P row by row, width, height, and pixels (65536 red + 256 green + blue, or -1
-// for background). Place and mean colour of each coloured voxel.
+// Input: voxels along x, y and z, axis, direction, k1, k2, then pictures: P row by row, width,
+// height, and pixels (65536 red + 256 green + blue, or -1 for background). Output: position and
+// mean colour of each coloured voxel.
 void coloured(RecordReader& in, Numbers& out) {
   Grid grid;
   for (int& count : grid.count) count = in.integer();

@@ -1,4 +1,4 @@
-// Lab 13: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 13: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <algorithm>
@@ -114,7 +114,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
   std::vector<PixelAt> pixels;
   bool has_own = !is_inside;
   if (all_before) {
-    // Clamped before they become ints.
+    // Clamped before the conversion, because not every double fits into an int.
     const auto first = [](double low, int end) {
       return int(std::clamp(std::ceil(low - 0.5), 0.0, double(end)));
     };
@@ -130,7 +130,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
   }
   if (!has_own) pixels.push_back(own);
   return pixels;
-  // STUB: return {{-1, -1}};  // the middles in the rectangle, and at least the voxel's own
+  // STUB: return {{-1, -1}};  // the centres in the rectangle, and at least the voxel's own
   // END SOLUTION
 }
 
@@ -139,7 +139,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold) {
   // BEGIN SOLUTION
-  // The pixel of a voxel's middle; null where the picture has none.
+  // The pixel of a voxel's centre; null where the picture has none.
   const auto pixel_of = [](Picture& picture, const Voxel& v) -> Pixel* {
     std::array<double, 3> h{};
     for (std::size_t i = 0; i < 3; ++i) {

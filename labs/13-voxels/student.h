@@ -1,9 +1,11 @@
 // Lab 13: voxel colouring. The contracts of the five functions that you write in student.cpp.
 //
-// Voxels are cubes of edge 1 in grid coordinates: voxel (x, y, z) reaches from (x, y, z) to (x + 1, y + 1, z + 1). A camera carries grid
-// coordinates to its picture by P = pixel_from_grid, three rows of four: (u w, v w, w) = P (x, y, z, 1), u and v in pixels from the top left,
-// y down, pixel (i, j) is [i, i + 1) x [j, j + 1) with its middle at (i + 1/2, j + 1/2). w > 0 is before the camera. Colours are three numbers
-// from 0 to 255. u is the rounding unit of double, 2^-53.
+// Voxels are cubes of edge 1 in grid coordinates: voxel (x, y, z) reaches from (x, y, z) to
+// (x + 1, y + 1, z + 1). A camera maps grid coordinates to its picture by P = pixel_from_grid,
+// three rows of four: (u w, v w, w) = P (x, y, z, 1), with u and v in pixels from the top left, y
+// down. Pixel (i, j) is [i, i + 1) x [j, j + 1) with its centre at (i + 1/2, j + 1/2). w > 0 is in
+// front of the camera. Colours are three numbers from 0 to 255. u is also the unit roundoff of
+// double, 2^-53.
 #pragma once
 
 #include <array>
@@ -18,24 +20,25 @@ struct Box {
   Place low, high;  // low <= high along each axis
 };
 
-// How cameras stand to the box (S1-38).
+// The position of the cameras relative to the box (S1-38).
 enum class Kind {
   kUnknown = -1,
   kOctant = 0,     // beyond one of its faces along three axes
-  kQuadrant = 1,   // along two
-  kHalfSpace = 2,  // along one
-  kEmbedded = 3,   // along none, and all of them in the box
-  kSurrounded = 4  // along none, and not all in the box
+  kQuadrant = 1,   // beyond a face along two axes
+  kHalfSpace = 2,  // beyond a face along one axis
+  kEmbedded = 3,   // along no axis, and all cameras are in the box
+  kSurrounded = 4  // along no axis, and not all cameras are in the box
 };
 struct Order {
   Kind kind = Kind::kUnknown;
-  // For x, y and z: 1 where every camera is below the box, so that layers with growing numbers lead away from all of them; -1 where every
-  // camera is above it; else 0.
+  // For x, y and z: 1 where every camera is below the box, so that layers with growing numbers lead
+  // away from all cameras; -1 where every camera is above the box; 0 otherwise.
   std::array<int, 3> away{0, 0, 0};
 };
 
-// Task 13.1. Which of these it is, at least one camera. *Below* the box is a coordinate that is less than the box's least, *above* one that is
-// more than its greatest: on a face is neither, and is in the box. Exact.
+// Task 13.1. The kind and the order for at least one camera. *Below* the box means a coordinate
+// less than the smallest of the box, *above* one greater than the largest of the box: a camera on a
+// face is neither below nor above, and counts as in the box. Exact.
 Order classify(const std::vector<Place>& cameras, const Box& box);
 
 using Colour = std::array<double, 3>;
@@ -45,24 +48,26 @@ struct Statistics {
   double deviation = 0;
 };
 
-// Task 13.2. Of K colours: the mean of each channel, and the deviation pooled over the channels, sqrt(S / (3 (K - 1))) with S the sum over
-// colours and channels of (value - the channel's mean)^2. Without colours all is 0, and of one the deviation is 0.
-// Bound of a mean: (K + 4) u M, M the largest value; of the deviation: (K + 8) u sqrt(deviation^2 + M^2): the values may be much alike.
+// Task 13.2. For K colours: the mean of each channel, and the deviation pooled over the channels,
+// sqrt(S / (3 (K - 1))), where S is the sum of (value - the channel's mean)^2 over colours and
+// channels. Without colours everything is 0, and the deviation of one colour is 0.
+// Error bound of a mean: (K + 4) u M, where M is the largest value; of the deviation: (K + 8) u
+// sqrt(deviation^2 + M^2). The values may be almost equal.
 Statistics statistics(const std::vector<Colour>& colours);
 
-// What a picture has in a pixel.
+// The content of a picture's pixel.
 struct Pixel {
   Colour colour{0, 0, 0};
-  bool is_background = false;  // it shows none of the object
-  bool is_hidden = false;      // something nearer has been coloured there
+  bool is_background = false;  // the pixel shows no part of the object
+  bool is_hidden = false;      // something nearer has already been coloured there
 };
 
 enum class Verdict {
   kUnknown = -1,
-  kBackground = 0,    // a picture shows background there
+  kBackground = 0,    // in one picture all its pixels are background
   kHidden = 1,        // no picture sees it
-  kAlone = 2,         // one picture alone
-  kInconsistent = 3,  // their colours differ
+  kAlone = 2,         // only one picture sees it
+  kInconsistent = 3,  // the colours of its pixels differ
   kColoured = 4
 };
 
@@ -70,11 +75,14 @@ struct Threshold {
   double k1 = 0, k2 = 18;
 };
 
-// Task 13.3. What becomes of a voxel. pictures[i] are those pixels of picture i that are the voxel's; none where it lies beside the picture,
-// which then says nothing. If in one picture all of its pixels are background: kBackground, whatever the others say. A picture *sees* the voxel
-// if one of its pixels is neither background nor hidden. If fewer than two pictures see it: kHidden or kAlone. Else kColoured if the deviation
-// of all pixels that are neither, of all pictures together, is less than T = k1 M + k2, M the mean of the deviations within each picture
-// that sees it; else kInconsistent. No case has a deviation that is within 2^-40 of T, but for those that are exactly equal.
+// Task 13.3. The verdict on a voxel. pictures[i] are those pixels of picture i that belong to the
+// voxel; none where the voxel is outside the picture, which then has no say. If in one picture all
+// of the voxel's pixels are background: kBackground, regardless of the other pictures. A picture
+// *sees* the voxel if one of its pixels is neither background nor hidden. If no picture sees it:
+// kHidden; if only one does: kAlone. Otherwise consider all pixels, of all pictures together, that
+// are neither background nor hidden: kColoured if their deviation is less than T = k1 M + k2, where
+// M is the mean of the deviations within each picture that sees the voxel; kInconsistent if not. No
+// case has a deviation within 2^-40 of T, except those that are exactly equal.
 Verdict judge(const std::vector<std::vector<Pixel>>& pictures, const Threshold& threshold);
 
 using Projection = std::array<std::array<double, 4>, 3>;  // P[row][column]
@@ -86,10 +94,12 @@ struct PixelAt {
   int column = 0, row = 0;
 };
 
-// Task 13.4. The pixels of a voxel in a picture of width x height: those whose middles are in the smallest upright rectangle around the eight
-// corners' places, on its border too, row by row from the top and from left to right. The pixel that has the place of the voxel's middle is
-// always one of them: where it is not in the rectangle it comes last. Pixels beside the picture are left out. If a corner is not before the
-// camera, the middle's pixel is the only one, and if the middle is not, there is none. Exact: no middle is within 2^-20 px of a border, but
+// Task 13.4. The pixels of a voxel in a picture of width x height: those whose centres are in the
+// smallest upright rectangle around the eight projected corners, or on its border, row by row from
+// the top and from left to right. The pixel that contains the projected centre of the voxel is
+// always one of them: where it is not in the rectangle it comes last. Pixels outside the picture
+// are left out. If a corner is not in front of the camera, the centre's pixel is the only one; if
+// the centre is not, there is none. Exact: no pixel centre is within 2^-20 px of a border, except
 // where all numbers are short.
 std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& voxel, int width,
                                int height);
@@ -102,7 +112,7 @@ struct Picture {
 
 struct Grid {
   std::array<int, 3> count{0, 0, 0};  // voxels along x, y and z
-  int axis = 2;                       // of the layers: 0 is x, 1 y, 2 z
+  int axis = 2;                       // the axis across which the layers are: 0 is x, 1 y, 2 z
   int away = 1;                       // 1: layer 0 first; -1: the last one first
 };
 
@@ -111,10 +121,12 @@ struct Coloured {
   Colour mean{0, 0, 0};
 };
 
-// Task 13.5. Voxel colouring. Layer after layer along the axis, away from the cameras, each voxel is judged by the pixel of its middle in each
-// picture (none where the middle is beside the picture or not before the camera). After each layer the pixels of its coloured voxels become
-// hidden in all pictures, and not before. No pixel is hidden at the beginning. The coloured voxels with their mean colour, in the order of
-// the layers, within a layer by z, then y, then x. Bound of a colour: (K + 4) u 255 of K pictures.
+// Task 13.5. Voxel colouring. Layer by layer along the axis, away from the cameras, each voxel is
+// judged by the pixel of its centre in each picture (none where the centre is outside the picture
+// or not in front of the camera). After each layer, and not before, the pixels of its coloured
+// voxels become hidden in all pictures. No pixel is hidden at the beginning. Returns the coloured
+// voxels with their mean colour, in the order of the layers, within a layer by z, then y, then x.
+// Error bound of a colour: (K + 4) u 255 for K pictures.
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold);
 

@@ -7,7 +7,8 @@
 
 namespace glassbox::labs {
 
-// They are made of the sides of triangles that no other runs along the other way.
+// A border consists of those sides of triangles that no other triangle passes in the opposite
+// direction.
 std::vector<std::vector<int>> borders_in_cell(unsigned inside) {
   std::map<int, int> next;
   const auto& triangles = views::consistent_table()[inside].triangles;

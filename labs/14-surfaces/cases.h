@@ -1,4 +1,4 @@
-// The inputs of lab 14, the same on both sides.
+// The inputs of lab 14's cases, shared by runner and judge.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ inline std::vector<CellCase> cells() {
           {"opposite corners of the cell", 0b10000001}};
 }
 // BEGIN HIDDEN
-// All other cells, sixteen in a case: what is said names the first that is wrong.
+// All other cells, sixteen in a case: the report names the first one that is wrong.
 struct CellsCase {
   std::string what;
   unsigned first = 0;
@@ -149,7 +149,7 @@ struct ViewCase {
   std::array<bool, 3> sees{true, true, true};
 };
 
-// Unit vectors with short numbers.
+// A unit vector with few digits, for suitable numbers.
 inline Vector along(double x, double y, double z, double length) {
   return {x / length, y / length, z / length};
 }
@@ -193,7 +193,7 @@ inline ViewCase random_views(glassbox::Random& random) {
     ViewCase made{"any views"};
     for (Vector& view : made.views) view = random_direction(random);
     if (std::abs(volume_of(made.views)) < 0.1) continue;
-    // Between them, for the most part.
+    // A direction that is between the views in most cases.
     Vector v{};
     for (const Vector& view : made.views) {
       const double w = random.between(-0.1, 1);
@@ -238,7 +238,8 @@ struct BandCase {
   std::size_t k = 1;
 };
 
-// Pixels of `bands` bands that follow `sources` hidden ones, with a little of their own.
+// Pixels with `bands` bands that are mixed from `sources` hidden ones, with a little noise of their
+// own.
 inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands,
                           std::size_t sources, double offset) {
   Matrix mix(bands, std::vector<double>(sources));
@@ -260,7 +261,8 @@ inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands
   return pixels;
 }
 
-// What task 14.6 is given: not the student's, so that the two tasks do not depend on each other.
+// The mean that task 14.6 gets: not the student's, so that the two tasks do not depend on each
+// other.
 inline std::vector<double> given_mean(const Pixels& pixels) {
   std::vector<double> mean(pixels.front().size(), 0);
   for (const auto& x : pixels) {

@@ -1,5 +1,5 @@
-// What is expected of lab 14: cells by the table of views/polygons, lists by sorting anew, weights by exact rationals, bands in extended
-// precision.
+// The expected answers of lab 14: cells by the table of views/polygons, lists by sorting again,
+// weights by exact rationals, bands in extended precision.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +60,8 @@ Case expect_cells(const CellsCase& input) {
 
 // ---- edges ----
 
-// Two differences and a quotient: 3 u, and the answer is at least 2^-10 from both ends without rounding.
+// Two differences and a quotient: 3 u; and the clamp that keeps the answer 2^-10 away from both
+// ends does not round.
 Case expect_crossing(const EdgeCase& input) {
   double share = 0.5;
   if (!std::isinf(input.from) && !std::isinf(input.to)) {
@@ -139,8 +140,9 @@ struct ExactWeights {
   double bound = 0;
 };
 
-// By Cramer's rule. Each volume is within 5 u of the sum of its terms without signs, which is at most 2 of unit vectors; over |det| that is
-// what a weight is off by, and a share of a sum that is at least as large is off by no more than four times that.
+// By Cramer's rule. Each volume is within 5 u of the sum of the sizes of its terms, which is at
+// most 2 for unit vectors. Divided by |det| this is the error of a weight; a weight divided by a
+// sum that is at least as large has at most four times that error.
 ExactWeights exact_weights(const ViewCase& input) {
   const Exact3 v = exactly(input.direction);
   std::array<Exact3, 3> views;
@@ -205,8 +207,8 @@ double largest_value(const Pixels& pixels) {
   return most;
 }
 
-// Sums of n terms round by up to n u of the sum of their sizes, which the diagonal's entries bound (Cauchy-Schwarz); a mean that is off by
-// d, at most n u of the largest value, adds d^2.
+// Sums of n terms round by up to n u of the sum of their sizes, which the entries on the diagonal
+// bound (Cauchy-Schwarz). A mean that is off by d, at most n u of the largest value, adds d^2.
 Case expect_statistics(const BandCase& input) {
   const std::vector<Long> mean = long_mean(input.pixels);
   const std::size_t bands = mean.size();
@@ -230,7 +232,8 @@ Case expect_statistics(const BandCase& input) {
                                                                8 * n * u * most + 4 * off * off)}};
 }
 
-// A product of up to 7 bands and k sums: less than 32 u of |x - m| along each way, and of the mean's own size what adding to it rounds.
+// A product of up to 7 bands and k sums: less than 32 u of |x - m| for each; adding the mean rounds
+// by its own size.
 Case expect_reconstruction(const BandCase& input) {
   const std::vector<double> mean = given_mean(input.pixels);
   const lab_14::Matrix vectors = given_vectors(input.pixels, mean);
@@ -256,7 +259,7 @@ Case expect_reconstruction(const BandCase& input) {
   const auto n = Long(input.pixels.size());
   const double u = unit_roundoff<double>;
   const double bound = 64 * u * double(farthest) + 4 * u * largest_value(input.pixels);
-  // Residuals are off by what the pixels are.
+  // Residuals have the same errors as the pixels.
   const double of_error = 256 * u * double(spread / n) + 2 * bound * double(farthest);
   return {.where = input.what,
           .restated = fmt::format("{} pixels of {} bands, {} components", input.pixels.size(),

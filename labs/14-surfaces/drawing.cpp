@@ -1,4 +1,5 @@
-// Lab 14 in a picture: the scene's insides as voxels, and the surface around them by the student's polygons and crossings.
+// Lab 14 in a picture: the inside of the scene as voxels, and the surface around them from the
+// student's polygons and crossings.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,7 +71,7 @@ const std::vector<DrawnStage>& surface_stages() {
 
 using Cell = std::array<int, 3>;
 
-// The cells that the surface goes through.
+// A cell that the surface passes through.
 struct CrossedCell {
   Cell at{};
   unsigned inside = 0;
@@ -91,7 +92,8 @@ std::vector<CrossedCell> crossed_cells(const views::ScalarField& field) {
   return cells;
 }
 
-// What an answer says of each of some sets of corners; polygons of fewer than three edges, or of edges that a cell does not have, are none.
+// The polygons that an answer gives for each of some sets of corners. Edges that a cell does not
+// have are ignored, and so are polygons of fewer than three edges.
 std::vector<std::vector<std::vector<int>>> polygons_of(const Numbers& answer, std::size_t sets) {
   std::vector<std::vector<std::vector<int>>> all(sets);
   std::size_t at = 0;
@@ -133,7 +135,7 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
   if (!tables) return tl::unexpected(tables.error());
   const auto table = polygons_of(tables->front(), 256);
 
-  // Every edge is asked once, whichever cells it belongs to.
+  // Every edge is asked about once, regardless of how many cells it belongs to.
   std::map<std::array<int, 4>, std::size_t> numbers;
   Question pairs{{kLevel}};
   std::vector<views::Vector3d> starts, directions;
@@ -171,7 +173,7 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
     const views::Vector3d p = views::world_of_lattice(*grid, starts[i] + t * directions[i]);
     mesh.positions.push_back({float(p.x()), float(p.y()), float(p.z())});
   }
-  // Triangles of a fan: polygons are not flat.
+  // Each polygon is divided into a fan of triangles, because polygons are not flat.
   for (const std::vector<std::size_t>& polygon : polygons) {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
       mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});

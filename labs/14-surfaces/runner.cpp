@@ -1,4 +1,4 @@
-// Puts the cases of lab 14 to your functions.
+// Calls your functions with the cases of lab 14.
 #include "labs/framework/runner.h"
 #include "cases.h"
 #include "student.h"
@@ -8,7 +8,7 @@ namespace {
 
 using glassbox::labs::Answer;
 
-// Polygons one after the other, -1 between them.
+// The polygons one after the other, with -1 between them.
 std::vector<double> listed(const std::vector<std::vector<int>>& polygons) {
   std::vector<double> all;
   for (const std::vector<int>& polygon : polygons) {
@@ -32,7 +32,7 @@ void edge(const EdgeCase& input, Answer& answer) {
   answer.emit("share", {crossing(input.from, input.to, input.level)});
 }
 
-// What is seen after each edit, and all samples in the end.
+// Emits the visible samples after each edit, and all samples at the end.
 void edited(const EditCase& input, Answer& answer) {
   Layers layers(input.pixels);
   std::vector<double> seen;

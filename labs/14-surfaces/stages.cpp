@@ -1,4 +1,4 @@
-// Puts the cells and edges of a solid to your functions.
+// Calls your functions with the cells and edges of a solid.
 #include "labs/framework/stages.h"
 #include "student.h"
 
@@ -8,7 +8,8 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Sets of inside corners. Of each the polygons: how many edges one has, and those; then 0.
+// Input: sets of inside corners. Output: the polygons of each: the number of edges and the edges of
+// every polygon; then 0.
 void polygons(RecordReader& in, Numbers& out) {
   while (in.more()) {
     for (const std::vector<int>& polygon : cell_polygons(unsigned(in.integer()))) {
@@ -19,7 +20,7 @@ void polygons(RecordReader& in, Numbers& out) {
   }
 }
 
-// The level, then pairs of values. The share of each.
+// Input: the level, then pairs of values. Output: the fraction of each.
 void shares(RecordReader& in, Numbers& out) {
   const double level = in.number();
   while (in.more()) {

@@ -1,4 +1,4 @@
-// Lab 14: your part. What each function must do is said in student.h, why in handout.md.
+// Lab 14: your part. student.h says what each function must do, handout.md why.
 #include "student.h"
 
 #include <limits>
@@ -25,7 +25,7 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside) {
   for (const std::array<int, 4>& face : kFaces) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (is_in(face[i]) || !is_in(face[(i + 1) % 4])) continue;
-      // A stretch begins here; it ends behind its last corner.
+      // A run of inside corners begins here; it ends after its last corner.
       std::size_t last = (i + 1) % 4;
       while (is_in(face[(last + 1) % 4])) last = (last + 1) % 4;
       const int begins = edge_between(face[i], face[(i + 1) % 4]);
@@ -43,7 +43,7 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside) {
     if (!polygon.empty()) polygons.push_back(polygon);
   }
   return polygons;
-  // STUB: return {};  // from where a stretch begins to where it ends, on all faces
+  // STUB: return {};  // from where a run begins to where it ends, on all faces
   // END SOLUTION
 }
 

@@ -1,5 +1,6 @@
-// Lab 14: the surface of a solid, its polygons in pictures, the views around an eye, and components of many bands. The contracts of the
-// seven functions that you write in student.cpp. u = 2^-53, the rounding unit of double.
+// Lab 14: the surface of a solid, its polygons in pictures, the views around an eye, and principal
+// components of pixels with many bands. The contracts of the seven functions that you write in
+// student.cpp. u = 2^-53 is the unit roundoff of double.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace lab_14 {
 
 // ---- a cell ----
 
-// Corners of a cell: bit 0 of a corner's number is its x, bit 1 its y, bit 2 its z. Its edges, from the corner with fewer bits:
+// The number of a cell's corner: bit 0 is its x, bit 1 its y, bit 2 its z. The edges of a cell,
+// each from the corner whose number has fewer bits set:
 inline constexpr std::array<std::array<int, 2>, 12> kEdges{{{0, 1},
                                                             {2, 3},
                                                             {4, 5},
@@ -26,20 +28,24 @@ inline constexpr std::array<std::array<int, 2>, 12> kEdges{{{0, 1},
                                                             {1, 5},
                                                             {2, 6},
                                                             {3, 7}}};  // along z
-// Its faces, corners counter-clockwise seen from outside of the cell.
+// The faces of a cell, corners counter-clockwise seen from outside the cell.
 inline constexpr std::array<std::array<int, 4>, 6> kFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-// Task 14.1. The polygons of a cell, by the edges on which their corners lie. Bit c of `inside`: corner c is inside. Around a face,
-// counter-clockwise, a stretch of inside corners begins on one edge and ends on another; the surface runs along the face from the edge
-// where a stretch begins to the edge where the same one ends. So inside corners across from each other are cut off one by one, in the
-// cell on either side of the face. The lines on all faces make closed polygons, counter-clockwise seen from the outside of the solid.
-// Each is listed from its edge of lowest number, and the polygons in the order of those. Exact.
+// Task 14.1. The polygons of the surface in a cell. A polygon is a list of the edges that its
+// corners are on. Bit c of `inside` says that corner c is inside. Around a face, counter-clockwise,
+// a run of inside corners begins on one edge and ends on another; the surface passes along the face
+// from the edge where a run begins to the edge where the same run ends. So inside corners that are
+// diagonally opposite are cut off one by one, in the cell on either side of the face. The lines on
+// all faces form closed polygons, counter-clockwise seen from the outside of the solid. Each is
+// listed from its edge of lowest number, and the polygons are in the order of those edges. Exact.
 std::vector<std::vector<int>> cell_polygons(unsigned inside);
 
-// Task 14.2. Where on an edge the surface is, as a share of it: `from` and `to` are the values at its ends, of which one is at least the
-// level (inside) and the other below it. Where the value that is linear between them is the level, but at least kLeastStep away from
-// both ends (C-96). A value beyond the lattice is minus infinity; then it is half way. Bound: 8 u of the answer.
+// Task 14.2. Where on an edge the surface is, as a fraction of its length from the first end.
+// `from` and `to` are the values at the ends; one is at least the level (inside) and the other
+// below it. The answer is where the linear interpolation between them has the value of the level,
+// but at least kLeastStep away from both ends (C-96). A value outside the lattice is minus
+// infinity; then the answer is one half. Error bound: 8 u of the answer.
 inline constexpr double kLeastStep = 0x1p-10;
 double crossing(double from, double to, double level);
 
@@ -49,17 +55,19 @@ struct Sample {
   double distance = 0;
   int id = 0;
 };
-// Of each pixel the samples, nearest first; of equally near ones the lower id first.
+// The samples of each pixel, nearest first; among equally near ones the lower id first.
 using Layers = std::vector<std::vector<Sample>>;
 
-// Where a polygon is: a pixel, and how far it is there. At most once in a pixel.
+// One pixel that a polygon covers, and the polygon's distance there. A polygon has each pixel at
+// most once.
 struct Covered {
   std::size_t pixel = 0;
   double distance = 0;
 };
 
-// Task 14.3. A polygon comes, or goes. Nothing else of the layers changes. Who goes covers what he covered when he came; an id that
-// is not there leaves nothing. Exact.
+// Task 14.3. Adds a polygon to the layers, or removes it. Nothing else of the layers changes. A
+// polygon that is removed covers what it covered when it was added; removing an id that is not
+// there changes nothing. Exact.
 void add(Layers& layers, int id, const std::vector<Covered>& covered);
 void remove(Layers& layers, int id, const std::vector<Covered>& covered);
 
@@ -67,30 +75,37 @@ void remove(Layers& layers, int id, const std::vector<Covered>& covered);
 
 using Vector = std::array<double, 3>;
 
-// Task 14.4. How much each of three views has to say from another eye. Solves direction = w0 views[0] + w1 views[1] + w2 views[2]; a
-// negative w, of a direction beside the triangle, is 0, and so is that of a view that does not see the polygon. The rest is divided by its
-// sum. Where the sum is 0, the view that sees the polygon and is nearest by its angle has weight 1, of equally near ones the first; where none sees
-// it, all are 0. Vectors are of unit length up to rounding. Bound: 64 u / |det(views)| for each.
+// Task 14.4. The weights of three views in the view from another eye. Solves direction = w0
+// views[0] + w1 views[1] + w2 views[2]. A negative w (of a direction outside the triangle) becomes
+// 0, and so does the w of a view that does not see the polygon. The three are then divided by their
+// sum. Where the sum is 0, the view that sees the polygon and has the smallest angle to the
+// direction gets the weight 1, the first among equally near ones; where none sees it, all weights
+// are 0. Vectors are of unit length up to rounding. Error bound: 64 u / |det(views)| for each
+// weight.
 std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
                                    const std::array<bool, 3>& sees);
 
 // ---- components of many bands (KLT) ----
 
-using Pixels = std::vector<std::vector<double>>;  // of each pixel the values of its bands
+using Pixels = std::vector<std::vector<double>>;  // for each pixel the values of its bands
 using Matrix = std::vector<std::vector<double>>;  // rows
 
-// Task 14.5. The mean of the pixels, and their covariance: the mean of (x_i - m_i)(x_j - m_j). Values may be large beside their differences.
-// Bound of an entry: 8 n u of the largest entry on the diagonal, and 4 (n u times the largest value)^2, for n pixels.
+// Task 14.5. The mean of the pixels, and their covariance: the mean of (x_i - m_i)(x_j - m_j).
+// Values may be large compared with their differences.
+// Error bound of an entry: 8 n u of the largest entry on the diagonal, plus
+// 4 (n u times the largest value)^2, for n pixels.
 struct Statistics {
   std::vector<double> mean;
   Matrix covariance;
 };
 Statistics statistics(const Pixels& pixels);
 
-// Task 14.6. The pixels as k components have them: mean + sum over the first k vectors v of (v . (x - mean)) v. The vectors are the
-// eigenvectors of the covariance, of unit length, largest eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels. Bounds:
-// 64 u of the largest |x - mean| of a pixel, plus 4 u of the largest value; of the error, 256 u of the mean of |x - mean|^2 and twice the
-// first bound times the largest |x - mean|.
+// Task 14.6. The pixels approximated by k components: mean + sum over the first k vectors v of
+// (v . (x - mean)) v. The vectors are the eigenvectors of the covariance, of unit length, largest
+// eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels.
+// Error bounds of the pixels: 64 u of the largest |x - mean| of a pixel, plus 4 u of the largest
+// value; of the error: 256 u of the mean of |x - mean|^2, plus twice the first bound times the
+// largest |x - mean|.
 struct Reconstruction {
   Pixels pixels;
   double error = 0;
@@ -98,7 +113,8 @@ struct Reconstruction {
 Reconstruction reconstruct(const Pixels& pixels, const std::vector<double>& mean,
                            const Matrix& vectors, std::size_t k);
 
-// Given, not to be written: eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations, largest eigenvalue first.
+// Given: eigenvalues and eigenvectors of a symmetric matrix by Jacobi rotations, largest eigenvalue
+// first.
 struct Eigen {
   std::vector<double> values;
   Matrix vectors;

@@ -10,7 +10,7 @@ namespace glassbox::labs {
 
 namespace {
 
-// Where a stage stands in the pipeline.
+// The position of a stage in the pipeline.
 std::size_t rank_of(const std::string& stage) {
   static constexpr std::array<std::string_view, 10> kOrder{
       "object", "world",    "eye",   "clip",    "ndc",
@@ -36,7 +36,7 @@ public:
   }
 };
 
-// The student's, each held against the reference's for the same question.
+// The student's answers, each compared with the reference's answer to the same question.
 class JudgedAnswers : public Answering {
 public:
   JudgedAnswers(Answering& student, const LabDrawing& lab, DrawingResult& result)
@@ -110,7 +110,8 @@ void compare_pictures(const Framebuffer& yours, const Framebuffer& reference,
   }
 }
 
-// The first of the first stage, of those that concern the pixel where one is given.
+// The first wrong record of the first stage; only among those that concern the pixel, if one is
+// given.
 std::optional<std::size_t> first_of(const std::vector<WrongRecord>& wrong,
                                     const WrongPixel* pixel) {
   const auto concerns = [&](const WrongRecord& record) {

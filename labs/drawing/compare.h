@@ -1,4 +1,5 @@
-// A picture with the student's functions beside the reference's: where they part.
+// Compares a picture drawn with the student's functions with the reference's picture: where they
+// differ.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +15,13 @@ namespace glassbox::labs {
 
 struct WrongRecord {
   std::size_t stage = 0;   // index into DrawingResult::stages
-  std::size_t record = 0;  // of those that the stage was asked
+  std::size_t record = 0;  // index among the records of that stage
   std::uint32_t triangle = kNone;
   WrongNumber number;
   Numbers given;  // the first numbers of the question
 };
 
-// A record for whoever wants to look at it: the first numbers of both answers.
+// A record kept for display: the first numbers of both answers.
 struct KeptRecord {
   std::size_t stage = 0, record = 0;
   std::uint32_t triangle = kNone;
@@ -29,14 +30,14 @@ struct KeptRecord {
 };
 
 struct JudgedStage {
-  std::string name, stage, functions;  // as DrawnStage has them
+  std::string name, stage, functions;  // as in DrawnStage
   std::uint64_t records = 0, wrong = 0;
 };
 
 struct WrongPixel {
   int x = 0, y = 0;
   Rgba8 yours, reference;
-  // The triangles that are seen there; none: the background.
+  // The triangles that are visible at that pixel; empty: the background.
   std::optional<std::uint32_t> your_triangle, reference_triangle;
 };
 
@@ -44,25 +45,28 @@ struct DrawingResult {
   Image<Rgba8> yours, reference;
   std::optional<Image<Rgba8>> truth;  // LabDrawing::truth, if it has one
   std::vector<JudgedStage> stages;    // in the order of the pipeline
-  std::vector<WrongRecord> wrong;     // by stage; of each the first kMostWrong
-  std::vector<KeptRecord> kept;       // the wrong ones, and others as far as there is room
+  // in the order of the stages; at most the first kMostWrong of each
+  std::vector<WrongRecord> wrong;
+  std::vector<KeptRecord> kept;  // the wrong ones, and right ones as far as there is room
   std::uint64_t differing_pixels = 0;
   std::optional<WrongPixel> first_pixel;  // row by row from the top
-  // Among the wrong records the first of the first stage; and the same of those that concern the triangles of first_pixel.
+  // The first of the wrong records of the first stage that has any; and the same among those that
+  // concern the triangles of first_pixel.
   std::optional<std::size_t> first_record, record_of_pixel;
 
   bool right() const { return wrong.empty(); }
 };
 inline constexpr std::size_t kMostWrong = 2000;
-inline constexpr std::size_t kKeptNumbers = 300'000;  // of records that are right
+inline constexpr std::size_t kKeptNumbers = 300'000;  // how many numbers of right records are kept
 
-// What the student's functions made, for whoever wants to draw it again.
+// What the student's functions and the reference made, so that it can be drawn again.
 struct DrawnBoth {
   DrawingResult result;
   StandIn yours, reference;
 };
 
-// An error is what kept it from being drawn; if it comes from the student's code, `student` knows.
+// Draws both pictures. An error says what prevented it; if it comes from the student's code,
+// `student` has the details.
 Result<DrawnBoth> draw_both(const LabDrawing& lab, const Drawn& drawn, Answering& student);
 
 }  // namespace glassbox::labs

@@ -1,9 +1,11 @@
-// A picture with a student's functions in it (glassbox lab render): which stages of the pipeline a lab's functions take the
-// place of, with the reference's own way and the bounds for each.
+// A picture with a student's functions in it (glassbox lab render): which stages of the pipeline a
+// lab's functions replace, with the reference's own way and the error bounds for each.
 //
-// A lab's part of it is two files in its folder:
-//   stages.cpp    puts records to the student's functions (framework/stages.h); in a process of its own
-//   drawing.cpp   asks for them, puts the answers into the pipeline, and judges them: LabDrawing drawing_NN()
+// A lab's part of this is two files in its folder:
+//   stages.cpp    passes records to the student's functions (framework/stages.h); in its own
+//                 process
+//   drawing.cpp   asks the questions, puts the answers into the pipeline, and judges them:
+//                 LabDrawing drawing_NN()
 #pragma once
 
 #include <cstdint>
@@ -27,62 +29,64 @@ namespace glassbox::labs {
 
 // ---- records ----
 
-// What one call is asked.
+// The input of one call.
 struct Question {
   Numbers numbers;
-  std::uint32_t triangle = kNone;  // of the scene; kNone: of no one triangle
+  std::uint32_t triangle = kNone;  // the triangle of the scene; kNone: no single triangle
 };
 
-// The first number of an answer that is not what it should be.
+// The first wrong number of an answer.
 struct WrongNumber {
   std::string element;  // "vertex 2, w"
   double yours = 0, reference = 0;
   double bound = 0;         // of |yours - reference|, in `unit`
   std::string unit;         // "clip units", "px"; empty: a count
-  std::string explanation;  // where the numbers do not say it: "missing"
+  std::string explanation;  // where the numbers do not explain it: "missing"
 };
 
-// A stage of the picture that the student's functions do.
+// A stage of the picture that the student's functions replace.
 struct DrawnStage {
-  std::string name;  // as stages.cpp has it: "clip"
-  std::string
-      stage;  // of the pipeline: "object", "world", "eye", "clip", "ndc", "screen", "coverage", "depth", "shading"
-  std::string functions;  // of student.h: "outcode, trivial_verdict, clip_to_frustum"
+  std::string name;  // its name in stages.cpp: "clip"
+  // of the pipeline: one of "object", "world", "eye", "clip", "ndc", "screen", "coverage", "depth",
+  // "shading"
+  std::string stage;
+  std::string functions;  // the functions of student.h: "outcode, trivial_verdict, clip_to_frustum"
   std::function<Numbers(RecordReader& in)> reference;
-  // Nothing where the answer is within its contract. An answer may be of any length.
+  // Returns nothing if the answer meets its contract. An answer may be of any length.
   std::function<std::optional<WrongNumber>(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference)>
       judge;
 };
 
-// Who answers: the student's process, or the reference.
+// The source of the answers: the student's process, or the reference.
 class Answering {
 public:
   virtual ~Answering() = default;
-  // One answer for each question.
+  // Returns one answer for each question.
   virtual Result<std::vector<Numbers>> ask(const DrawnStage& stage,
                                            std::span<const Question> questions) = 0;
 };
 
 // ---- pictures ----
 
-// What is drawn.
+// The picture's input.
 struct Drawn {
   const Scene& scene;
   const Camera& camera;
   View view;
   RenderSettings settings;
-  Formulation formulation;  // how the view's matrices are asked for
-  StereoPair pair;          // of lab 9
+  Formulation formulation;  // how the view's matrices are to be computed
+  StereoPair pair;          // for lab 9
 };
 
-// The same as the answers have it: data that the pipeline draws, and who stands in its stages.
+// The scene as the answers make it: the data that the pipeline draws, and the observer of its
+// stages.
 struct StandIn {
   Scene scene;
   View view;
   RenderSettings settings;
-  std::shared_ptr<Observer> stages;  // null: the pipeline's own
-  // What is done to the picture afterwards; empty: nothing.
+  std::shared_ptr<Observer> stages;  // null: the pipeline's own stages
+  // A change of the finished picture; empty: none.
   std::function<void(Framebuffer& picture)> finish;
 
   Rendering render() const;
@@ -91,41 +95,44 @@ struct StandIn {
 struct LabDrawing {
   std::vector<DrawnStage> stages;  // in the order of the pipeline
   std::function<Result<StandIn>(const Drawn& drawn, Answering& answering)> draw;
-  std::string not_drawn;  // functions of student.h that take no part; empty: all do
-  // Where the lab draws in another way than the pipeline does: what the pipeline shows, beside both. Null: the reference's picture is that.
+  std::string not_drawn;  // functions of student.h that are not used; empty: all are
+  // Where the lab draws in another way than the pipeline does: the pipeline's picture, shown beside
+  // both others. Null: the reference's picture is that of the pipeline.
   StandIn (*truth)(const Drawn& drawn) = nullptr;
 };
 
-// Nothing for a lab that draws nothing.
+// Returns nothing for a lab that has no drawing.
 std::optional<LabDrawing> drawing_of(int lab);
 
 // ---- for the labs' own files ----
 
-// |yours - reference| of each number; the first beyond its bound. `name(i)` says which number it is.
+// Compares |yours - reference| of each number with its bound and returns the first that exceeds it.
+// `name(i)` is the name of number i.
 std::optional<WrongNumber> first_wrong(std::span<const double> yours,
                                        std::span<const double> reference,
                                        const std::function<double(std::size_t)>& bound,
                                        const std::string& unit,
                                        const std::function<std::string(std::size_t)>& name);
 
-// Sixteen numbers of a matrix, row by row, all with one bound.
+// The same for sixteen numbers of a matrix, row by row, all with one bound.
 std::optional<WrongNumber> first_wrong_entry(std::span<const double> yours,
                                              std::span<const double> reference, double bound,
                                              const std::string& unit);
 
-// The questions of a round are gathered while a run of the pipeline is watched; the next run has the answers of those before it.
-// Runs of a scene are the same from one to the next.
+// Watches a run of the pipeline and gathers the questions of a round; the next run gets the answers
+// to the questions of the earlier runs. All runs of a scene are the same.
 void watch_run(const StandIn& run, Observer& observer);
 
-// For StandIn::finish: a picture of depth has distances[i], in world units, at pixel pixels[i], row by row, and the pipeline's own
-// elsewhere.
+// For StandIn::finish: a picture of depth that has distances[i], in world units, at pixel pixels[i]
+// (numbered row by row), and the pipeline's own distances elsewhere.
 std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels,
                                                  Numbers distances);
 
-// Surfaces that are seen through, or left out by their alpha: an error, for labs whose functions know none.
+// Returns an error if a scene has transparent surfaces or ones cut out by their alpha, for labs
+// whose functions do not handle them.
 Result<void> check_opaque(const Scene& scene, const std::string& lab);
 
-// A float that the stages behind can carry: finite, at most `most` in size.
+// The value as a float that the later stages can handle: finite, at most `most` in size.
 float carried(double value, float most = 1e30f);
 
 }  // namespace glassbox::labs

@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using grading::Sandbox;
 
-// What a student's code is compiled with: the lab's contract, its stages or what is timed of it, and the framework around them.
+// The files that a student's code is compiled with: the lab's contract, its stages or the code that
+// is timed, and the framework around them.
 Result<std::vector<SourceFile>> stage_files(const Sources& sources, const StageBuild& request) {
   std::vector<SourceFile> files;
   const auto add = [&](const fs::path& from, const std::string& as) -> Result<void> {
@@ -36,10 +37,10 @@ Result<std::vector<SourceFile>> stage_files(const Sources& sources, const StageB
   return files;
 }
 
-// The lab's own side, compiled once for each lab.
+// The lab's own object files, compiled once for each lab.
 struct OwnSide {
   grading::Kit kit;
-  std::string key;  // of what it was made from
+  std::string key;  // a digest of the files it was made from
 };
 
 Result<OwnSide> own_side(const Sources& sources, const StageBuild& request) {

@@ -1,4 +1,4 @@
-// A student's file compiled with its lab's stages, and asked in the grader's sandbox.
+// Compiles a student's file with its lab's stages, and asks it in the grader's sandbox.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +13,29 @@ namespace glassbox::labs {
 
 struct StageProgram {
   std::filesystem::path program;  // empty: it did not compile
-  std::string messages;           // why not, or the compiler's warnings
+  std::string messages;           // the errors of the compiler, or its warnings
 };
 
 struct StageBuild {
-  std::string folder;             // of the lab: "05-clipping"
+  std::string folder;             // the lab's folder: "05-clipping"
   std::filesystem::path student;  // the student's student.cpp
-  std::filesystem::path kept;     // where what was made is kept for the next time; the caller's own
-  std::filesystem::path
-      scratch;         // a directory that every user may pass through, and its owner alone write to
-  bool timed = false;  // of the lab's timed.cpp in place of its stages.cpp
-  bool starter = false;  // the lab's starter in place of the student's file
+  // where compiled files are kept for the next time; the caller owns it
+  std::filesystem::path kept;
+  // a directory that every user may pass through, but only its owner may write to
+  std::filesystem::path scratch;
+  bool timed = false;    // compiles the lab's timed.cpp in place of its stages.cpp
+  bool starter = false;  // compiles the lab's starter in place of the student's file
 };
 
-// Compiles what has changed: the lab's own side as it is, the student's in the sandbox. An error is what kept it from being tried.
+// Compiles what has changed: the lab's own files directly, the student's in the sandbox. An error
+// says what prevented the attempt.
 Result<StageProgram> build_stages(const Sources& sources, const StageBuild& request,
                                   const grading::Sandbox& sandbox);
 
 class BatchFile;
 
-// The student's process answers. What it does wrong ends the drawing: ask() is an error then, and `broke` says what happened.
+// Answers from the student's process. If its code fails, the drawing ends: ask() then returns an
+// error, and `broke` says what happened.
 class StudentAnswers : public Answering {
 public:
   StudentAnswers(const grading::Sandbox& sandbox, std::filesystem::path program, double seconds);
@@ -40,13 +43,13 @@ public:
   Result<std::vector<Numbers>> ask(const DrawnStage& stage,
                                    std::span<const Question> questions) override;
 
-  // How long what the question asks for takes, `rounds` times, by the stage's `prepare`: the processor's and the wall's nanoseconds
-  // in turn.
+  // How long the work of the question takes, done `rounds` times by the stage's `prepare`:
+  // processor time and wall time in nanoseconds, in turn.
   Result<Numbers> time(const DrawnStage& stage, const Question& question, int rounds);
 
   const std::optional<std::string>& broke() const { return broke_; }
   const std::string& said() const { return said_; }  // what the student's code printed
-  double seconds() const { return seconds_; }        // that its processes took
+  double seconds() const { return seconds_; }        // the time that its processes took
 
 private:
   RunOutcome run(const DrawnStage& stage, int rounds, const BatchFile& file);

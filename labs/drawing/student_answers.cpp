@@ -1,4 +1,4 @@
-// Batches of records to the student's process, and its answers back.
+// Sends batches of records to the student's process and reads its answers.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -16,12 +16,13 @@ namespace glassbox::labs {
 
 namespace {
 
-// Numbers that one process is given, 32 MiB of them: there and back they fit into its memory with room to spare.
+// How many numbers one process gets. They take 32 MiB; questions and answers fit into its memory
+// easily.
 constexpr std::size_t kBatch = std::size_t(4) << 20;
 
 }  // namespace
 
-// A batch as a file in memory, as stages_main.cpp reads it.
+// A batch as a file in memory, in the form that stages_main.cpp reads.
 class BatchFile {
 public:
   explicit BatchFile(std::span<const Question> batch) {
@@ -51,7 +52,7 @@ public:
 
   bool valid() const { return at_ != nullptr; }
   int descriptor() const { return file_.get(); }
-  // How many records the process says that it has begun.
+  // How many records the process reports that it has begun.
   std::size_t begun(std::size_t most) const {
     const double said = *at_;
     return said >= 0 && said <= double(most) ? std::size_t(said) : 0;
@@ -65,7 +66,7 @@ private:
 
 namespace {
 
-// Nothing where the bytes are no answers to `count` questions.
+// Returns nothing if the bytes are not answers to `count` questions.
 std::optional<std::vector<Numbers>> answers_of(const std::string& bytes, std::size_t count) {
   std::vector<Numbers> answers;
   answers.reserve(count);
@@ -88,7 +89,7 @@ std::optional<std::vector<Numbers>> answers_of(const std::string& bytes, std::si
   return answers;
 }
 
-// The first numbers of a record, as many as a line holds.
+// The first numbers of a record, as many as fit on a line.
 std::string record_text(const Question& question) {
   constexpr std::size_t kShown = 12;
   std::string text;
@@ -103,7 +104,8 @@ StudentAnswers::StudentAnswers(const grading::Sandbox& sandbox, std::filesystem:
                                double seconds)
     : sandbox_(sandbox), program_(std::move(program)) {
   limits_.seconds = seconds;
-  // A triangle over all of a picture of 4096 x 4096 pixels is one answer of 640 MiB, made by doubling.
+  // A triangle that covers all of a picture of 4096 x 4096 pixels is one answer of 640 MiB, in a
+  // vector that grows by doubling.
   limits_.memory_bytes = 2048 * grading::kMiB;
   limits_.output_bytes = 1024 * grading::kMiB;
 }
@@ -134,8 +136,9 @@ Result<Numbers> StudentAnswers::time(const DrawnStage& stage, const Question& qu
   return fail("student.cpp", *broke_, "");
 }
 
-// One process. Of many in a row some namespaces of those before may not be gone yet, and count towards the user's processes:
-// where nothing was begun, it is tried again.
+// Runs one process. When many run in a row, namespaces of earlier ones may not be gone yet, and
+// they count towards the limit on the user's processes: if no record was begun, the run is tried
+// again.
 RunOutcome StudentAnswers::run(const DrawnStage& stage, int rounds, const BatchFile& file) {
   std::vector<std::string> words{"--stage", stage.name};
   if (rounds > 0) words.insert(words.end(), {"--rounds", std::to_string(rounds)});
@@ -162,7 +165,7 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
   if (well) {
     if (auto answers = answers_of(outcome.answers, batch.size())) return std::move(*answers);
   }
-  constexpr int kThrew = 3;  // stages_main.cpp
+  constexpr int kThrew = 3;  // the exit code in stages_main.cpp
   const bool threw = outcome.ending == RunOutcome::Ending::kExit && outcome.code == kThrew;
   const std::string how = threw  ? outcome.said.substr(0, outcome.said.find('\n'))
                           : well ? "something that is no answer was written among the answers"

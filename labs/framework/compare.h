@@ -1,4 +1,4 @@
-// An answer against what is expected: the first place where they differ, and how.
+// Compares an answer with what is expected: finds the first place where they differ, and how.
 //
 // Everything is counted from 0, as in the code: rows, columns, vertices, pixels.
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace glassbox::labs {
 
-// Pixels of a coverage that are covered less often than they should be, and more often. A pixel that nothing should
-// cover is extra when something does.
+// How many pixels of a coverage are covered less often than they should be (gaps), and how many
+// more often (doubles). A pixel that should not be covered at all, but is, counts as extra.
 struct CoverageCounts {
   std::size_t gaps = 0;
   std::size_t doubles = 0;
@@ -21,34 +21,39 @@ struct CoverageCounts {
 };
 
 struct Comparison {
-  std::optional<Divergence> first;  // none: right
-  std::size_t differing = 0;        // numbers, or vertices or pixels, that are wrong or not there
-  CoverageCounts coverage;          // of Shape::kCoverage
-  std::string map;                  // of Shape::kCoverage: the pixels around the first wrong one
+  std::optional<Divergence> first;  // empty: the answer is right
+  std::size_t differing = 0;        // numbers, vertices or pixels that are wrong or missing
+  CoverageCounts coverage;          // only for Shape::kCoverage
+  // only for Shape::kCoverage: the pixels around the first wrong one
+  std::string map;
 };
 
-// `actual` against `expected.values`, by the shape.
+// Compares `actual` with `expected.values` according to the shape.
 Comparison compare(const Expected& expected, const std::vector<double>& actual);
 
-// The answer's field of the same name against what is expected of it. A field that is not there is missing.
+// Compares the answer's field of the same name with what is expected. A field that is not there
+// counts as missing.
 Comparison compare(const Expected& expected, const Answer& answer);
 
-// Where a case's answer is wrong: its own judge, or each expected field in turn until one differs.
+// The first place where a case's answer is wrong: found by the case's own judge, or by comparing
+// the expected fields in turn until one differs.
 std::optional<Divergence> judge_case(const Case& input, const Answer& answer);
 
-// The numbers of an answer's field; null if there is none of the name.
+// The numbers of an answer's field; null if there is no field of that name.
 const std::vector<double>* find_field(const Answer& answer, const std::string& name);
 
-// Numbers of a vertex, columns of a matrix, pixels of a row; 0 where the shape has no such thing.
+// How many numbers a vertex has, columns a matrix, or pixels a row; 0 where the shape has none of
+// these.
 int columns_of(const Expected& expected);
 
-// "row 2, column 3", "vertex 4, w", "pixel (10, 12)".
+// The name of a number of the field: "row 2, column 3", "vertex 4, w", "pixel (10, 12)".
 std::string element_name(const Expected& expected, std::size_t index);
 
-// |expected - actual|: 0 for equal infinities and for two NaN, infinity if just one of them is a NaN.
+// |expected - actual|: 0 for equal infinities and for two NaN, infinity if only one of them is a
+// NaN.
 double distance_between(double expected, double actual);
 
-// "missing", "extra", "wrong position", "wrong data", "not a number".
+// The name of a kind: "missing", "extra", "wrong position", "wrong data", "not a number".
 const char* kind_name(Divergence::Kind kind);
 
 }  // namespace glassbox::labs

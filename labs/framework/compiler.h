@@ -1,4 +1,4 @@
-// The compiler that makes programs of students' files.
+// The compiler for programs made from students' files.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,11 @@
 
 namespace glassbox::labs {
 
-// CXX of the environment, or the compiler that glassbox was built with, or c++.
+// The environment variable CXX, or the compiler that glassbox was built with, or c++.
 std::string compiler();
 
-// What was read to make the output of a compiler's rule "out.o: a.cpp b.h \ c\ d.h", the source first.
+// The files that a compiler's dependency rule "out.o: a.cpp b.h \ c\ d.h" names, the source file
+// first.
 std::vector<std::filesystem::path> dependencies_of(const std::string& rule);
 
 }  // namespace glassbox::labs

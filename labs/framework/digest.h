@@ -1,4 +1,4 @@
-// A number for a text that another text is not likely to have.
+// A number that tells texts apart: two different texts are not likely to have the same one.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace glassbox::labs {
 
-// FNV-1a of 64 bits (Fowler, Noll and Vo 1991), over texts one after the other; where one ends is part of it. Nothing is kept
-// secret by it: whoever can make two texts of one digest gains nothing here.
+// FNV-1a of 64 bits (Fowler, Noll and Vo 1991) over several texts one after the other; the places
+// where one ends are part of the digest. It is not a secure hash, and need not be: making two texts
+// with one digest brings no advantage here.
 class Digest {
 public:
   Digest& add(std::string_view text) {
@@ -20,7 +21,7 @@ public:
     return *this;
   }
   std::uint64_t number() const { return state_; }
-  // 16 hexadecimal digits.
+  // The digest as 16 hexadecimal digits.
   std::string text() const { return fmt::format("{:016x}", state_); }
 
 private:

@@ -8,7 +8,8 @@ namespace glassbox::labs {
 
 namespace {
 
-// What an expected number is shown as: the judge's own rounding errors are not the student's business.
+// The expected number as it is shown. The judge's own rounding errors are hidden, as they do not
+// concern the student.
 double shown(const Divergence& found) {
   return std::abs(found.expected) <= found.bound ? 0 : found.expected;
 }
@@ -37,7 +38,7 @@ std::string distance_text(const Divergence& found) {
   std::string text =
       fmt::format("{:.6g}{}{}", found.distance, found.unit.empty() ? "" : " ", found.unit);
   const bool counted = found.unit.empty() && is_whole(found.expected) && is_whole(found.actual);
-  // Next to 0 an ulp is no measure of anything.
+  // Near 0 a distance in ulps is meaningless.
   if (std::isfinite(found.ulps) && !counted && shown(found) != 0)
     text += fmt::format(", {:.6g} {} ulps", found.ulps, found.ulps_of_double ? "double" : "float");
   if (found.bound == 0) return text + "; it must be exact";

@@ -1,4 +1,4 @@
-// The numbers of a divergence in words.
+// Describes the numbers of a divergence in words.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace glassbox::labs {
 
-// What is expected, and what came: with the digits that tell floats apart, and all of a double where these are the same for both. An
-// expected number that cannot be told from 0 within the bound is 0.
+// The expected number and the actual one, with the digits that tell floats apart, or all digits of
+// a double where these are the same for both. An expected number that is within the bound of 0 is
+// shown as 0.
 std::string expected_text(const Divergence& found);
 std::string actual_text(const Divergence& found);
 
-// "1 world units, 8388608 float ulps; at most 1e-06 is allowed". Of what is counted, indices and names given as numbers, there are
-// no ulps.
+// "1 world units, 8388608 float ulps; at most 1e-06 is allowed". Counts, indices and names given as
+// numbers have no ulps.
 std::string distance_text(const Divergence& found);
 
 }  // namespace glassbox::labs

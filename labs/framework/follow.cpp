@@ -18,7 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// One block of what there is: its length, 0 at the stream's end, negative where nothing has come.
+// Reads one block of the available output. Returns its length, 0 at the stream's end, negative
+// where nothing has come.
 ssize_t read_block(Stream& stream) {
   char block[65536];
   ssize_t got = -1;
@@ -32,7 +33,7 @@ ssize_t read_block(Stream& stream) {
   return got;
 }
 
-// True if the process has ended of itself.
+// True if the process has ended by itself.
 bool reaches_end(pid_t process, std::span<Stream> streams, Clock::time_point deadline) {
   const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, process, 0)));
   std::vector<pollfd> waited{{ended.get(), POLLIN, 0}};
@@ -40,7 +41,7 @@ bool reaches_end(pid_t process, std::span<Stream> streams, Clock::time_point dea
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return false;
-    // Without a descriptor for the process (before Linux 5.3) it is asked for every 10 ms.
+    // Without a descriptor for the process (before Linux 5.3) it is checked every 10 ms.
     ::poll(waited.data(), waited.size(),
            static_cast<int>(std::min<decltype(left)>(left, ended.get() >= 0 ? 1000 : 10)));
     for (std::size_t i = 0; i < streams.size(); ++i) {
@@ -81,12 +82,12 @@ Followed follow(pid_t process, std::span<Stream> streams, double seconds) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   Followed followed;
   followed.ended = reaches_end(process, streams, start + time);
-  // Before it is waited for, while the number cannot be another's.
+  // Killed before waitpid, while no other process can have this number.
   ::kill(-process, SIGKILL);
   if (!followed.ended) ::kill(process, SIGKILL);
   while (::waitpid(process, &followed.status, 0) < 0 && errno == EINTR) {
   }
-  // A pipe holds a MiB at the most. Whoever left the group and still writes is not waited for.
+  // A pipe holds at most 1 MiB. A process that left the group and still writes is not waited for.
   for (Stream& stream : streams) {
     for (int block = 0; block < 16 && read_block(stream) > 0; ++block) {
     }

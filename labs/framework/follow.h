@@ -1,4 +1,4 @@
-// A child process followed to its end, and its output read as it comes.
+// Follows a child process to its end and reads its output as it comes.
 #pragma once
 
 #include <sys/types.h>
@@ -17,7 +17,8 @@ public:
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int get() const { return number_; }
-  // Above those of a child, so that none is overwritten before it is passed on.
+  // Takes over a descriptor, moved to a number above those that a child uses, so that it is not
+  // overwritten before the child gets it.
   void set(int number);
   void close();
 
@@ -25,7 +26,7 @@ private:
   int number_;
 };
 
-// Both ends are closed in a program that a child becomes. Reading does not wait.
+// Both ends are closed when a child process starts another program. Reading does not block.
 struct Pipe {
   Descriptor read, write;
   Pipe();
@@ -35,7 +36,7 @@ struct Pipe {
 // One stream of a process's output.
 struct Stream {
   const Pipe* from;
-  std::size_t kept;  // bytes, of all that is written
+  std::size_t kept;  // how many bytes of the output are kept
   std::size_t allowed = std::numeric_limits<std::size_t>::max();
   std::string text{};
   std::size_t seen = 0;
@@ -44,13 +45,13 @@ struct Stream {
 };
 
 struct Followed {
-  bool ended = false;  // of itself, within its time
+  bool ended = false;  // by itself, within its time
   int status = 0;      // as waitpid gives it
   double seconds = 0;
 };
 
-// Until the process ends, its time is up or it writes more than it may. It is killed then, with the group that it leads, so
-// that nothing it started lives on.
+// Follows the process until it ends, its time is up or it writes more than is allowed. Then it is
+// killed together with the process group that it leads, so that nothing it started goes on running.
 Followed follow(pid_t process, std::span<Stream> streams, double seconds);
 
 }  // namespace glassbox::labs

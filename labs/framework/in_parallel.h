@@ -1,4 +1,4 @@
-// Independent work on several threads.
+// Runs independent work on several threads.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace glassbox::labs {
 
-// Calls work(0) to work(count - 1), `hands` at a time at the most; as many as there are processors unless it is given.
+// Calls work(0) to work(count - 1), at most `hands` of them at the same time; `hands` is the number
+// of processors unless it is given.
 inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
                         std::size_t hands = std::thread::hardware_concurrency()) {
   std::atomic<std::size_t> next{0};

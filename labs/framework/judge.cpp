@@ -33,7 +33,7 @@ Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& fa
   return failure.divergence ? Verdict::kWrong : Verdict::kRight;
 }
 
-// What the pictures and the map of a report are made of.
+// Adds the field that diverges, from which a report makes its pictures and map.
 void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
   if (!failure.divergence) return;
   const auto* actual = find_field(answer, failure.divergence->field);
@@ -89,11 +89,12 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
     if (verdict == Verdict::kMissing) failure.text = answers.malformed;
     result.first = std::move(failure);
   }
-  // A line that is no answer at all costs the cases that it was for, which are missing.
+  // A line that is no answer at all costs the cases that it should have answered; they count as
+  // missing.
   if (result.verdict == Verdict::kMissing && !answers.malformed.empty()) {
     result.verdict = result.first->verdict = Verdict::kMalformed;
   }
-  // All cases right is full marks to the last bit.
+  // If all cases are right, the score is the full marks exactly, without rounding errors.
   result.score = result.right == cases.size() ? result.max_score
                  : check.whole                ? 0
                                               : points * double(result.right);
@@ -138,7 +139,7 @@ LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
     result.hidden_points += task.points - sum.max_score;
     result.tasks.push_back(sum);
   }
-  // A remainder of rounding is no hidden check.
+  // A remainder caused by rounding does not mean that there is a hidden check.
   if (result.hidden_points < 1e-9) result.hidden_points = 0;
   result.checks = std::move(checks);
   return result;

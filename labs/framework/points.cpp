@@ -24,7 +24,7 @@ bool is_weight(const OrderedJson& json) {
   return json.is_number() && json.get<double>() >= 0 && json.get<double>() <= 1e6;
 }
 
-// Whether `json` has nothing but the five entries, of their kinds.
+// Whether `json` has no entries but the five known ones, each of the right type.
 bool has_shape(const OrderedJson& json) {
   if (!json.is_object()) return false;
   for (const auto& [name, value] : json.items()) {
@@ -65,7 +65,7 @@ void set_tasks(const OrderedJson& json, Shares& shares) {
   }
 }
 
-// The visible check of that name; null, and a warning, where there is none.
+// The visible check of that name; null, with a warning, where there is none.
 Check* check_called(Shares& shares, const std::string& name) {
   for (Check& check : shares.lab.checks) {
     if (check.name == name && !check.hidden) return &check;
@@ -116,7 +116,8 @@ void compare_sums(const OrderedJson& json, Shares& shares) {
           task.points));
   }
   const double said = json.value("points", sum);
-  if (std::abs(sum - said) > 1e-9 * said)  // decimal fractions, as they are written
+  // compared with a tolerance because the numbers are decimal fractions
+  if (std::abs(sum - said) > 1e-9 * said)
     shares.warnings.push_back(
         fmt::format("points.json: the tasks have {:g} points together, not {:g}", sum, said));
 }

@@ -13,7 +13,7 @@ namespace glassbox::labs {
 
 namespace {
 
-// After fork: nothing but calls that are safe in the child of a program with threads.
+// Runs in the child after fork: only calls that are safe there in a program with threads.
 [[noreturn]] void become(char* const* argv, const Pipe& said, const Pipe& answers,
                          const Pipe& failure) {
   setpgid(0, 0);

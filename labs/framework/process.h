@@ -17,7 +17,7 @@ struct ProcessLimits {
 struct ProcessOutcome {
   bool started = false;
   bool timed_out = false;
-  bool too_much = false;  // more answers than there may be
+  bool too_much = false;  // the process wrote more answers than it may
   int status = 0;         // as waitpid gives it
   std::string why_not_started;
   std::string answers;  // from descriptor kAnswersFd
@@ -27,8 +27,9 @@ struct ProcessOutcome {
 
 inline constexpr int kAnswersFd = 3;
 
-// Runs argv[0], looked for in PATH where it is a bare name, with standard input empty. The child leads a process group of its
-// own, which is killed when the time is over or the child has ended, so that nothing it started lives on.
+// Runs argv[0] with empty standard input; a bare name is looked up in PATH. The child leads a
+// process group of its own, which is killed when the time is up or the child has ended, so that
+// nothing it started goes on running.
 ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessLimits& limits);
 
 }  // namespace glassbox::labs

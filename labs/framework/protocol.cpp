@@ -23,7 +23,7 @@ std::optional<double> number_of(const Json& json) {
   return std::nullopt;
 }
 
-// Why `fields` is no answer; empty if it is one, which `answer` then holds.
+// Reads `fields` into `answer`. Returns what is wrong with them; empty if nothing is.
 std::string read_fields(const Json& fields, Answer& answer) {
   if (!fields.is_object()) return "\"fields\" is no object";
   for (const auto& [name, list] : fields.items()) {
@@ -45,7 +45,8 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
     if (answers.malformed.empty())
       answers.malformed = fmt::format("line {} of the answers {}", number, why);
   };
-  // The parser keeps its own stack; copies and destructors of what it makes must not meet a tower of brackets either.
+  // The parser does not recurse, but copying and destroying its result does: deep nesting of
+  // brackets is refused.
   const auto too_deep = [](int depth, Json::parse_event_t, Json&) {
     if (depth > 8) throw std::length_error("nested");
     return true;

@@ -1,4 +1,5 @@
-// What a runner writes, read as what anybody might have written.
+// Reads what a runner writes. It is treated as untrusted text, because a student's code may have
+// written it.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +11,17 @@
 
 namespace glassbox::labs {
 
-// What came of one case.
+// The outcome of one case.
 struct CaseAnswer {
   enum class State {
-    kMissing,    // no line of the case
-    kAnswered,   // `answer` holds
-    kThrew,      // the function threw: `text` is what()
-    kCrashed,    // the process ended in it, by a signal or exit: `text` says how
-    kTimeout,    // it was still running in it
-    kLimit,      // it was stopped for memory, output or a forbidden call: `text` says which
-    kMalformed,  // its line is no answer: `text` says why
+    kMissing,   // there is no line for the case
+    kAnswered,  // the case was answered: `answer` is valid
+    kThrew,     // the function threw: `text` is what()
+    kCrashed,   // the process ended during the case, by a signal or exit: `text` says how
+    kTimeout,   // the case was still running when the time was up
+    // the process was stopped because of memory, output or a forbidden call: `text` says which
+    kLimit,
+    kMalformed,  // the case's line is not a valid answer: `text` says why
   };
   State state = State::kMissing;
   Answer answer;
@@ -29,15 +31,17 @@ struct CaseAnswer {
 struct CheckAnswers {
   std::string check;
   std::vector<CaseAnswer> cases;  // one for each case of the check
-  // The first line that is no answer and names no case, and why; empty if none.
+  // The first line that is not an answer and names no case, and what is wrong with it; empty if
+  // there is none.
   std::string malformed;
   std::string said;  // what the student's code printed
   double seconds = 0;
 };
 
-// Reads the lines of one process into `answers`, whose cases must have been sized. A line must be one object with "case", an
-// index below the number of cases that has not been answered yet, and "fields" or "threw"; the numbers of a field are JSON
-// numbers, "nan", "inf" or "-inf". A last line without its end is what a crash left, and is passed over. Never throws.
+// Reads the lines of one process into `answers`, whose cases must already have their size. A line
+// must be one object with "case", an index below the number of cases that has not been answered
+// yet, and "fields" or "threw". The numbers of a field are JSON numbers, "nan", "inf" or "-inf". A
+// last line without a line end was cut off by a crash, and is ignored. Never throws.
 void read_answers(std::string_view lines, CheckAnswers& answers);
 
 }  // namespace glassbox::labs

@@ -17,7 +17,7 @@ namespace {
 
 using Ending = RunOutcome::Ending;
 
-// What became of the first case that has no answer.
+// Says in the first case that has no answer what happened to it.
 void blame(CaseAnswer& answer, const RunOutcome& outcome, const RunLimits& limits) {
   answer.text = ending_text(outcome, limits);
   switch (outcome.ending) {
@@ -118,7 +118,8 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
     answers.seconds += outcome.seconds;
     const std::size_t stuck = first_missing(answers, from);
     if (stuck == cases) break;
-    // A program that went through all cases and ended well has written something else in place of an answer.
+    // If a program went through all cases and ended normally, a missing answer means that it wrote
+    // something else there.
     const bool well = outcome.ending == Ending::kExit && outcome.code == 0;
     if (!(well && !answers.malformed.empty())) blame(answers.cases[stuck], outcome, limits);
     const bool again = outcome.ending == Ending::kSignal || outcome.ending == Ending::kExit;

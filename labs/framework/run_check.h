@@ -1,4 +1,4 @@
-// Runs a check of a lab in a process of its own and collects what it answers.
+// Runs a check of a lab in a process of its own and collects the answers.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,10 @@
 namespace glassbox::labs {
 
 struct RunLimits {
-  double seconds = 10;                               // of wall-clock time, a process
-  std::size_t output_bytes = std::size_t(64) << 20;  // of answers; what is more is cut off
-  std::size_t said_bytes = std::size_t(64) << 10;    // kept of standard output and standard error
+  double seconds = 10;                               // wall-clock time of a process
+  std::size_t output_bytes = std::size_t(64) << 20;  // for answers; anything beyond is cut off
+  // how much is kept of standard output and standard error
+  std::size_t said_bytes = std::size_t(64) << 10;
 };
 
 struct RunRequest {
@@ -22,7 +23,7 @@ struct RunRequest {
   RunLimits limits;
 };
 
-// How a process ended. What it wrote up to then stands in any case.
+// How a process ended. What it had written by then is kept, however it ended.
 struct RunOutcome {
   enum class Ending {
     kExit,
@@ -34,14 +35,16 @@ struct RunOutcome {
     kNotStarted
   };
   Ending ending = Ending::kNotStarted;
-  int code = 0;         // the exit status or the signal
-  std::string detail;   // why it was not started, what was forbidden or too much; may be empty
+  int code = 0;  // the exit status or the signal
+  // why it was not started, or which forbidden call or limit stopped it; may be empty
+  std::string detail;
   std::string answers;  // what it wrote to the descriptor of the answers
   std::string said;     // standard output and standard error
   double seconds = 0;
 };
 
-// A way of running processes. Students run their own code with LocalRunner; a grader puts a sandbox in its place.
+// A way of running processes. Students run their own code with LocalRunner; a grader uses a sandbox
+// instead.
 class Runner {
 public:
   virtual ~Runner() = default;
@@ -54,11 +57,13 @@ public:
   RunOutcome run(const RunRequest& request) override;
 };
 
-// "killed by signal 11 (SIGSEGV)", "exit status 3", "still running after 10 seconds".
+// How the process ended: "killed by signal 11 (SIGSEGV)", "exit status 3", "still running after 10
+// seconds".
 std::string ending_text(const RunOutcome& outcome, const RunLimits& limits);
 
-// All answers of one check. A crash costs the case in which it happened: the process is started again from the next one,
-// kMostRestarts times at most. A process that is out of time, memory or output is not started again.
+// Runs a check and collects all its answers. A crash costs only the case in which it happened: the
+// process is started again from the next case, at most kMostRestarts times. A process that is out
+// of time, memory or output is not started again.
 inline constexpr int kMostRestarts = 16;
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
                        const std::string& check, std::size_t cases, const RunLimits& limits);

@@ -1,7 +1,9 @@
-// The side of a lab on which a student's code runs: it puts cases to the student's functions and emits what they return, as
-// data. What is right is not known here; the judge (lab.h) is another process.
+// The side of a lab on which a student's code runs. It passes cases to the student's functions and
+// emits what they return, as data. It does not know the right answers; the judge (lab.h) is another
+// process.
 //
-// Nothing of glassbox but headers of types is compiled into a runner, so that there is no reference in it to call.
+// Only headers of types are compiled into a runner, and nothing else of glassbox, so that it
+// contains no reference solution that could be called.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +13,9 @@
 
 namespace glassbox::labs {
 
-// What a student's code answered to one case: named lists of numbers. A point is 3 or 4 of them, a matrix 16 row by row, a
-// polygon its vertices one after the other, coverage one number for each pixel row by row from the top.
+// The answer of a student's code to one case: named lists of numbers. A point is 3 or 4 numbers, a
+// matrix 16 row by row, a polygon its vertices one after the other, a coverage one number for each
+// pixel row by row from the top.
 class Answer {
 public:
   struct Field {
@@ -28,7 +31,7 @@ private:
   std::vector<Field> fields_;
 };
 
-// The entries of a matrix row by row, as answers have them; of its upper left part where fewer are asked for.
+// The entries of a matrix row by row, as answers have them; or only those of its upper left part.
 template <class Matrix>
 std::vector<double> entries(const Matrix& m, int rows = 4, int columns = 4) {
   std::vector<double> all;
@@ -38,14 +41,15 @@ std::vector<double> entries(const Matrix& m, int rows = 4, int columns = 4) {
   return all;
 }
 
-// A check of the lab, as the runner sees it: `run` puts case number `index` to the student's functions.
+// A check of the lab, as the runner sees it: `run` calls the student's functions with case number
+// `index`.
 struct RunnerCheck {
   std::string name;  // as Check::name of lab.h
   int cases = 0;
   std::function<void(int index, Answer& answer)> run;
 };
 
-// A check that puts each of `inputs` to `ask`.
+// A check that calls `ask` with each of `inputs`.
 template <class Input, class Ask>
 RunnerCheck check(const char* name, const std::vector<Input>& inputs, Ask ask) {
   return {name, int(inputs.size()),

@@ -1,12 +1,15 @@
-// The program around a lab's functions: puts the cases of one check to them and writes the answers, one JSON object a line.
+// The program around a lab's functions: calls them with the cases of one check and writes the
+// answers, one JSON object per line.
 //
-//   runner --list                                    {"check": "name", "cases": 3} for each check
+//   runner --list
+//                    {"check": "name", "cases": 3} for each check
 //   runner --check NAME [--from N] [--case N] [--out-fd N]
-//                                                    {"case": 0, "fields": {"name": [1, "nan"]}} for each case, and
-//                                                    {"case": 1, "threw": "what"} where the function threw
+//                    {"case": 0, "fields": {"name": [1, "nan"]}} for each case, and
+//                    {"case": 1, "threw": "what"} where the function threw
 //
-// Every line is written out before the next case starts, so that a crash leaves what came before it. --case puts one
-// case only, for a debugger. The standard library only: a student waits for this file to compile.
+// Every line is written out before the next case starts, so that a crash leaves the answers before
+// it. --case runs one case only, for a debugger. Uses only the standard library, because students
+// wait for this file to compile.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

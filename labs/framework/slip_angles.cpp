@@ -1,4 +1,5 @@
-// The slips that are made in an angle or in the order of a product: what the expected numbers would be with them.
+// The slips that are made in an angle or in the order of a product: the expected numbers as they
+// would be with the slip.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,9 +15,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// A slipped answer is further from its own exact value than the right one may be from its: an angle times 180/pi carries
-// its rounding along. 64 times the bound (57.3 rounded up), and 1e-5 of the largest number (of a matrix: 1 at least), which is
-// 100 roundings of float and still far from any other angle.
+// What is expected of an answer with a slip. Such an answer may be further from its own exact value
+// than the right answer from its own: an angle times 180/pi multiplies its rounding error too. So
+// the bound is 64 times the bound (57.3 rounded up), and at least 1e-5 of the largest number (for a
+// matrix: of at least 1), which is 100 roundings of float and still far from any other angle.
 Expected slipped(const Expected& field, std::vector<double> values) {
   Expected changed = field;
   double largest = field.shape == Shape::kMatrix ? 1 : 0;
@@ -45,10 +47,11 @@ struct Rotation {
   double angle;  // radians, in [0, pi)
 };
 
-// The rotation that the upper left 3 x 3 of the matrix is, if it is one by more than 0 and less than pi.
+// The rotation in the upper left 3 x 3 of the matrix, if that is a rotation by more than 0 and less
+// than pi.
 std::optional<Rotation> rotation_of(const std::vector<double>& m, std::size_t side) {
   const auto at = [&](std::size_t i, std::size_t j) { return m[i * side + j]; };
-  constexpr double kTolerance = 1e-4;  // of orthogonality, of a matrix of floats
+  constexpr double kTolerance = 1e-4;  // of the orthogonality of a matrix of floats
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       double dot = 0;
@@ -79,7 +82,8 @@ bool is_projection(const std::vector<double>& m) {
   return m.size() == 16 && m[15] == 0 && std::abs(m[14]) > 0 && m[0] != 0 && m[5] != 0;
 }
 
-// A whole-angle rotation of more than half a turn looks like one of less about the other axis: both are tried.
+// A rotation by more than half a turn looks like a smaller one about the opposite axis, so both are
+// tried.
 std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   std::vector<Expected> all;
   const auto& values = field.values;
@@ -88,7 +92,7 @@ std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   const auto side = std::size_t(std::max(0, columns_of(field)));
   if (field.shape != Shape::kMatrix || side * side != values.size() || side < 3) return all;
   if (is_projection(values)) {
-    // m[5] is cot(fovy / 2), m[0] is that over the aspect ratio.
+    // m[5] is cot(fovy / 2), m[0] is m[5] divided by the aspect ratio.
     const double half = std::atan2(1, std::abs(values[5]));
     const double factor = 1 / std::tan(slip(2 * half) / 2) / std::abs(values[5]);
     std::vector<double> changed = values;
@@ -105,8 +109,9 @@ std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   return all;
 }
 
-// [L | t] is a translation after L. Were L made last, t would be L t; if it was made last here, L^-1 t, which is
-// what L t = expected is solved for by asking the other way round.
+// The matrix [L | t] with its two factors, L and a translation, in the other order. If the
+// translation rightly comes last, an answer with the slip has L t in place of t. If L rightly comes
+// last, it has L^-1 t.
 std::vector<Expected> other_order(const Expected& field) {
   const auto side = std::size_t(std::max(0, columns_of(field)));
   const auto& m = field.values;
@@ -116,7 +121,7 @@ std::vector<Expected> other_order(const Expected& field) {
     if (m[(side - 1) * side + j] != (j + 1 == side ? 1 : 0)) return {};
   }
   const std::size_t n = side - 1;
-  // L t, and for the rotations that views are made of L^T t.
+  // L t; and L^T t, which is L^-1 t for the rotations that views are made of.
   std::vector<double> after = m, before = m;
   for (std::size_t i = 0; i < n; ++i) {
     double a = 0, b = 0;
@@ -129,7 +134,7 @@ std::vector<Expected> other_order(const Expected& field) {
   }
   std::vector<Expected> all;
   for (std::vector<double>* values : {&after, &before}) {
-    // Where nothing moves, or what moves stays on the axis, the order makes no difference.
+    // Where t is zero or is unchanged by L, the order makes no difference.
     Expected made = slipped(field, std::move(*values));
     if (compare(made, m).first) all.push_back(std::move(made));
   }

@@ -21,7 +21,7 @@ bool is_point(const Expected& field, const Values& values) {
          (field.shape == Shape::kNumbers && values.size() >= 2 && values.size() <= 4);
 }
 
-// Coordinate `axis` of a point, or of each vertex of a polygon, replaced by what `change` makes of it.
+// Replaces coordinate `axis` of a point, or of each vertex of a polygon, by change(coordinate).
 template <class Change>
 Candidates on_axis(const Expected& field, const Values& values, std::size_t axis, Change change) {
   std::size_t step = 0;
@@ -42,7 +42,7 @@ bool is_square(const Expected& field, const Values& values) {
   return field.shape == Shape::kMatrix && side * side == values.size() && side > 1;
 }
 
-// Row or column `at` of a square matrix with the opposite sign.
+// A square matrix with the opposite sign in its row or column `at`.
 Candidates negated_line(const Expected& field, const Values& values, std::size_t at) {
   if (!is_square(field, values)) return {};
   const auto side = std::size_t(columns_of(field));
@@ -61,12 +61,12 @@ Candidates axis_or_line(const Expected& field, const Values& values, std::size_t
   return all;
 }
 
-// A normal, or Newell's sums, which are one of some length.
+// Whether the field is a normal, or Newell's sums, which are a normal of some length.
 bool names_normal(const Expected& field) {
   return field.field.find("normal") != std::string::npos || field.field == "newell";
 }
 
-// All numbers with the opposite sign: a normal that points inwards, a signed area.
+// All numbers with the opposite sign: for a normal that points inwards, or a signed area.
 Candidates all_negated(const Expected& field, const Values& values, std::size_t size) {
   if (values.size() != size || (field.shape != Shape::kNumbers && field.shape != Shape::kPoint))
     return {};
@@ -97,13 +97,14 @@ Candidates transposed(const Expected& field, const Values& values) {
   return {changed};
 }
 
-// The vertices in the other order, beginning with any of them.
+// The vertices in the reverse order, beginning with any of them.
 Candidates reversed_polygon(const Expected& field, const Values& values) {
   const auto columns = std::size_t(std::max(1, columns_of(field)));
   const std::size_t count = values.size() / columns;
-  // A clipped polygon has ten at most; more would cost quadratic time.
+  // A clipped polygon has at most ten vertices; for very many the quadratic time would be too long.
   constexpr std::size_t kMost = 64;
-  const bool table = field.field == "positions";  // has an order, but no winding
+  // a table of positions has an order, but no winding
+  const bool table = field.field == "positions";
   if (!is_vertex_list(field) || table || values.size() % columns != 0 || count < 3 || count > kMost)
     return {};
   Candidates all;
@@ -122,7 +123,7 @@ bool all_are(const Values& values, bool (*what)(double)) {
   return !values.empty() && std::all_of(values.begin(), values.end(), what);
 }
 
-// Yes for no: what faces backwards taken for what faces forwards.
+// Yes and no swapped: back faces taken for front faces.
 Candidates inverted_answers(const Expected& field, const Values& values) {
   const auto is_bit = [](double x) { return x == 0 || x == 1; };
   if (field.shape != Shape::kNumbers || !all_are(field.values, is_bit) || !all_are(values, is_bit))
@@ -132,21 +133,21 @@ Candidates inverted_answers(const Expected& field, const Values& values) {
   return {changed};
 }
 
-// Triangles as triples of indices, wound the other way.
+// Triangles, given as triples of indices, with the opposite winding.
 Candidates reversed_triples(const Expected& field, const Values& values) {
   const auto is_index = [](double x) { return x >= 0 && x == std::floor(x); };
   if (field.shape != Shape::kNumbers || values.size() % 3 != 0 || !all_are(values, is_index))
     return {};
   for (std::size_t i = 0; i + 3 <= field.values.size(); i += 3) {
     const double a = field.values[i], b = field.values[i + 1], c = field.values[i + 2];
-    if (a == b || b == c || c == a) return {};  // no triangle
+    if (a == b || b == c || c == a) return {};  // not a triangle
   }
   Values changed = values;
   for (std::size_t i = 0; i < changed.size(); i += 3) std::swap(changed[i + 1], changed[i + 2]);
   return {changed};
 }
 
-// A depth, or a distance along the gaze.
+// Whether the field is a depth, or a distance along the gaze.
 bool names_depth(const Expected& field) {
   return field.field == "z" || field.field.find("depth") != std::string::npos ||
          field.field.find("distance") != std::string::npos || field.field.ends_with("_z") ||

@@ -9,23 +9,25 @@
 
 namespace glassbox::labs {
 
-// A slip that undoes itself when it is made once more (a sign, an order) is undone in the answer, so that a case with a judge of
-// its own can be asked again. `undo` gives what the answer would be without the slip: none where the slip does not
-// apply to such a field, several where it may have been made in several ways.
+// A slip that undoes itself when it is made twice (a wrong sign or order) is undone in the answer;
+// then a case's own judge can judge the changed answer. `undo` gives what the answer would be
+// without the slip: an empty list where the slip cannot occur in such a field, several answers
+// where it can be made in several ways.
 struct AnswerVariant {
   std::string slip;
-  // Different numbers that must be changed before the slip is believed.
+  // How many different numbers must have been changed before the slip is believed.
   std::size_t evidence = 1;
   std::function<std::vector<std::vector<double>>(const Expected&, const std::vector<double>&)> undo;
 };
 
-// A slip in an angle or in a product is made in what is expected.
+// A slip in an angle or in a product cannot be undone in the answer, so it is made in the expected
+// numbers.
 struct ExpectedVariant {
   std::string slip;
   std::function<std::vector<Expected>(const Expected&)> make;
 };
 
-// y = height - y' with a height that follows from one wrong point.
+// The slip y = height - y', with a height that follows from one wrong point.
 AnswerVariant y_from_other_end(double height);
 
 std::vector<AnswerVariant> answer_variants();

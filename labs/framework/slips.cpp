@@ -16,7 +16,7 @@ using Values = std::vector<double>;
 struct Evidence {
   const std::vector<Case>& cases;
   const std::vector<CaseAnswer>& answers;
-  std::set<std::string> right_fields;  // in every case
+  std::set<std::string> right_fields;  // fields that are right in every case
 };
 
 Evidence collect(const std::vector<Case>& cases, const std::vector<CaseAnswer>& answers) {
@@ -40,7 +40,7 @@ void note_changes(const Values& before, const Values& after, std::set<double>& c
   }
 }
 
-// What a field of a case with a judge of its own looks like, where the case does not say.
+// The shape of a field where a case has its own judge and does not describe the field.
 Expected shape_of(const Case& input, const Answer::Field& field) {
   for (const Expected& expected : input.expected) {
     if (expected.field == field.name) return expected;
@@ -54,8 +54,9 @@ Expected shape_of(const Case& input, const Answer::Field& field) {
   return guess;
 }
 
-// Whether some way of undoing the slip in all fields satisfies the case's judge. An answer that is right as it is must be so
-// without the slip as well, or have nothing that the slip could change.
+// Whether some way of undoing the slip in all fields gives an answer that the case's judge accepts.
+// For an answer that is right as it is, that must be so too, or the slip must have nothing in it
+// that it could change.
 bool undone_satisfies_judge(const Case& input, const Answer& answer, const AnswerVariant& variant,
                             std::set<double>& changed) {
   const bool right = !input.judge(answer);
@@ -122,7 +123,7 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
       if (evidence.right_fields.count(expected.field) != 0) continue;
       const bool wrong = compare(expected, answer).first.has_value();
       const std::vector<Expected> slipped = variant.make(expected);
-      bool matched = !wrong && slipped.empty();  // a case in which the slip changes nothing
+      bool matched = !wrong && slipped.empty();  // then the slip changes nothing in this case
       for (const Expected& each : slipped) matched = matched || !compare(each, answer).first;
       if (!matched) return false;
       used = used || wrong;
@@ -131,7 +132,8 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
   return used;
 }
 
-// What the lab itself says of a slip. A right answer contradicts a slip that would have made it wrong.
+// Whether the lab's own entries for a slip explain the answers. A right answer contradicts a slip
+// that would have made it wrong.
 bool explains(const Evidence& evidence, const std::string& slip) {
   bool used = false;
   for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
@@ -153,7 +155,7 @@ bool explains(const Evidence& evidence, const std::string& slip) {
   return used;
 }
 
-// The heights for which y = height - y' would explain the first wrong point.
+// The heights with which y = height - y' would explain the first wrong point.
 std::vector<double> heights_of(const Evidence& evidence) {
   for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
     for (const Expected& expected : evidence.cases[i].expected) {
@@ -169,7 +171,8 @@ std::vector<double> heights_of(const Evidence& evidence) {
   return {};
 }
 
-// Whether a matrix of the check is affine and moves the origin: transposed, it has its translation in the last row.
+// Whether a matrix of the check is affine and moves the origin; if it is transposed, its
+// translation is in the last row.
 bool has_translation(const std::vector<Case>& cases) {
   for (const Case& input : cases) {
     for (const Expected& field : input.expected) {

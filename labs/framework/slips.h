@@ -1,4 +1,5 @@
-// The convention slips: mistakes that leave every number right but for a sign, an order or a unit.
+// The convention slips: mistakes after which every number is right except for a sign, an order or a
+// unit.
 #pragma once
 
 #include <string>
@@ -14,15 +15,16 @@ struct Slip {
   std::string text;  // "your z has the opposite sign: the eye looks down -z"
 };
 
-// In the order in which they are tried.
+// All slips, in the order in which they are tried.
 const std::vector<Slip>& known_slips();
 
 // The sentence for an id; empty if there is no such slip.
 std::string slip_text(const std::string& id);
 
-// The slip under which the answers to all cases are as expected, where without it they are not; none if another slip explains
-// them too. It is named on evidence only: every case must have been answered, at least one answer must be one that the slip
-// changes, and none that is right may be one that it would have made wrong.
+// The slip that explains the answers: if it is made, the answers to all cases are as expected, and
+// without it they are not. Empty if another slip explains them too. A slip is named only on
+// evidence: every case must have been answered, the slip must change at least one answer, and it
+// must not make wrong any answer that is right.
 std::vector<std::string> find_slips(const std::vector<Case>& cases,
                                     const std::vector<CaseAnswer>& answers);
 

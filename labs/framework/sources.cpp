@@ -19,7 +19,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// What stands between `start` and `end` in a text, wherever it does.
+// All parts of a text that are between `start` and `end`.
 std::vector<std::string> between(const std::string& text, const std::string& start, char end) {
   std::vector<std::string> names;
   for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
@@ -30,7 +30,7 @@ std::vector<std::string> between(const std::string& text, const std::string& sta
   return names;
 }
 
-// The files of the framework that a text includes, and those of the library.
+// The names of the framework's files that a text includes.
 std::vector<std::string> framework_includes(const std::string& text) {
   return between(text, "#include \"labs/framework/", '"');
 }

@@ -1,4 +1,4 @@
-// Where the labs' files are, and which of them a student's code is compiled with.
+// Finds the labs' files, and lists those that a student's code is compiled with.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,16 @@ namespace glassbox::labs {
 struct Sources {
   std::filesystem::path labs;     // has NN-name/ and framework/
   std::filesystem::path include;  // has glassbox/
-  std::filesystem::path outside =
-      {};  // a lab's folder that is not in `labs`, and stands for every lab
+  // one lab's folder that is not in `labs`; it is used in place of every lab's folder
+  std::filesystem::path outside = {};
 
   std::filesystem::path folder_of(const std::string& lab) const {
     return outside.empty() ? labs / lab : outside;
   }
 };
 
-// Beside an installed program (share/glassbox/labs, include), or the source tree that it was built from.
+// Finds the sources beside an installed program (share/glassbox/labs, include), or the source tree
+// that it was built from.
 Result<Sources> find_sources();
 
 struct SourceFile {
@@ -28,22 +29,23 @@ struct SourceFile {
   std::string text;
 };
 
-// What stands around student.cpp, as it lies in a student's folder: student.h, cases.h, runner.cpp and the framework's files that
-// they include. `with_hidden`: with the parts of hidden checks.
+// The files around student.cpp in a student's folder: student.h, cases.h, runner.cpp and the
+// framework's files that they include. `with_hidden`: including the parts for hidden checks.
 Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
                                               bool with_hidden);
 
-// The library's headers that those files include, and what these include: types, and little besides. A student's code is compiled
-// with no others, since some would have the answers in them.
+// The library's headers that those files include, directly or indirectly: mostly types. A student's
+// code is compiled with no other headers, since some of them contain the answers.
 Result<std::vector<SourceFile>> library_headers(const Sources& sources,
                                                 const std::vector<SourceFile>& files);
 
-// student.cpp of the lab, with the solution.
+// student.cpp of the lab, including the solution.
 Result<std::string> solution_text(const Sources& sources, const std::string& folder);
 
 Result<std::string> read_text_file(const std::filesystem::path& path);
 
-// Writes the file if its text is another, so that what is up to date stays so. Directories are made.
+// Writes the file only if its text changes, so that an up-to-date file keeps its date. Directories
+// are created.
 Result<void> write_if_changed(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace glassbox::labs

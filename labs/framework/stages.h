@@ -1,5 +1,6 @@
-// The side of a drawing (glassbox lab render) on which a student's code runs: records of a scene in, what the student's
-// functions make of them out. A record is a list of doubles, in which floats and whole numbers up to 2^53 are exact.
+// The side of a drawing (glassbox lab render) on which a student's code runs. It reads records of a
+// scene and writes the results of the student's functions. A record is a list of doubles; floats
+// and whole numbers up to 2^53 are exact in it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@ namespace glassbox::labs {
 
 using Numbers = std::vector<double>;
 
-// A record, number after number.
+// Reads a record, one number after the other.
 class RecordReader {
 public:
   RecordReader(const double* numbers, std::size_t count) : at_(numbers), end_(numbers + count) {}
@@ -21,7 +22,7 @@ public:
   float real() { return float(number()); }
   int integer() { return int(number()); }
 
-  // A point or vector, of floats or doubles; of clip space four numbers.
+  // A point or vector, of floats or doubles; four numbers if it is in clip space.
   template <class P>
   P place() {
     using T = typename P::scalar;
@@ -32,7 +33,7 @@ public:
       return {x, y, z};
     }
   }
-  // Sixteen numbers, row by row.
+  // A matrix of sixteen numbers, row by row.
   template <class M>
   M matrix() {
     M m;
@@ -59,15 +60,17 @@ void append_matrix(Numbers& out, const M& m) {
   }
 }
 
-// One stage of the picture as the student's functions do it: appends to `out` what they make of a record.
+// One stage of the picture, done by the student's functions: appends their result for one record to
+// `out`.
 struct StageFunction {
   std::string name;
   std::function<void(RecordReader& in, Numbers& out)> run;
-  // Of timed.cpp (glassbox lab measure): reads what is asked, and gives what does all of it once. That alone is timed.
+  // Only in timed.cpp (glassbox lab measure): reads the question and returns a function that does
+  // all of its work once. Only that function is timed.
   std::function<std::function<void()>(RecordReader& in)> prepare = {};
 };
 
-// Defined by the lab's stages.cpp, and by its timed.cpp for a program of its own.
+// Defined by the lab's stages.cpp; for the program that is timed, by its timed.cpp.
 std::vector<StageFunction> stage_functions();
 
 }  // namespace glassbox::labs

@@ -1,11 +1,14 @@
-// The program around a lab's stages: puts a batch of records to one of them and writes what it made of each.
+// The program around a lab's stages: passes a batch of records to one of them and writes the
+// results.
 //
 //   stages --stage NAME [--rounds N] --out-fd N
 //
-// Standard input is a file in memory, of doubles: [0] how many records have been begun, which is written here, so that
-// whoever started the program can tell in which one it ended; [1] how many there are; then each as its length and its
-// numbers. The answers have the same form, without the first two. With --rounds what each record asks for is done N times over, and the
-// answers are how long each time took, as the processor's and as the wall's nanoseconds in turn. The standard library only.
+// Standard input is a file in memory that consists of doubles: [0] how many records have been
+// begun; this program writes it, so that the program that started it can tell during which record
+// it ended; [1] how many records there are; then each record as its length and its numbers. The
+// answers have the same form, without the first two numbers. With --rounds the work of each record
+// is done N times, and the answers are the times of each round in nanoseconds, processor time and
+// wall time in turn. Uses only the standard library.
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -46,10 +49,11 @@ double nanoseconds(clockid_t clock) {
 }
 
 struct Taken {
-  double processor = 0, wall = 0;  // ns, a call
+  double processor = 0, wall = 0;  // ns per call
 };
 
-// The thread's clock: that of a process with a limit on its processor time goes on by the system's ticks, milliseconds each.
+// Uses the thread's clock. The clock of a process with a limit on its processor time advances only
+// with the system's ticks, which are milliseconds apart.
 Taken time_of(const std::function<void()>& work, int calls) {
   const double wall = nanoseconds(CLOCK_MONOTONIC);
   const double processor = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
@@ -58,9 +62,10 @@ Taken time_of(const std::function<void()>& work, int calls) {
   return {used / calls, (nanoseconds(CLOCK_MONOTONIC) - wall) / calls};
 }
 
-// After a first call, which pays for caches and pages; what is short is called several times a round.
+// Times the rounds after a first call, which pays for caches and pages. Short work is called
+// several times in a round.
 void time_rounds(const std::function<void()>& work, int rounds, Numbers& out) {
-  constexpr double kLeastRound = 2e5;  // ns; a clock's reading takes some 50
+  constexpr double kLeastRound = 2e5;  // ns; reading a clock takes some 50
   work();
   const double once = std::max(time_of(work, 1).wall, 1.0);
   const int calls = int(std::clamp(std::ceil(kLeastRound / once), 1.0, 1e5));

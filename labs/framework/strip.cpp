@@ -29,7 +29,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-// The letters of a line, small: what a misspelt marker has in common with a right one.
+// The letters of a line in lower case, by which a misspelt marker is recognised.
 std::string letters_of(std::string_view line) {
   std::string letters;
   for (const char c : line) {
@@ -55,7 +55,7 @@ class Stripper {
 public:
   explicit Stripper(const std::string& name) : name_(name) {}
 
-  // Why the line cannot stand there, or nothing.
+  // Processes one line. An error says why the line is not allowed there.
   Result<void> take(std::string_view line) {
     ++number_;
     const std::string_view text = trimmed_line(line);
@@ -152,9 +152,10 @@ Result<std::string> strip_solution(const std::string& text, const std::string& n
 }
 
 std::vector<Leak> find_leaks(const std::string& solution, const std::string& starter) {
-  // What may be handed out, line by line, and how often: everything that is not between two markers, and the stubs.
+  // The lines that may be handed out, and how often: everything that is not between two markers,
+  // and the stubs.
   std::map<std::string, int, std::less<>> allowed;
-  std::map<std::string, int, std::less<>> secret;  // the line's number
+  std::map<std::string, int, std::less<>> secret;  // with the line's number
   int inside = 0, number = 0;
   for (const std::string_view line : lines_of(solution)) {
     ++number;

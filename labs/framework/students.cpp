@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCall = "hidden_check(";
 
-// Past the string that begins at `at`.
+// The position after the string that begins at `at`.
 std::size_t after_string(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at) {
     if (text[at] == '\\') ++at;
@@ -27,11 +27,11 @@ std::size_t after_string(std::string_view text, std::size_t at) {
 }
 
 struct Call {
-  std::vector<std::string> strings;  // its arguments that are strings
+  std::vector<std::string> strings;  // its arguments that are string literals
   std::size_t end = std::string::npos;
 };
 
-// Of a call whose arguments begin at `at`.
+// Reads a call whose arguments begin at `at`.
 Call read_call(std::string_view text, std::size_t at) {
   Call call;
   int depth = 1;
@@ -52,7 +52,7 @@ Call read_call(std::string_view text, std::size_t at) {
   return call;
 }
 
-// hidden_check("a name", "5.1", ...) is hidden_elsewhere("5.1").
+// Replaces each hidden_check("a name", "5.1", ...) by hidden_elsewhere("5.1").
 Result<std::string> without_hidden_checks(const std::string& name, const std::string& text) {
   std::string kept;
   std::size_t from = 0;

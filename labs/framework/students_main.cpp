@@ -1,4 +1,4 @@
-// labs_for_students LABS TO: what the build of a glassbox for students begins with.
+// labs_for_students LABS TO: the first step in the build of a glassbox for students.
 #include <cstdio>
 
 #include "labs/framework/students.h"

@@ -1,4 +1,5 @@
-// Inputs that differ from student to student, for cases.h: the same on both sides, since both make them of one number.
+// Inputs that differ from student to student, for cases.h. Runner and judge have the same ones,
+// since both make them from one number.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,12 @@
 
 namespace glassbox::labs {
 
-// What the inputs of hidden checks are varied by; 0 where they are the lab's own. In a runner it comes from its command line, in a
-// judge from set_inputs_seed().
+// The number from which the inputs of hidden checks are varied; 0 where the lab's own inputs are
+// used. A runner gets it from its command line, a judge from set_inputs_seed().
 std::uint64_t inputs_seed();
 
-// The lab's own `seed`; where inputs vary, another, that belongs to the submission and to this one.
+// The lab's own `seed`; where inputs vary, another seed that depends on the submission and on
+// `seed`.
 inline std::uint64_t varied_seed(std::uint64_t seed) {
   return inputs_seed() == 0 ? seed : Random(inputs_seed()).bits() ^ Random(seed).bits();
 }
@@ -20,7 +22,7 @@ inline Random varied(std::uint64_t seed) {
   return Random(varied_seed(seed));
 }
 
-// The lab's own inputs, and behind them, where inputs vary, `count` that `make(random)` makes.
+// The lab's own inputs, followed, where inputs vary, by `count` inputs that `make(random)` makes.
 template <class Inputs, class Make>
 Inputs with_varied(Inputs inputs, std::uint64_t seed, int count, Make make) {
   if (inputs_seed() == 0) return inputs;
@@ -29,7 +31,7 @@ Inputs with_varied(Inputs inputs, std::uint64_t seed, int count, Make make) {
   return inputs;
 }
 
-// For the judge's process alone.
+// Called only by the judge's process.
 void set_inputs_seed(std::uint64_t seed);
 
 }  // namespace glassbox::labs

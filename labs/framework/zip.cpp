@@ -21,7 +21,8 @@ using Source = std::unique_ptr<zip_source_t, CloseSource>;
 constexpr zip_uint16_t kDosTime = 0, kDosDate = (1 << 5) | 1;
 
 bool add_entry(zip_t* archive, const ZipEntry& entry) {
-  // The text outlives the archive, which reads it only when it is closed.
+  // No copy is needed: `entry.text` lives longer than the archive, which reads it only when it is
+  // closed.
   zip_source_t* data = zip_source_buffer(archive, entry.text.data(), entry.text.size(), 0);
   if (data == nullptr) return false;
   const zip_int64_t at = zip_file_add(archive, entry.path.c_str(), data, ZIP_FL_ENC_UTF_8);
@@ -68,7 +69,7 @@ Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes) {
   const auto refused = [] {
     return fail("zip", "is no zip archive, or a damaged one", "make the archive again");
   };
-  if (bytes.empty()) return refused();  // libzip would take it for an archive of nothing
+  if (bytes.empty()) return refused();  // libzip would take it for an empty archive
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);

@@ -1,4 +1,4 @@
-// Files packed into one, by libzip.
+// Packs files into one zip archive and reads such archives, by libzip.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ struct ZipEntry {
   bool executable = false;
 };
 
-// The bytes of a zip archive with the entries in their order. The same entries give the same bytes: every file has the date of
-// the format's beginning, 1980.
+// The bytes of a zip archive with the entries in their order. The same entries give the same bytes:
+// every file gets the earliest date of the format, in 1980.
 Result<std::vector<std::byte>> make_zip(const std::vector<ZipEntry>& entries);
 
-// The entries of an archive.
+// Reads the entries of an archive.
 Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes);
 
 }  // namespace glassbox::labs

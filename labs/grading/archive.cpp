@@ -32,10 +32,10 @@ auto archive_refused(const fs::path& file, const std::string& cause) {
               "hand in student.cpp itself, or a plain .zip of the lab's folder");
 }
 
-// What is found in it, without folders.
+// The contents of an archive, without folders.
 struct Contents {
   std::vector<fs::path> files;
-  std::vector<std::pair<fs::path, std::string>> wanted;  // the files of the name that is looked for
+  std::vector<std::pair<fs::path, std::string>> wanted;  // the files of the wanted name
   std::string refusal;  // why the archive is refused; empty if it is not
 };
 
@@ -44,7 +44,8 @@ bool is_hostile(const fs::path& path) {
          std::find(path.begin(), path.end(), "..") != path.end();
 }
 
-// Reads the entry's bytes, counts them, and keeps them if they are wanted; an answer why not.
+// Reads the entry's bytes, subtracts their number from `left`, and appends them to `kept` if that
+// is not null. Returns why it failed; empty if it did not.
 std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
   char block[65536];
   while (true) {
@@ -100,7 +101,8 @@ Contents read_all(archive* reader, const std::string& name) {
   }
 }
 
-// Opened once and asked about afterwards; -1 and why.
+// Opens the file and checks the open descriptor, so that the file cannot be exchanged in between;
+// returns -1 and `why`.
 int open_ordinary(const fs::path& file, std::string& why) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   struct stat status = {};
@@ -146,7 +148,7 @@ Result<std::string> read_from_archive(const fs::path& file, const std::string& n
   }
   ::close(opened);
   if (!contents.refusal.empty()) return archive_refused(file, contents.refusal);
-  // What a Mac adds is nobody's.
+  // Files that a Mac adds are ignored.
   std::erase_if(contents.files, [](const fs::path& path) { return *path.begin() == "__MACOSX"; });
   std::set<fs::path> folders;
   bool top = false;

@@ -7,7 +7,7 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// Without those of call frames, which all begin with ".cfi_".
+// The allowed directives, except those for call frames, which all begin with ".cfi_".
 constexpr std::string_view kDirectives[] = {
     ".2byte",        ".4byte",      ".8byte",       ".align",     ".arch",        ".ascii",
     ".asciz",        ".att_syntax", ".balign",      ".bss",       ".byte",        ".comm",
@@ -24,7 +24,7 @@ bool is_space(char c) {
   return c == ' ' || c == '\t';
 }
 
-// What names are made of; bytes beyond ASCII are.
+// Whether a name may contain the character; bytes beyond ASCII count as letters.
 bool is_of_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '$' ||
          static_cast<unsigned char>(c) >= 0x80;
@@ -59,10 +59,11 @@ private:
     return text_.substr(from, at_ - from);
   }
 
-  // One statement with its separator; false where it is foreign.
+  // Reads one statement with its separator; false if it is foreign.
   bool statement() {
     skip_spaces();
-    if (here() == '#') {  // a whole line; on AArch64 too, where # has another meaning inside one
+    // a comment over the whole line; on AArch64 too, where # has another meaning inside a line
+    if (here() == '#') {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (here() != '\n' && here() != ';') {
       const std::string_view word = name();
@@ -70,7 +71,7 @@ private:
       skip_spaces();
       if (here() == ':') {
         ++at_;
-        return true;  // a label: what follows is a statement of its own
+        return true;  // a label: a statement of its own follows
       }
       const bool assignment = here() == '=';
       if (word.starts_with('.') && !assignment && !is_directive(word)) return false;
@@ -80,7 +81,7 @@ private:
     return true;
   }
 
-  // To the separator, which is not taken.
+  // Reads up to the separator, but not the separator itself.
   bool rest() {
     for (; here() != '\n' && here() != ';'; ++at_) {
       if (here() == '"') {
@@ -92,7 +93,7 @@ private:
     return true;
   }
 
-  // To its closing quote, in the same line.
+  // Reads up to the closing quote, which must be in the same line.
   bool string() {
     for (++at_; here() != '"'; ++at_) {
       if (here() == '\\' && next() != '\n') {

@@ -1,4 +1,5 @@
-// What Gradescope builds an autograder from: https://gradescope-autograders.readthedocs.io/en/latest/specs/.
+// The files that Gradescope builds an autograder from:
+// https://gradescope-autograders.readthedocs.io/en/latest/specs/.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +13,16 @@
 
 namespace glassbox::labs::grading {
 
-// setup.sh, which builds glassbox once in the autograder's image; run_autograder, which grades one submission; and under
-// glassbox/ the sources of `tree`, a clone of glassbox, that the program is built of.
+// setup.sh, which builds glassbox once in the autograder's image; run_autograder, which grades one
+// submission; and under glassbox/ the sources of the program, from `tree`, a clone of glassbox.
 //
-// The layout is Gradescope's, /autograder/{source,submission,results}; GLASSBOX_AUTOGRADER in the environment names another place
-// for it, to try the archive without Gradescope.
+// The layout is Gradescope's, /autograder/{source,submission,results}. The environment variable
+// GLASSBOX_AUTOGRADER names another folder in place of /autograder, to try the archive without
+// Gradescope.
 Result<std::vector<ZipEntry>> autograder_files(const Lab& lab, const std::filesystem::path& tree,
                                                const std::vector<std::string>& options);
 
-// The two scripts by themselves.
+// The two scripts alone.
 std::string setup_script();
 std::string run_script(int lab, const std::vector<std::string>& options);
 

@@ -26,7 +26,7 @@ std::string contents(int file) {
   return text;
 }
 
-// The process's number, or -1.
+// Starts the command. Returns the process's number, or -1.
 pid_t start(const std::vector<std::string>& command, int said) {
   std::vector<char*> argv;
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));

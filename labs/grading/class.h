@@ -1,4 +1,4 @@
-// A class: every submission by a process of its own, several at a time.
+// Grades a class: each submission in its own process, several at the same time.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,16 @@
 namespace glassbox::labs::grading {
 
 struct ClassRequest {
-  std::vector<std::string> names;  // of the submissions
+  std::vector<std::string> names;  // names of the submissions
   int jobs = 1;
-  // The command that grades one, program first.
+  // Returns the command that grades one submission, the program first.
   std::function<std::vector<std::string>(const std::string& name)> command;
-  // Called when one has ended, in the order in which they end. `fine`: with exit status 0; `said`: its standard error.
+  // Called when one has ended, in the order in which they end. `fine`: with exit status 0; `said`:
+  // what it wrote to standard error.
   std::function<void(const std::string& name, bool fine, const std::string& said)> ended;
 };
 
-// Returns when all have ended. They end with the caller, whatever becomes of it.
+// Returns when all have ended. The processes also end when the caller ends, for any reason.
 void grade_class(const ClassRequest& request);
 
 }  // namespace glassbox::labs::grading

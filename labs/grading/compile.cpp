@@ -20,7 +20,7 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
-// Empty if the compiler was content.
+// The kind of trouble that the compiler had; empty if it succeeded.
 std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::string& said) {
   switch (outcome.ending) {
     case Ending::kExit:
@@ -40,8 +40,8 @@ std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::str
   }
 }
 
-// A file that a submission included and that is neither the compiler's nor the lab's; empty if there is none. Where the sandbox
-// hides files there cannot be.
+// A file that a submission included and that is neither the compiler's nor the lab's; empty if
+// there is none. Where the sandbox hides files there cannot be one.
 std::string foreign_file(const fs::path& build, const Kit& kit) {
   const auto rule = read_text_file(build / kFilesRead);
   if (!rule) return "a file that is not named";
@@ -56,12 +56,12 @@ Compiled foreign(const std::string& file) {
           fmt::format("student.cpp includes {}, which is not part of the lab.\n", file)};
 }
 
-// What a part of the compiler says, without the places that only the grader knows.
+// The output of a compiler's part as students see it, without paths that only the grader knows.
 std::string shown(const std::string& said, const Kit& kit, const fs::path& build) {
   return without(without(said, build.string() + "/"), kit.include.string() + "/");
 }
 
-// Calls one of the compiler's parts and takes what it says.
+// Runs one part of the compiler and collects its messages.
 std::string call(const std::vector<std::string>& command, const Sandbox& sandbox, const Kit& kit,
                  const fs::path& build, std::string& said) {
   const RunOutcome outcome = sandbox.compile(command, build, {kit.include}, compile_limits());
@@ -69,13 +69,14 @@ std::string call(const std::vector<std::string>& command, const Sandbox& sandbox
   return trouble_of(outcome, compile_limits(), said);
 }
 
-// Whether the preprocessor does its work with the lab's files alone. Where the sandbox hides none, that is asked before anything is
-// shown that the compiler says: what it says of a file, or of a name in one, has something of the file in it. The preprocessor
-// names a file before it says anything of it.
+// Whether the preprocessor needs only the lab's files. Where the sandbox does not hide other files,
+// this is checked before any message of the compiler is shown, because a message about a file, or
+// about a name in it, reveals some of its contents. The preprocessor names a file before it prints
+// any message about it.
 Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& build,
                        const CompileWords& words) {
   Limits limits = compile_limits();
-  limits.kept_bytes = limits.said_bytes;  // every name counts
+  limits.kept_bytes = limits.said_bytes;  // every name counts, so nothing is cut off
   const RunOutcome outcome =
       sandbox.compile(preprocessor_command(kit, words, build), build, {kit.include}, limits);
   std::error_code error;
@@ -83,7 +84,8 @@ Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& b
   Compiled read;
   std::istringstream lines(outcome.said);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("Multiple include guards")) break;  // g++'s last words, and a list
+    // the end of g++'s output, followed by a list
+    if (line.starts_with("Multiple include guards")) break;
     const std::size_t dots = line.find_first_not_of('.');
     if (dots == 0 || dots == std::string::npos || line[dots] != ' ') {
       read.said += line + "\n";
@@ -105,7 +107,7 @@ struct Place {
   const fs::path& build;
 };
 
-// `objects` are copied to the place and removed again.
+// Links the program. `objects` are copied to the directory and removed again.
 fs::path link(std::vector<std::string> words, const std::vector<fs::path>& objects,
               const std::string& program, const Place& place, std::string& said,
               const CompileWords& options) {
@@ -160,7 +162,7 @@ fs::path link_submission(Checks checks, const Sandbox& sandbox, const Kit& kit,
                          const fs::path& build, std::string& said, const CompileWords& words) {
   const std::string program = checks == Checks::kVisible ? "runner" : "runner-of-all";
   std::vector<fs::path> objects = kit.objects(checks);
-  // A sanitizer watches for signals itself.
+  // A sanitizer handles signals itself.
   if (words.sanitize)
     std::erase_if(objects, [](const fs::path& each) { return each.filename() == "witness.o"; });
   return link({kObject}, objects, program, {sandbox, kit, build}, said, words);

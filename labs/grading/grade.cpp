@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Ending = RunOutcome::Ending;
 
-using AllCases = std::vector<std::vector<Case>>;  // of each check
+using AllCases = std::vector<std::vector<Case>>;  // the cases of each check
 
 AllCases cases_of(const Lab& lab) {
   AllCases cases;
@@ -46,7 +46,7 @@ std::string signal_name(int signal) {
   return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
 }
 
-// The checks of one program, put and judged.
+// Runs and judges the checks of one program.
 class Putting {
 public:
   Putting(const GradeRequest& request, const AllCases& cases)
@@ -85,12 +85,12 @@ private:
     names[i] = verdict_name(Verdict::kUntouched);
   }
 
-  // A sanitizer ends the process with its own exit status, after it has said why.
+  // A sanitizer ends the process with an exit status of its own, after it has printed the reason.
   static void name_finding(CheckResult& result, std::string& name) {
     const auto finding = sanitizer_finding(result.said);
     if (!finding || !result.first || result.verdict != Verdict::kCrash) return;
     name = result.first->text = *finding;
-    result.said.clear();  // the report, which begins with what is named
+    result.said.clear();  // the sanitizer's report, which begins with the error that is named
   }
 
   CheckAnswers answers_of(Runner& runner, const fs::path& program, std::size_t i) const {
@@ -114,7 +114,7 @@ std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& pro
   if (check.verdict == Verdict::kRight) return "passed";
   const bool ended_badly = check.verdict == Verdict::kCrash || check.verdict == Verdict::kTimeout ||
                            check.verdict == Verdict::kLimit;
-  // The first case that is not right is one that the first process reached, unless that process ended there.
+  // The first process reached the first case that is not right, unless that process ended there.
   if (!ended_badly || processes.empty()) return verdict_name(check.verdict);
   const RunOutcome& first = processes.front();
   switch (first.ending) {
@@ -156,7 +156,8 @@ Graded grade(const GradeRequest& request, const Result<std::string>& submission)
   };
   if (!compiled.trouble.empty()) return not_built(compiled.trouble);
   Putting putting(request, cases);
-  // The visible checks first, by a program without the hidden ones: there is nothing of them that it could show.
+  // The visible checks run first, in a program without the hidden ones, which therefore cannot
+  // reveal anything of them.
   for (const Checks which : {Checks::kVisible, Checks::kAll}) {
     if (which == Checks::kAll && !request.hidden) break;
     const fs::path program =
@@ -168,7 +169,7 @@ Graded grade(const GradeRequest& request, const Result<std::string>& submission)
   Graded graded;
   graded.outcome = "graded";
   graded.said = compiled.said;
-  // What was not put has no name, and is not in the result.
+  // Checks that were not run have no name, and are not in the result.
   std::erase_if(putting.results, [](const CheckResult& each) { return each.name.empty(); });
   std::erase_if(putting.names, [](const std::string& each) { return each.empty(); });
   graded.names = std::move(putting.names);

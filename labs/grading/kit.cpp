@@ -25,20 +25,22 @@ bool is_clang(const std::string& compiler) {
   return fs::path(compiler).filename().string().find("clang") != std::string::npos;
 }
 
-// The same for the lab's own files and for a student's. -ffp-contract=off is the arithmetic of the pipeline: a product and a sum
-// are two roundings.
+// Compiler flags, the same for the lab's own files and for a student's. -ffp-contract=off gives the
+// arithmetic of the pipeline: a product and a sum are rounded separately.
 const std::vector<std::string>& flags() {
   static const std::vector<std::string> words{"-std=c++20", "-O1", "-ffp-contract=off"};
   return words;
 }
 
-// The assembly is GNU's, without comments and what only LLVM knows, and assembled by the GNU assembler.
+// Flags for clang++: the assembly is in GNU syntax, without comments and without what only LLVM
+// understands, and the GNU assembler assembles it.
 std::vector<std::string> of_clang(const std::string& compiler) {
   if (!is_clang(compiler)) return {};
   return {"-fno-integrated-as", "-fno-verbose-asm", "-fno-addrsig", "-fno-autolink"};
 }
 
-// -O1 as for the others: an error that an optimiser turns into another is not told apart at -O0 either.
+// -O1 as in the other programs: an error that an optimiser turns into another one cannot be
+// recognised at -O0 either.
 const std::vector<std::string>& sanitizers() {
   static const std::vector<std::string> words{
       "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"};
@@ -101,7 +103,8 @@ Kit kit_in(const fs::path& directory, const std::string& compiler, const std::st
   return kit;
 }
 
-// Whatever the mask of the caller: the user that compiles is another. The objects stay the caller's own.
+// Makes the headers readable for every user, regardless of the caller's umask, because another user
+// compiles. The objects stay readable for the caller alone.
 void open_to_all(const Kit& kit, const fs::path& directory) {
   using fs::perms;
   std::error_code error;
@@ -117,11 +120,11 @@ void open_to_all(const Kit& kit, const fs::path& directory) {
   fs::permissions(directory / "objects", perms::owner_all, fs::perm_options::replace, error);
 }
 
-// What a kit is made of.
+// The parts that a kit is made of.
 struct Parts {
   std::string starter;
-  std::vector<SourceFile> visible,
-      all;  // the files around student.cpp, and student.cpp with the solution
+  // the files around student.cpp, and student.cpp with the solution
+  std::vector<SourceFile> visible, all;
   std::string witness;
 };
 
@@ -160,7 +163,8 @@ Result<std::string> fingerprint_of(const Sources& sources, const Parts& parts,
   return digest.text();
 }
 
-// A compiler that is called where `files` lie, so that its messages and macros do not name the place.
+// Runs the compiler in the directory of the `files`, so that its messages and macros do not contain
+// the path.
 class Workshop {
 public:
   Workshop(const Kit& kit, const Sources& sources, fs::path place)
@@ -185,7 +189,7 @@ private:
   fs::path place_;
 };
 
-// The headers that the solution includes: the lab's student.h, and those of the library.
+// Writes the headers that the solution includes: the lab's student.h, and those of the library.
 Result<void> write_headers(const Kit& kit, const Sources& sources,
                            const std::vector<SourceFile>& files) {
   std::vector<SourceFile> own;
@@ -204,7 +208,8 @@ Result<void> write_headers(const Kit& kit, const Sources& sources,
   return {};
 }
 
-// Half a kit beside its place is what a killed program left; none takes an hour to make.
+// Removes incomplete kits beside the directory, which a killed program left. They are older than an
+// hour; making one takes less.
 void remove_leftovers(const fs::path& directory) {
   std::error_code error;
   const std::string name = directory.filename().string() + "-";
@@ -249,7 +254,7 @@ Result<void> fill(const Kit& kit, const Sources& sources, const Parts& parts,
   for (const auto& each : done) {
     if (!each) return each;
   }
-  fs::remove_all(own, error);  // the solution, and the hidden cases
+  fs::remove_all(own, error);  // it contains the solution and the hidden cases
   open_to_all(kit, directory);
   return {};
 }
@@ -267,7 +272,7 @@ Result<void> compile_own(const std::string& compiler, const fs::path& source,
 
 std::vector<fs::path> headers_of(const std::string& rule) {
   std::vector<fs::path> files = dependencies_of(rule);
-  if (!files.empty()) files.erase(files.begin());  // the source
+  if (!files.empty()) files.erase(files.begin());  // the source file itself
   return files;
 }
 
@@ -282,7 +287,8 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
   remove_leftovers(directory);
   std::error_code error;
   if (!fs::exists(directory, error)) {
-    // Beside its place, and renamed into it. Where another was faster, its kit is as good.
+    // Made beside its place and then renamed into it. If another process was faster, its kit is
+    // just as good.
     std::string beside = directory.string() + "-XXXXXX";
     fs::create_directories(directory.parent_path(), error);
     if (::mkdtemp(beside.data()) == nullptr)
@@ -319,7 +325,7 @@ Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
   return copy;
 }
 
-// All but what is to be made.
+// The compiler's arguments, except those for the output.
 static std::vector<std::string> compiler_words(const Kit& kit, const CompileWords& options,
                                                const fs::path& build) {
   std::vector<std::string> words{kit.compiler};
@@ -331,11 +337,12 @@ static std::vector<std::string> compiler_words(const Kit& kit, const CompileWord
   if (!options.stands_for.empty())
     append(words,
            {"-g", fmt::format("-fdebug-prefix-map={}={}", build.string(), options.stands_for)});
-  // A stub uses no parameter.
+  // A stub does not use its parameters.
   if (options.warnings) append(words, {"-Wall", "-Wextra", "-Wno-unused-parameter"});
-  // A student's own errors come before those that they make elsewhere.
+  // A limit on the number of errors: a student's own errors come before those that they cause
+  // elsewhere.
   words.push_back(is_clang(kit.compiler) ? "-ferror-limit=10" : "-fmax-errors=10");
-  // g++ quotes the file that the last #line has named, whatever file that is.
+  // g++ quotes from the file that the last #line names, even if that is another file.
   if (!options.quotes)
     words.push_back(is_clang(kit.compiler) ? "-fno-caret-diagnostics"
                                            : "-fno-diagnostics-show-caret");
@@ -366,7 +373,7 @@ std::vector<std::string> object_command(const Kit& kit) {
 
 std::vector<std::string> link_command(const Kit& kit, const std::vector<std::string>& objects,
                                       const std::string& program, const CompileWords& options) {
-  // Nothing in an object makes the linker compile.
+  // -fno-lto: no contents of an object can make the linker compile.
   std::vector<std::string> words{kit.compiler, "-fno-lto"};
   if (options.sanitize) {
     append(words, sanitizers());

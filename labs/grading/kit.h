@@ -1,4 +1,5 @@
-// What submissions of a lab are compiled with: made once, by trusted code, and read by every compilation.
+// The files that submissions of a lab are compiled with: made once, by trusted code, and read by
+// every compilation.
 #pragma once
 
 #include <filesystem>
@@ -11,55 +12,63 @@
 
 namespace glassbox::labs::grading {
 
-// A runner puts the checks that students have, or all of them. Of hidden checks there is nothing in the visible runner.
+// Which checks a runner contains: those that students have, or all. The visible runner contains
+// nothing of the hidden checks.
 enum class Checks { kVisible, kAll };
 
 struct Kit {
-  // Headers: those of the lab that its own student.cpp includes, and no others. All of the kit that a submission's compiler sees.
+  // Headers: those of the lab that its own student.cpp includes, and no others. The compiler of a
+  // submission sees nothing else of the kit.
   std::filesystem::path include;
-  // The two runners without the student's functions; for the linker alone, when the submission's code has been compiled.
+  // The two runners without the student's functions; only the linker gets them, after the
+  // submission's code has been compiled.
   std::vector<std::filesystem::path> visible, all;
   std::filesystem::path starter;  // student.cpp as students get it, compiled
-  std::string compiler;           // its path
-  std::string fingerprint;        // of all that it was made from
+  std::string compiler;           // the path of the compiler
+  std::string fingerprint;        // a digest of all files and settings that it was made from
 
   const std::vector<std::filesystem::path>& objects(Checks checks) const {
     return checks == Checks::kVisible ? visible : all;
   }
 };
 
-// Makes the kit of the lab labs/FOLDER in `directory`, which must be absolute, or finds the one that was made there. It appears
-// whole: several may make the same one at the same time. An error where it is another lab's, another compiler's or of other
-// sources.
+// Makes the kit of the lab labs/FOLDER in `directory`, which must be absolute, or finds the one
+// that was made there. The kit appears complete, in one step, so several processes may make the
+// same one at the same time. It is an error if the kit there belongs to another lab, another
+// compiler or other sources.
 Result<Kit> make_kit(const Sources& sources, const std::string& folder,
                      const std::filesystem::path& directory);
 
-// Kit::fingerprint of the kit that would be made.
+// The Kit::fingerprint that make_kit() would give.
 Result<std::string> kit_fingerprint(const Sources& sources, const std::string& folder);
 
-// The kit in another place: one where every user can reach its headers.
+// Copies the kit to a directory where every user can reach its headers.
 Result<Kit> copy_kit(const Kit& kit, const std::filesystem::path& directory);
 
-// Compiles a file of the lab's own as a student's is compiled, so that the numbers are the same. `includes` are searched for headers.
+// Compiles one of the lab's own files in the same way as a student's file, so that the numbers are
+// the same. Headers are searched in `includes`.
 Result<void> compile_own(const std::string& compiler, const std::filesystem::path& source,
                          const std::vector<std::filesystem::path>& includes,
                          const std::filesystem::path& object);
 
-// The calls that make a program of student.cpp, one after the other. The files are looked for in the directory `build` that they
-// are called in, where kFilesRead then names those that were included.
+// The commands that make a program of student.cpp, one after the other. They are run in the
+// directory `build` and look for the files there; afterwards kFilesRead there lists the files that
+// were included.
 struct CompileWords {
   bool warnings = false;
-  bool debugger = false;  // with what a debugger reads, and every variable in its place (-O0 -g)
-  bool timed = false;     // as fast as the library (-O2); the numbers are the same
-  bool sanitize =
-      false;  // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
-  std::string
-      stands_for;      // the folder that a debugger is to look for student.cpp in; empty for none
-  bool quotes = true;  // what a message is about, from the file that it names
+  // for a debugger: with debug information and without optimisation (-O0 -g)
+  bool debugger = false;
+  bool timed = false;  // as fast as the library (-O2); the numbers are the same
+  // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
+  bool sanitize = false;
+  // the folder in which a debugger is to look for student.cpp; empty for none
+  std::string stands_for;
+  bool quotes = true;  // whether messages quote the line of the file that they are about
 };
 std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& words,
                                           const std::filesystem::path& build);
-// The preprocessor alone: every file that it opens is named in what it says, in a line of dots, a space and the path.
+// The preprocessor alone. Its output names every file that it opens, in a line of dots, a space and
+// the path.
 std::vector<std::string> preprocessor_command(const Kit& kit, const CompileWords& words,
                                               const std::filesystem::path& build);
 std::vector<std::string> object_command(const Kit& kit);
@@ -71,7 +80,8 @@ inline constexpr const char* kAssembly = "student.s";
 inline constexpr const char* kObject = "student.o";
 inline constexpr const char* kFilesRead = "files-read";
 
-// The files that a compiler's rule "student.o: student.cpp a.h" names, without the first.
+// The files that a compiler's dependency rule "student.o: student.cpp a.h" names, without the
+// first.
 std::vector<std::filesystem::path> headers_of(const std::string& rule);
 
 }  // namespace glassbox::labs::grading

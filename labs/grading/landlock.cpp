@@ -18,12 +18,12 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// glibc has no functions for these.
+// glibc has no functions for these system calls.
 long create_ruleset(const landlock_ruleset_attr* rules, std::size_t size, std::uint32_t flags) {
   return ::syscall(SYS_landlock_create_ruleset, rules, size, flags);
 }
 
-// The first version's rights, which every kernel with Landlock knows.
+// The access rights of Landlock's first version, which every kernel with Landlock knows.
 constexpr std::uint64_t kReading =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t kEverything =
@@ -36,7 +36,7 @@ constexpr std::uint64_t kOfFiles =
 
 bool allow(int ruleset, const std::filesystem::path& path, std::uint64_t access) {
   const int opened = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-  if (opened < 0) return true;  // what does not exist cannot be reached either
+  if (opened < 0) return true;  // a path that does not exist cannot be reached anyway
   struct stat status = {};
   if (::fstat(opened, &status) == 0 && !S_ISDIR(status.st_mode)) access &= kOfFiles;
   landlock_path_beneath_attr rule{};
@@ -56,7 +56,7 @@ FileRules::FileRules(const std::vector<std::filesystem::path>& readable,
   rules.handled_access_fs = kEverything;
   const int created = static_cast<int>(create_ruleset(&rules, sizeof rules, 0));
   if (created < 0) return;
-  // Above the descriptors that a process is given, which would take its place.
+  // Moved above the descriptors that a process gets, which would otherwise overwrite it.
   ruleset_ = ::fcntl(created, F_DUPFD_CLOEXEC, 10);
   ::close(created);
   if (ruleset_ < 0) return;

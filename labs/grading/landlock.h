@@ -1,4 +1,5 @@
-// Which files a process may reach (Landlock, Linux 5.13 and later): for machines that give it no file system of its own.
+// Restricts the files that a process may reach (Landlock, Linux 5.13 and later), for machines that
+// cannot give it a file system of its own.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +7,12 @@
 
 namespace glassbox::labs::grading {
 
-// A set of rules as a file descriptor of the kernel's, closed with it.
+// A set of rules, held by the kernel behind a file descriptor and closed with it.
 class FileRules {
 public:
   FileRules() = default;
-  // Only what lies at or below `readable` can be read and executed, and only what lies below `writable` written. Paths that do not
-  // exist are passed over.
+  // Allows reading and executing only in `readable`, and writing only in `writable`; each path
+  // includes everything below it. Paths that do not exist are ignored.
   FileRules(const std::vector<std::filesystem::path>& readable,
             const std::vector<std::filesystem::path>& writable);
   ~FileRules();
@@ -27,7 +28,8 @@ private:
 
 bool can_rule_files();
 
-// Puts the calling process under the rules, for good. It must have set no_new_privs. Allocates nothing: for use after fork.
+// Restricts the calling process by the rules, permanently. It must have set no_new_privs. Allocates
+// nothing, so it can be used after fork.
 bool obey_file_rules(int descriptor);
 
 }  // namespace glassbox::labs::grading

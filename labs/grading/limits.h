@@ -1,4 +1,4 @@
-// What one process of a submission may use.
+// The limits of one process of a submission.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,24 @@ namespace glassbox::labs::grading {
 inline constexpr std::size_t kMiB = std::size_t(1) << 20;
 
 struct Limits {
-  double seconds = 10;  // of wall-clock time; the processor's time is limited to the next second
-  std::size_t memory_bytes = 512 * kMiB;  // of address space; 0: no limit
-  std::size_t stack_bytes = 8 * kMiB;     // what a student's own machine gives by default
-  std::size_t file_bytes = kMiB;          // of each file it writes
-  std::size_t output_bytes = 64 * kMiB;   // of answers; a process that writes more is ended
-  std::size_t said_bytes = kMiB;          // of standard output and error together; likewise
-  std::size_t kept_bytes = 16 * 1024;     // of those, what a report shows
-  unsigned processes = 64;  // of the user that it runs as, where that is one of its own
+  // wall-clock time; the processor time is limited to the same, rounded up to the next second
+  double seconds = 10;
+  std::size_t memory_bytes = 512 * kMiB;  // address space; 0: no limit
+  std::size_t stack_bytes = 8 * kMiB;     // the usual default on a student's own machine
+  std::size_t file_bytes = kMiB;          // for each file it writes
+  std::size_t output_bytes = 64 * kMiB;   // for answers; a process that writes more is ended
+  // for standard output and standard error together; a process that writes more is ended
+  std::size_t said_bytes = kMiB;
+  std::size_t kept_bytes = 16 * 1024;  // how much of these a report shows
+  unsigned processes = 64;             // for the user that it runs as, where that user is its own
 };
 
-// A compiler: cc1plus alone maps some 200 MiB for <iostream> and GLM.
+// For a compiler: cc1plus alone maps some 200 MiB for <iostream> and GLM.
 inline Limits compile_limits() {
   Limits limits;
   limits.seconds = 60;
   limits.memory_bytes = 2048 * kMiB;
-  limits.stack_bytes = 64 * kMiB;  // g++ raises its own to this
+  limits.stack_bytes = 64 * kMiB;  // g++ raises its own stack to this size
   limits.file_bytes = 64 * kMiB;
   return limits;
 }

@@ -19,7 +19,7 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-// The number in "...student.cpp:24:3: ..."; 0 if there is none.
+// The line number in "...student.cpp:24:3: ..."; 0 if there is none.
 int line_in_source(const std::string& message) {
   const std::string mark = std::string(kSource) + ":";
   const std::size_t at = message.find(mark);
@@ -29,7 +29,8 @@ int line_in_source(const std::string& message) {
   return std::atoi(message.c_str() + at + mark.size());
 }
 
-// Of the message around line `at`, which is an error elsewhere: the line of student.cpp that it names nearest before it or after it.
+// For the message around line `at`, which is an error in another file: the nearest line of
+// student.cpp that the messages name before it or after it.
 int cause_of(const std::vector<std::string>& lines, std::size_t at) {
   for (std::size_t i = at; i-- > 0 && lines[i].find("error:") == std::string::npos;) {
     if (const int line = line_in_source(lines[i])) return line;

@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 constexpr const char* kNeeded[] = {"handout.md", "student.h",  "student.cpp",
                                    "cases.h",    "runner.cpp", "checks.cpp"};
 
-// What is compiled with a student's code, or draws, is no part of the judge.
+// Whether the judge is compiled from the file. Files that are compiled with a student's code, or
+// that draw, do not belong to the judge.
 bool is_of_judge(const fs::path& file) {
   const std::string name = file.filename().string();
   return file.extension() == ".cpp" && name != "student.cpp" && name != "runner.cpp" &&
@@ -34,7 +35,8 @@ bool is_of_judge(const fs::path& file) {
          name != "measured.cpp";
 }
 
-// Its sources, and every header that they may include, in an order that is the same everywhere.
+// The judge's sources, and every header that they may include, in an order that is the same
+// everywhere.
 Result<std::vector<fs::path>> files_of_judge(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
@@ -50,7 +52,7 @@ std::string number_of(const fs::path& folder) {
   return folder.filename().string().substr(0, 2);
 }
 
-// The one name that is looked for in what was compiled, without C++'s decoration.
+// The name of the function that is looked up in the compiled judge; it has C linkage.
 std::string entry_point(const fs::path& folder) {
   return fmt::format(
       "#include \"labs/framework/lab.h\"\n"
@@ -61,8 +63,9 @@ std::string entry_point(const fs::path& folder) {
       number_of(folder));
 }
 
-// -Bsymbolic and -fno-gnu-unique: what the folder defines is the folder's, also where the program has a function of that name, as
-// it does where the folder is a changed copy of one of its own labs. The arithmetic is the program's.
+// With -Bsymbolic and -fno-gnu-unique the folder's code calls its own functions, even where the
+// program has a function of the same name, as it has if the folder is a changed copy of one of its
+// own labs. The arithmetic flags are those of the program.
 std::vector<std::string> compile_words(const Sources& sources, const std::vector<fs::path>& files,
                                        const fs::path& entry, const fs::path& made) {
   std::vector<std::string> words{compiler(),
@@ -94,7 +97,7 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
   std::error_code error;
   fs::create_directories(place, error);
   fs::permissions(place, fs::perms::owner_all, fs::perm_options::replace, error);
-  // Beside its place, and renamed into it.
+  // Made beside its place and then renamed into it.
   std::string beside = (place / "judge-XXXXXX").string();
   if (::mkdtemp(beside.data()) == nullptr)
     return fail(place.string(), "cannot be written", "check the directory's permissions and space");
@@ -122,7 +125,7 @@ auto of_checks(const Sources& sources, const std::string& cause, const std::stri
   return fail((sources.outside / "checks.cpp").string(), cause, what_to_do);
 }
 
-// What the points and the reports rely on.
+// Checks the properties that the points and the reports rely on.
 Result<void> check_whole(const Sources& sources, const Lab& lab) {
   const std::string folder = sources.outside.filename().string();
   if (lab.folder != folder)
@@ -190,7 +193,7 @@ Result<const Lab*> load_outside_lab(const Sources& sources, const fs::path& plac
   using Make = void (*)(Lab*);
   const auto make = reinterpret_cast<Make>(::dlsym(loaded, "glassbox_lab"));
   if (make == nullptr) return of_checks(sources, ::dlerror(), "remove the directory of the judge");
-  // Its checks are functions of what is loaded, so both stay until the program ends.
+  // The lab's checks are functions of the loaded library, so both stay until the program ends.
   static std::vector<std::unique_ptr<Lab>> kept;
   auto lab = std::make_unique<Lab>();
   make(lab.get());

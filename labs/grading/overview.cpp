@@ -28,7 +28,7 @@ const Json& tasks(const Row& row) {
   return extra.contains("tasks") ? extra["tasks"] : none;
 }
 
-// Of all rows, in the order in which they are met.
+// The tasks of all rows, in the order in which they first occur.
 std::vector<std::string> task_ids(const std::vector<Row>& rows) {
   std::vector<std::string> ids;
   for (const Row& row : rows) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the program is built of.
+// The parts that the program is built from.
 constexpr const char* kProgram[] = {"app",
                                     "base",
                                     "cmake",
@@ -32,12 +32,12 @@ constexpr const char* kProgram[] = {"app",
                                     "CMakeLists.txt",
                                     "CMakePresets.json",
                                     "LICENSE"};
-// What is read, tried and started besides.
+// Other files that students read, try and start.
 constexpr const char* kBesides[] = {"debug", "docs", "examples", "glassbox", "README.md"};
 
 bool left_out(const fs::path& relative) {
   const std::string path = relative.generic_string();
-  // That page names every hidden check, and what it finds.
+  // That page names every hidden check, and which faults it finds.
   return relative.filename().string().starts_with('.') || path.starts_with("images/golden/") ||
          path == "docs/lab_faults.md";
 }
@@ -53,7 +53,8 @@ Result<ZipEntry> entry_of(const fs::path& tree, const fs::path& relative,
   return ZipEntry{prefix + relative.generic_string(), std::move(*text), executable};
 }
 
-// The files of a part, in any order. Links are passed over: those of include/ are made by the build where they are missing.
+// Adds the files of a part, in any order. Links are ignored: the build makes those of include/
+// where they are missing.
 Result<void> add_part(const fs::path& tree, const char* part, std::vector<fs::path>& files) {
   std::error_code error;
   if (!fs::exists(tree / part, error)) {
@@ -119,7 +120,7 @@ Result<std::vector<ZipEntry>> students_files(const fs::path& tree) {
       entries.push_back(std::move(entry));
     }
   }
-  // What cmake/options.cmake looks for.
+  // The file that cmake/options.cmake looks for.
   entries.push_back({prefix + "cmake/for-students",
                      "This glassbox has the labs without solutions, hidden checks and grading.\n"});
   return entries;

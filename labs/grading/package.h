@@ -1,4 +1,4 @@
-// Archives that glassbox is built from elsewhere: by an autograder, and by students.
+// Archives from which glassbox is built elsewhere: by an autograder, and by students.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@
 
 namespace glassbox::labs::grading {
 
-// The sources of the program in the clone `tree`, each with its path below `prefix` ("glassbox/"); neither tests nor documents.
+// The sources of the program in the clone `tree`, each with its path below `prefix` ("glassbox/"),
+// without tests and documents.
 Result<std::vector<ZipEntry>> program_files(const std::filesystem::path& tree,
                                             const std::string& prefix);
 
-// The same and the documents, with the labs as students get them (framework/students.h): what is built from it is a glassbox for
-// students, with the commands that they need.
+// The same with the documents, and with the labs as students get them (framework/students.h). A
+// program built from it is a glassbox for students, with the commands that they need.
 Result<std::vector<ZipEntry>> students_files(const std::filesystem::path& tree);
 
 }  // namespace glassbox::labs::grading

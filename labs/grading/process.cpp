@@ -26,7 +26,8 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// What the child needs, laid out before the fork: after it nothing may be allocated.
+// Everything that the child needs, prepared before the fork, because nothing may be allocated after
+// it.
 struct Prepared {
   std::vector<char*> argv, environment;
   const char* directory = nullptr;
@@ -44,7 +45,7 @@ bool set_limits(const Limits& limits, bool own_user) {
   bool fine = limit(RLIMIT_CORE, 0) && limit(RLIMIT_NOFILE, 64);
   fine = fine && limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)) + 1);
   fine = fine && limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_STACK, limits.stack_bytes);
-  // It counts all processes of a user, not those of this one alone.
+  // This limit counts all processes of a user, not only those of this process.
   if (own_user) fine = fine && limit(RLIMIT_NPROC, limits.processes);
   return fine && (limits.memory_bytes == 0 || limit(RLIMIT_AS, limits.memory_bytes));
 }
@@ -86,7 +87,7 @@ bool become(uid_t user) {
   if (::chdir(prepared.directory) != 0) give_up(prepared, "its directory");
   if (!set_limits(launch.limits, launch.user.has_value())) give_up(prepared, "its limits");
   if (launch.user && !become(*launch.user)) give_up(prepared, "its user");
-  // After the change of user, which forgets it.
+  // Set after the change of user, which clears it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) give_up(prepared, "no new privileges");
@@ -110,11 +111,11 @@ RunOutcome not_started(std::string why) {
   return outcome;
 }
 
-// How it ended, as its status and the note it left tell.
+// Determines how the process ended, from its status and from the note that it left.
 void classify(RunOutcome& outcome, int status, const std::string& note, bool in_bubblewrap) {
   using Ending = RunOutcome::Ending;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  // Bubblewrap ends with 128 + the signal that ended the process inside.
+  // Bubblewrap exits with 128 + the signal that ended the process inside.
   int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (in_bubblewrap && code > 128 && code <= 128 + 64) signal = code - 128;
   outcome.ending = signal != 0 ? Ending::kSignal : Ending::kExit;

@@ -1,4 +1,4 @@
-// One process under limits, followed to its end.
+// Runs one process under limits and follows it to its end.
 #pragma once
 
 #include <sys/types.h>
@@ -15,24 +15,25 @@
 
 namespace glassbox::labs::grading {
 
-// Descriptors that a process is given besides the standard ones and kAnswersFd.
+// Descriptors that a process gets in addition to the standard ones and kAnswersFd.
 inline constexpr int kNotesFd = 4;   // witness.cpp
-inline constexpr int kFilterFd = 5;  // for bubblewrap, which puts the filter in force itself
+inline constexpr int kFilterFd = 5;  // for bubblewrap, which installs the filter itself
 
 struct Launch {
   std::vector<std::string> command;
   std::vector<std::string> environment;
   std::filesystem::path directory;
   Limits limits;
-  std::optional<uid_t> user;  // to become; only root may
-  SystemCallFilter filter;    // none if empty
+  std::optional<uid_t> user;  // the user to become; only root may change it
+  SystemCallFilter filter;    // empty: no filter
   bool in_bubblewrap = false;
   int file_rules = -1;  // FileRules::descriptor()
-  int input = -1;       // standard input; none: it is empty
+  int input = -1;       // standard input; -1: it is empty
 };
 
-// The process leads a session of its own, which is killed as a whole when its time or output is
-// spent and when it ends; it does not outlive the caller. Core files are off and no new privileges can be had.
+// Runs the process. It leads a session of its own, which is killed as a whole when its time or
+// output is used up and when it ends; it does not outlive the caller. Core files are off and it
+// cannot gain new privileges.
 RunOutcome launch(const Launch& launch);
 
 }  // namespace glassbox::labs::grading

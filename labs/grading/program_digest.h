@@ -1,11 +1,12 @@
-// Which program this is.
+// Identifies the build of this program.
 #pragma once
 
 #include <string>
 
 namespace glassbox::labs::grading {
 
-// A digest of the program's own file, which another build does not have; empty where it cannot be read.
+// A digest of the program's own file, which is different in another build; empty where it cannot be
+// read.
 std::string program_digest();
 
 }  // namespace glassbox::labs::grading

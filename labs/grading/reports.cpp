@@ -42,7 +42,7 @@ std::string junit_xml(const OrderedJson& results) {
                          escaped(outcome_in(test)), escaped(test.at("output")));
   }
   const bool graded = extra.at("outcome") == "graded";
-  // What kept the checks from being put is one error.
+  // The reason why no check was run is one error.
   if (!graded)
     cases += fmt::format(
         "    <testcase classname=\"submission\" name=\"student.cpp\">\n      <error "
@@ -60,7 +60,7 @@ std::string junit_xml(const OrderedJson& results) {
 std::string vpl_text(const OrderedJson& results, double most) {
   std::string text;
   double score = 0, max_score = 0;
-  // "-" begins a title; a line that begins with ">" is shown as it is.
+  // A line that begins with "-" is a title; a line that begins with ">" is shown literally.
   const auto add = [&](const std::string& title, const std::string& body) {
     text += "<|--\n-" + title + "\n";
     std::istringstream lines(body);

@@ -15,18 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostText = 4000;  // bytes of what a student's code printed
+constexpr std::size_t kMostText = 4000;  // how many bytes of a student's printed output are shown
 
 std::string cut(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most) + "\n[cut off here]";
 }
 
-// Sums of thirds and sevenths, to where their rounding cannot be seen: 1e-6 of a point.
+// Rounds sums of thirds and sevenths to 1e-6 of a point, so that no rounding error is visible.
 double points(double value) {
   return std::round(value * 1e6) / 1e6;
 }
 
-// JSON has no such numbers.
+// JSON has no infinities and no NaN.
 Json number(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -79,7 +79,7 @@ Json test_json(const CheckResult& check, const std::string& name, const std::str
           {"extra_data", extra}};
 }
 
-// The first case that is not right, and what may be the reason.
+// Describes the first case that is not right, and what may be the reason.
 std::string failure_text(const CheckResult& check, const std::string& name) {
   std::string text = fmt::format("{}: {} of {} cases are right{}.\n", name, check.right,
                                  check.cases.size(), note_of_whole(check));
@@ -114,7 +114,8 @@ std::string explanation(const CheckResult& check, const std::string& name) {
 Json gradescope_json(const Graded& graded, const std::string& confinement,
                      const std::string& digest) {
   const LabResult& lab = graded.result;
-  // No points: students read this before grades are published, and the total would tell of hidden checks.
+  // Shows no points: students read this before grades are published, and the total would reveal
+  // something about hidden checks.
   std::string output = fmt::format("Lab {}, {}.\n", lab.number, lab.title);
   if (graded.outcome != "graded") output += graded.outcome + ".\n";
   if (!graded.said.empty()) output += "\n" + cut(graded.said, 3 * kMostText);
@@ -132,7 +133,8 @@ Json gradescope_json(const Graded& graded, const std::string& confinement,
     const std::string number = fmt::format("{}.{}", check.task, ++counts[check.task]);
     tests.push_back(test_json(check, graded.names[i], number));
   }
-  // Without a "score" of its own: Gradescope adds up the tests, and shows the sum when it shows them all.
+  // There is no "score" here: Gradescope adds up the tests, and shows the sum when it shows them
+  // all.
   return {{"output", output},
           {"output_format", "text"},
           {"test_output_format", "text"},

@@ -1,7 +1,8 @@
-// Results as the services that take them want them.
+// Results in the forms that grading services read.
 //
 // Gradescope: https://gradescope-autograders.readthedocs.io/en/latest/specs/, "Output format".
-// GitHub Classroom: what github.com/classroom-resources/autograding-grading-reporter reads, in base64, from a runner.
+// GitHub Classroom: what github.com/classroom-resources/autograding-grading-reporter reads, in
+// base64, from a runner.
 #pragma once
 
 #include <string>
@@ -14,10 +15,11 @@ namespace glassbox::labs::grading {
 
 inline constexpr const char* kUnfinished = "grading did not finish";
 
-// results.json. One test a check; a hidden check is shown when grades are published, and nothing else that students see depends
-// on one: there is no total. What the grader knows beyond Gradescope's fields is in extra_data, which students do not see.
-// Nothing in it depends on when or where it was made. `confinement` is Sandbox::in_force(), `digest` one of all that the result
-// depends on.
+// results.json. There is one test for each check. A hidden check is shown when grades are
+// published, and nothing else that students see depends on one: so there is no total. What the
+// grader knows beyond Gradescope's fields is in extra_data, which students do not see. Nothing in
+// it depends on when or where it was made. `confinement` is Sandbox::in_force(), `digest` a digest
+// of everything that the result depends on.
 nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement,
                                        const std::string& digest = {});
 
@@ -27,13 +29,13 @@ nlohmann::ordered_json unfinished_json();
 // The points of results.json.
 double total_of(const nlohmann::ordered_json& results);
 
-// From results.json: hidden checks count, but say nothing but their names.
+// Made from results.json: hidden checks count, but only their names are shown.
 nlohmann::ordered_json classroom_json(const nlohmann::ordered_json& results);
 
-// As text; bytes that are no UTF-8 are replaced.
+// The JSON as text; bytes that are not valid UTF-8 are replaced.
 std::string text_of(const nlohmann::ordered_json& json);
 
-// What a student reads of a check.
+// The text about a check that a student reads.
 std::string explanation(const CheckResult& check, const std::string& name);
 
 }  // namespace glassbox::labs::grading

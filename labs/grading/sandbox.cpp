@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a compiler reads: programs, headers and libraries, and nothing that people keep.
+// The files that a compiler reads: programs, headers and libraries, and no personal files.
 const std::vector<fs::path>& compiler_files() {
   static const std::vector<fs::path> files{"/usr/bin",
                                            "/usr/include",
@@ -34,7 +34,7 @@ const std::vector<fs::path>& compiler_files() {
   return files;
 }
 
-// The old places, which are links into /usr on most systems.
+// The traditional paths, which are links into /usr on most systems.
 const std::vector<fs::path>& old_places() {
   static const std::vector<fs::path> places{"/bin", "/lib", "/lib32", "/lib64", "/libx32"};
   return places;
@@ -48,7 +48,8 @@ std::string program_called(const char* name) {
   return {};
 }
 
-// A number that no account has and no other grading at this moment: Debian keeps 60000-64999 free.
+// A user number that no account and no other grading uses at this moment: Debian keeps 60000-64999
+// free.
 uid_t user_of_nobody() {
   return 61000 + static_cast<uid_t>(::getpid()) % 3900;
 }
@@ -78,7 +79,7 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
   std::vector<std::optional<uid_t>> users;
   if (::geteuid() == 0) users.push_back(user_of_nobody());
   users.push_back(std::nullopt);
-  std::string why;  // none of them works
+  std::string why;  // why none of them works
   const auto does_not_work = [&](Confinement each, const std::string& reason) {
     why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name_of(each), reason);
   };
@@ -117,7 +118,8 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
               "namespaces or seccomp in the container");
 }
 
-// A compiler's confinement needs more than a runner's: what can start a program there can start one here.
+// A compiler's confinement needs more than a runner's: if a compiler can be started here, a runner
+// can be too.
 std::string Sandbox::trouble(const fs::path& scratch) const {
   const fs::path trial = scratch / "trial";
   std::error_code error;
@@ -158,7 +160,8 @@ bool Sandbox::hand_over(const fs::path& path) const {
   return !user_ || ::lchown(path.c_str(), *user_, *user_) == 0;
 }
 
-// Where only the system's own files and `readable` are seen, and `directory` if it may be written to.
+// Runs the command where only the system's own files and `readable` are visible, and `directory` if
+// it may be written to.
 RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
                                     const fs::path& directory, bool may_write,
                                     const std::vector<fs::path>& readable,
@@ -191,7 +194,7 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
     if (may_write) {
       words.insert(words.end(), {"--bind", directory.string(), directory.string()});
     } else {
-      words.insert(words.end(), {"--proc", "/proc"});  // where a program finds itself
+      words.insert(words.end(), {"--proc", "/proc"});  // where a program finds its own path
     }
     words.insert(words.end(), {"--chdir", may_write ? directory.string() : "/", "--"});
     words.insert(words.end(), command.begin(), command.end());
@@ -226,8 +229,9 @@ RunOutcome Sandbox::run_sanitized(const fs::path& program,
   std::vector<std::string> command{program.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), {"--out-fd", std::to_string(kAnswersFd)});
-  // A leak is no error of a stage; looking for one takes threads and tracing.
-  // g++'s sanitizers read a program's lines themselves, clang++'s ask the first of llvm-symbolizer and addr2line that is in PATH.
+  // A leak is not an error of a stage, and the search for leaks needs threads and tracing. g++'s
+  // sanitizers look up a program's line numbers themselves; those of clang++ use llvm-symbolizer or
+  // addr2line, the first one found in PATH.
   const std::vector<std::string> environment{
       "LC_ALL=C", "PATH=/usr/bin:/bin",
       fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never:allow_addr2line=1",

@@ -1,4 +1,5 @@
-// Where a submission is compiled and run: the strongest confinement that this machine offers.
+// The place where a submission is compiled and run: the strongest confinement that this machine
+// offers.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +19,10 @@
 namespace glassbox::labs::grading {
 
 enum class Confinement {
-  kBubblewrap,  // namespaces: no other process, no network, and no file but those named
-  kLandlock,  // the machine's processes and network, shut off by the system-call filter; no file but those named
-  kLimits,  // the filter; a compiler reads every file that its user can read
+  kBubblewrap,  // namespaces: it sees no other process, no network, and no file but those named
+  // it sees no file but those named; the system-call filter blocks network and other processes
+  kLandlock,
+  kLimits,  // only the filter; a compiler can read every file that its user can read
 };
 
 constexpr std::string_view name_of(Confinement confinement) {
@@ -30,35 +32,39 @@ constexpr std::string_view name_of(Confinement confinement) {
 
 class Sandbox {
 public:
-  // Tries what there is with a real process in `scratch`, which must exist. `only`: no other than this. An error where
-  // there is neither bubblewrap nor a filter for system calls.
+  // Tries the kinds that exist with a real process in `scratch`, which must exist. `only`: no kind
+  // other than this. It is an error if there is neither bubblewrap nor a filter for system calls.
   static Result<Sandbox> choose(const std::filesystem::path& scratch,
                                 std::optional<Confinement> only = {});
 
   Confinement confinement() const { return confinement_; }
-  // One sentence.
+  // The confinement in one sentence.
   std::string in_force() const;
-  // Whose the files are that a submission's processes write. Gives `path` to it; nothing where it is the caller.
+  // Gives `path` to the user that owns the files which a submission's processes write. Does nothing
+  // where that user is the caller.
   bool hand_over(const std::filesystem::path& path) const;
 
-  // A compiler in the directory `build`, which it may write to; of the rest it sees its own files and `readable`.
+  // Runs a compiler in the directory `build`, which it may write to; otherwise it sees only its own
+  // files and `readable`.
   RunOutcome compile(const std::vector<std::string>& command, const std::filesystem::path& build,
                      const std::vector<std::filesystem::path>& readable,
                      const Limits& limits) const;
-  // Whether a compiler may read the file: as compile() rules it, where the machine can enforce that, and to be asked
-  // afterwards where it cannot.
+  // Whether a compiler may read the file: the rule that compile() enforces where the machine can do
+  // so. Elsewhere the caller checks it afterwards.
   static bool is_compilers(const std::filesystem::path& file,
                            const std::vector<std::filesystem::path>& readable);
-  // A statically linked program, which sees no file at all, but what `input` is open for: its standard input (-1: empty).
+  // Runs a statically linked program, which sees no file at all, except the one that `input` is
+  // open for: its standard input (-1: empty).
   RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  const Limits& limits, int input = -1) const;
-  // A program that was built with sanitizers. It reads the system's libraries and itself, as its report needs, and makes the
-  // system calls that a compiler may. It reserves terabytes of addresses, so that its memory is limited by itself.
+  // Runs a program that was built with sanitizers. It can read the system's libraries and itself,
+  // which its report needs, and make the system calls that a compiler may make. It reserves
+  // terabytes of addresses, so the sanitizers themselves limit its memory.
   RunOutcome run_sanitized(const std::filesystem::path& program,
                            const std::vector<std::string>& arguments, const Limits& limits) const;
 
 private:
-  // Empty, or why not.
+  // The reason why this confinement does not work here; empty if it works.
   std::string trouble(const std::filesystem::path& scratch) const;
   RunOutcome launch_confined(const std::vector<std::string>& command,
                              const std::filesystem::path& directory, bool may_write,
@@ -67,16 +73,16 @@ private:
                              const Limits& limits) const;
 
   Confinement confinement_ = Confinement::kLimits;
-  std::string bubblewrap_;  // its path
+  std::string bubblewrap_;  // the path of bubblewrap
   std::optional<uid_t> user_;
   SystemCallFilter compiler_filter_, runner_filter_;
 };
 
-// The time that all processes of a submission have together. For several threads.
+// The time that all processes of a submission have together. Safe to use from several threads.
 class TimeLeft {
 public:
   explicit TimeLeft(double seconds) : limited_(seconds > 0), left_(seconds) {}
-  // At most `most`; 0 when all is spent.
+  // The remaining time, but at most `most`; 0 when all is used up.
   double of(double most) const;
   void spend(double seconds);
 
@@ -86,7 +92,7 @@ private:
   double left_;
 };
 
-// Sandbox::run as the framework's way of running a check.
+// Sandbox::run as a Runner, the framework's way of running a check.
 class SandboxRunner : public Runner {
 public:
   SandboxRunner(const Sandbox& sandbox, Limits limits, bool sanitized = false,
@@ -94,7 +100,7 @@ public:
       : sandbox_(sandbox), limits_(limits), sanitized_(sanitized), time_(time) {}
   RunOutcome run(const RunRequest& request) override;
 
-  // How the processes ended, in order, without what they wrote.
+  // How the processes ended, in order, without their output.
   const std::vector<RunOutcome>& processes() const { return processes_; }
 
 private:

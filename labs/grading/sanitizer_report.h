@@ -1,4 +1,4 @@
-// What AddressSanitizer and UndefinedBehaviorSanitizer say of an error, in one line.
+// Summarises a report of AddressSanitizer or UndefinedBehaviorSanitizer in one line.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,8 @@
 
 namespace glassbox::labs::grading {
 
-// "heap-buffer-overflow, student.cpp:24, in is_back_face"; the first report in what a program printed. None if there is none.
+// The first report in a program's output, as "heap-buffer-overflow, student.cpp:24, in
+// is_back_face". Nothing if there is no report.
 std::optional<std::string> sanitizer_finding(const std::string& said);
 
 }  // namespace glassbox::labs::grading

@@ -28,7 +28,7 @@ bool is_there(const fs::path& path) {
   return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
 }
 
-// What is in a folder, by name, without what systems put there.
+// The entries of a folder, by name, without those that operating systems add.
 std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& error) {
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -52,7 +52,7 @@ std::vector<fs::path> folders_in(const fs::path& folder, std::error_code& error)
   return found;
 }
 
-// Some of the files below a folder, for a message.
+// Some of the files below a folder, to be named in a message.
 std::vector<fs::path> files_below(const fs::path& folder) {
   constexpr std::size_t kMost = 100;
   std::vector<fs::path> files;
@@ -65,7 +65,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
   return files;
 }
 
-// The file is opened once and asked about afterwards, so that it cannot be another in between.
+// The file is opened once and the open file is checked, so that it cannot be exchanged in between.
 Result<std::string> read_ordinary(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (file < 0) {
@@ -138,7 +138,8 @@ Result<std::string> read_submission(const fs::path& submission) {
 
 std::string submission_name(const fs::path& path) {
   std::error_code error;
-  fs::path place = fs::absolute(path, error).lexically_normal();  // "." and "ann/" have names too
+  // so that "." and "ann/" have names too
+  fs::path place = fs::absolute(path, error).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
   if (fs::is_directory(place, error)) return place.filename().string();
   if (!is_archive(place) && place.extension() != ".cpp") return place.filename().string();
@@ -170,7 +171,8 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
                                           same->path.filename().string()));
     }
   };
-  // Folders first: an archive beside the folder that was unpacked of it is not taken twice.
+  // Folders come first: then an archive beside the folder that it was unpacked to is not taken as a
+  // second submission.
   for (const fs::path& path : entries) {
     if (fs::is_directory(path, error)) add(path.filename().string(), path);
   }

@@ -20,7 +20,8 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// What a statically linked program of C++ needs in order to start, compute, allocate, print and end.
+// The system calls that a statically linked C++ program needs in order to start, compute, allocate,
+// print and end.
 constexpr const char* kRunnerMay[] = {"read",
                                       "write",
                                       "writev",
@@ -135,7 +136,7 @@ auto failure(const std::string& what) {
               "grade on Linux on x86-64 or AArch64");
 }
 
-// A call that this processor does not have is left out.
+// Adds a rule. A call that this processor does not have is ignored.
 template <class... Conditions>
 bool add(const Context& context, std::uint32_t action, const char* name, Conditions... conditions) {
   const int number = seccomp_syscall_resolve_name(name);
@@ -143,7 +144,8 @@ bool add(const Context& context, std::uint32_t action, const char* name, Conditi
   return seccomp_rule_add(context.get(), action, number, sizeof...(conditions), conditions...) == 0;
 }
 
-// A condition on an argument, counted from 0; libseccomp's own macros for it are C and not C++.
+// A condition on an argument, counted from 0; libseccomp's own macros for it work in C but not in
+// C++.
 scmp_arg_cmp equals(unsigned argument, scmp_datum_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
@@ -173,19 +175,21 @@ Result<SystemCallFilter> runner_filter(bool in_namespace) {
   if (!context) return failure("an empty filter");
   bool fine = true;
   for (const char* name : kRunnerMay) fine = add(context, SCMP_ACT_ALLOW, name) && fine;
-  // abort() and assert() signal the process itself.
+  // abort() and assert() send a signal to the process itself.
   if (in_namespace) {
     fine = add(context, SCMP_ACT_ALLOW, "tgkill") && fine;
-    // Bubblewrap, the first process inside, is under the filter too and waits for the second.
+    // Bubblewrap, the first process in the namespace, is under the filter too and waits for the
+    // second.
     fine = add(context, SCMP_ACT_ALLOW, "wait4") && fine;
   } else {
     fine = add(context, SCMP_ACT_ALLOW, "tgkill", equals(0, kOwnPid)) && fine;
   }
-  // Asked, not changed.
+  // Limits may be queried, but not changed.
   fine = add(context, SCMP_ACT_ALLOW, "prlimit64", equals(2, 0)) && fine;
   for (const scmp_datum_t what : {scmp_datum_t{F_GETFD}, scmp_datum_t{F_GETFL}})
     fine = add(context, SCMP_ACT_ALLOW, "fcntl", equals(1, what)) && fine;
-  // glibc asks whether an output is a terminal, and where a static program lies; it goes on without an answer.
+  // glibc queries whether an output is a terminal, and what the path of a static program is; it
+  // goes on without an answer.
   fine = add(context, SCMP_ACT_ERRNO(ENOTTY), "ioctl") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlink") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlinkat") && fine;

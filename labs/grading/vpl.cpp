@@ -6,7 +6,7 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// {0}: the lab, {1}: its title.
+// {0} is the lab's number, {1} its title.
 constexpr const char* kReadme = R"(Lab {0}, {1}, for Moodle's Virtual Programming Lab
 
 1. Install glassbox on the jail server (cmake --install), so that `glassbox --version` runs there for every user.
@@ -18,7 +18,8 @@ constexpr const char* kReadme = R"(Lab {0}, {1}, for Moodle's Virtual Programmin
 would tell: download the submissions afterwards and run `glassbox lab grade FOLDER --lab {0} -o results`.
 )";
 
-// VPL starts the script, and then the program vpl_execution that it leaves.
+// A script for VPL, which starts it and then the program vpl_execution that the script leaves
+// behind.
 std::string script_that_leaves(const std::string& what, const std::string& commands) {
   return "#!/bin/bash\n# " + what +
          "\ncat >vpl_execution <<'END'\n#!/bin/bash\n[ -r vpl_environment.sh ] && . "

@@ -9,11 +9,12 @@
 
 namespace glassbox::labs::grading {
 
-// requested/student.cpp and student.h, which students edit and read; execution/vpl_run.sh and vpl_evaluate.sh; and README.txt, which
-// says where they go. `starter` are the files that students begin with.
+// requested/student.cpp and student.h, which students edit and read; execution/vpl_run.sh and
+// vpl_evaluate.sh; and README.txt, which explains where they go. `starter` are the files that
+// students begin with.
 std::vector<ZipEntry> vpl_files(const Lab& lab, const std::vector<SourceFile>& starter);
 
-// The two scripts by themselves. The jail server that runs them has glassbox installed.
+// The two scripts alone. The jail server that runs them has glassbox installed.
 std::string vpl_run_script(int lab);
 std::string vpl_evaluate_script(int lab);
 

@@ -1,5 +1,6 @@
-// Linked into every runner that is graded: it says on descriptor 4 why the process is about to end, where the signal alone
-// would not tell. A student's code can change or silence it, and has nothing to gain by that.
+// Linked into every runner that is graded. It writes to descriptor 4 why the process is about to
+// end, where the signal alone would not tell. A student's code can change or silence it, but gains
+// nothing by that.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -43,12 +44,13 @@ void on_forbidden_call(int signal, siginfo_t* info, void*) {
 
 void on_bad_address(int signal, siginfo_t* info, void*) {
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
-  // A page below the stack's end, or a function's whole frame below it.
+  // The address is in the page below the stack's end, or in a function's frame that extends below
+  // it.
   if (address < stack_top - stack_bytes + kMiB / 4 &&
       address + stack_bytes + 8 * kMiB > stack_top) {
     note("stack");
   } else {
-    // malloc gives null at the limit, and null is then written to.
+    // malloc returns null at the limit, and then null is written to.
     void* more = ::mmap(nullptr, 16 * kMiB, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (more == MAP_FAILED) note("memory");
   }
@@ -67,7 +69,7 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
   ::sigaction(signal, &action, nullptr);
 }
 
-// Before any constructor of the student's.
+// Runs before any constructor of the student's code.
 [[gnu::constructor(101)]] void watch() {
   int local = 0;
   stack_top = reinterpret_cast<std::uintptr_t>(&local);

@@ -20,7 +20,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& all) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-// As results_json.h writes it.
+// A number in the form in which results_json.h writes it.
 double number_in(const Json& value) {
   if (value.is_number()) return value.get<double>();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ std::string name_of(const ClaimedPoint& point) {
   return name;
 }
 
-// Why a file is no claim.
+// Thrown with the reason why a file is no claim.
 struct Unread {
   std::string cause;
 };

@@ -1,4 +1,5 @@
-// The error of D-7 for the labs that are measured in it: depths of vertices before a camera far from the origin.
+// The error of the experiment on one or two matrices for view and projection (D-7), for the labs
+// that are measured in it: depths of vertices in front of a camera far from the origin.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,8 @@
 
 namespace glassbox::labs {
 
-// Of a quick run: over 32 fields `offset` away, of each of which `question_of(field)` asks for the depths of its points.
+// The error in a quick run: over 32 fields at the distance `offset`. `question_of(field)` makes the
+// question for the depths of a field's points.
 template <class QuestionOf>
 Result<double> rms_field_error(const Ask& ask, const QuestionOf& question_of,
                                study::d07::Depth depth, double offset) {

@@ -32,7 +32,7 @@ const std::vector<Entry>& entries() {
   return all;
 }
 
-// Both as timed.cpp has them.
+// The stage that timed.cpp defines.
 DrawnStage stage_of(const LabMeasure& lab) {
   return {"measured", "", lab.functions, {}, {}};
 }
@@ -46,7 +46,7 @@ Ask asker(const DrawnStage& stage, StudentAnswers& student) {
   };
 }
 
-// All that is answered where `measure` asks; nothing where the code breaks.
+// A digest of all answers that `measure` asks for; nothing where the code breaks.
 std::optional<std::string> answered(const Ask& ask,
                                     const std::function<void(const Ask& recorded)>& measure) {
   Digest digest;
@@ -63,8 +63,9 @@ std::optional<std::string> answered(const Ask& ask,
   return digest.text();
 }
 
-// As the experiments' own times are judged (study/experiment/timing.h): one thread's time is the processor's, and a round in which the
-// thread had to wait for more than a twentieth of it is disturbed.
+// Judged like the experiments' own times (study/experiment/timing.h): the time of one thread is
+// processor time, and a round in which the thread had to wait for more than a twentieth of it
+// counts as disturbed.
 Result<study::Timing> timing_of(const Numbers& taken, double items) {
   study::Timing timing;
   timing.repetitions = int(taken.size() / 2);
@@ -80,7 +81,7 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
   return timing;
 }
 
-// What was not timed by itself has the times of its series at its place.
+// Gives each place that was not timed by itself the times of its series at that place.
 void share_times(std::vector<study::ConfigurationResult>& all) {
   const auto timed = all;
   for (study::ConfigurationResult& each : all) {
@@ -124,7 +125,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
   }
   for (std::size_t i = 0; i < places.size() && rounds > 0; ++i) {
     if (places[i].timed.empty()) continue;
-    // The same question takes the same time.
+    // A question that was timed before is not timed again.
     const auto same = std::find_if(
         places.begin(), places.begin() + std::ptrdiff_t(i), [&](const MeasuredPlace& other) {
           return other.timed == places[i].timed && other.items == places[i].items;
@@ -149,14 +150,16 @@ Result<std::vector<std::string>> untouched_series(
     const std::function<void(const std::string&)>& phase) {
   phase(fmt::format("{}: what is written of yours", lab.experiment));
   const DrawnStage measured = stage_of(lab);
-  std::vector<std::pair<std::string, bool>> all;  // a series, and whether it is written
-  // A starter may say that it is none by an exception.
+  // a series, and whether the student has written it
+  std::vector<std::pair<std::string, bool>> all;
+  // A starter may say by an exception that nothing is written yet.
   const auto breaks_alike = [&] { return student.broke() && student.broke() == starter.broke(); };
   const auto answers_of = [&](const MeasuredPlace& place, StudentAnswers& whose) {
     return answered(asker(measured, whose),
                     [&](const Ask& ask) { static_cast<void>(place.error(ask)); });
   };
-  // Places may keep what they were answered, so that each has its own. One answer that is not the starter's is enough.
+  // Places may store their answers, so the student and the starter each get their own. One answer
+  // that differs from the starter's is enough.
   const std::vector<MeasuredPlace> places = lab.places(), starters = lab.places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredPlace& place = places[i];

@@ -17,7 +17,8 @@ using Arrow = Vector<World, double>;
 
 // ---- samples ----
 
-// Maps of every kind: a shift, a turn, uneven scales, a shear, a mirror, and products of them.
+// Maps of every kind: a translation, a rotation, a non-uniform scale, a shear, a mirror, and
+// products of them.
 std::vector<Map> affine_maps() {
   const Map shift = translate<World, Object>({3, -1, 2});
   const Map turn = *rotate_degrees<World, Object>({1, 2, 3}, 40);
@@ -34,14 +35,15 @@ std::vector<Point<Object, double>> sample_points() {
   return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, -3, 1}, {-1, 4, 0.5}};
 }
 
-// A right angle of view, near 1 and nothing far: x and y over the distance.
+// A perspective with a field of view of a right angle, the near plane at 1 and no far plane: x and
+// y divided by the distance.
 Place in_picture(const Place& p) {
   const auto m = *perspective_degrees(90, 1, {1});
   const auto clip = m * Point<Eye, double>(p.x, p.y, p.z);
   return {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
 }
 
-// In front of the eye, at various distances.
+// Places in front of the eye, at various distances.
 std::vector<Place> seen() {
   return {{0, 0, -2}, {1, 0, -2}, {1, 1, -4}, {-2, 1, -3}, {0.5, -1, -8}, {3, 2, -5}};
 }
@@ -73,7 +75,7 @@ bool for_all(const Items& items, const Test& test) {
   return true;
 }
 
-// For every map and every two places.
+// Whether the test holds for every map and every two places.
 template <class Test>
 bool of_pairs(const Test& test) {
   return for_all(affine_maps(), [&](const Map& m) {
@@ -113,7 +115,7 @@ Quiz affine_quiz() {
             "which stays 1, it is a linear map of four coordinates.",
             "step --point 0,0,0 --point 1,0,0 " + shift + eye,
             [] {
-              // Linear maps take a sum to the sum: of p and q and the origin.
+              // Linear maps take a sum to a sum; tested on the sum of p and q, and on the origin.
               return of_pairs([](const Map& m, const auto& p, const auto& q) {
                 const Place sum = m * Point<Object, double>(p.x + q.x, p.y + q.y, p.z + q.z);
                 return same(sum - (m * p), (m * q) - Place(0, 0, 0));
@@ -198,7 +200,7 @@ Quiz perspective_quiz() {
               return for_all(directions(), [](const Arrow& d) {
                 if (d.z == 0) return true;
                 const Place goal = in_picture({d.x, d.y, d.z});
-                // Each is half as far from the vanishing point when it is twice as far away.
+                // Each point is half as far from the vanishing point when its distance is doubled.
                 return for_all(seen(), [&](const Place& p) {
                   const auto from_goal = [&](double t) {
                     return flat(in_picture(p + d * t) - goal) * (-p.z - t * d.z);

@@ -1,4 +1,5 @@
-// The slides' true/false questions, each with its answer, the reason, and points that show it.
+// The true/false questions of the slides, each with its answer, the reason, and points that show
+// it.
 #pragma once
 
 #include <functional>
@@ -11,9 +12,10 @@ struct QuizQuestion {
   std::string statement;
   bool truth = false;
   std::string why;
-  std::string
-      shown_by;  // the words after "glassbox" of a command that shows it: a counterexample where the statement is false
-  // Whether the statement held for every sample that it was put to, by the pipeline's own maps.
+  // the arguments of a glassbox command that shows it: a counterexample where the statement is
+  // false
+  std::string shown_by;
+  // Whether the statement holds for every sample that it is tried with, by the pipeline's own maps.
   std::function<bool()> holds;
 };
 
@@ -23,7 +25,7 @@ struct Quiz {
   std::vector<QuizQuestion> questions;
 };
 
-// Of the labs that have one, in their order.
+// The quizzes of the labs that have one, in the order of the labs.
 const std::vector<Quiz>& all_quizzes();
 
 }  // namespace glassbox::labs

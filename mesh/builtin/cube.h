@@ -1,4 +1,4 @@
-// A cube of side 2 about the origin, each face in a colour of its own.
+// A cube of side 2 about the origin, with a different colour on each face.
 #pragma once
 
 #include <glassbox/mesh/scene.h>

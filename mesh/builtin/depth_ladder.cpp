@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kColumns = 5, kRows = 4;
 
-// All squares of one colour. Seen from the origin along -z, a rung covers the same window of the picture whatever its
-// distance: sizes are in units of the distance.
+// All squares of one colour. Sizes are in units of the distance, so that a rung seen from the
+// origin along -z covers the same window of the picture at any distance.
 Mesh make_squares(const char* name, double half_side, double nearer_by) {
   Mesh mesh;
   mesh.name = name;

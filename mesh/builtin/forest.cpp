@@ -33,7 +33,7 @@ struct Spot {
   double x, z;
 };
 
-// Whether a tree may stand there: apart from the others.
+// Whether a tree may be placed there: not too close to the others.
 bool is_free(const Spot& spot, const std::vector<Spot>& taken) {
   for (const Spot& other : taken) {
     const double x = spot.x - other.x, z = spot.z - other.z;
@@ -42,8 +42,8 @@ bool is_free(const Spot& spot, const std::vector<Spot>& taken) {
   return true;
 }
 
-// Spots in the wedge that a wide picture shows, |x| < 0.75 distance. Distances crowd towards the near end, where a tree
-// covers more of the picture.
+// Places in the wedge that a wide picture shows, |x| < 0.75 distance. They are denser near the eye,
+// where a tree covers more of the picture.
 std::vector<Spot> choose_spots() {
   std::vector<Spot> spots;
   for (std::uint64_t i = 0; spots.size() < kTrees; ++i) {
@@ -73,7 +73,7 @@ Scene make_forest() {
   add_rectangle(ground, {-128, 0, 64}, {256, 0, 0}, {0, 0, -192}, 64, 48);
   add_object(scene, std::move(ground));
 
-  // A bright backdrop, against which every trunk has an edge.
+  // A bright background, against which every trunk has a visible edge.
   Mesh sky;
   sky.name = "sky";
   sky.material = add_material(scene, "sky", {0.42f, 0.6f, 0.85f, 1});

@@ -1,12 +1,13 @@
-// Thin trees near and far.
+// A scene of thin trees, near and far.
 #pragma once
 
 #include <glassbox/mesh/scene.h>
 
 namespace glassbox {
 
-// 150 firs on textured ground, from 4 to 90 units away from the eye: what stereo shows best (vertical edges, thin
-// things, both sides of a window 12 units away; SPEC S0-16). Trunks and crowns are two meshes, placed 150 times.
+// 150 firs on textured ground, from 4 to 90 units away from the eye: the kind of scene for which
+// stereo works best (vertical edges, thin things, both sides of a window 12 units away; S0-16).
+// Trunks and crowns are two meshes, each placed 150 times.
 Scene make_forest();
 
 }  // namespace glassbox

@@ -14,7 +14,7 @@ Rgba8 shaded(Rgba8 color, int offset) {
   return {shift(color.r), shift(color.g), shift(color.b), color.a};
 }
 
-// In -amplitude .. amplitude.
+// Returns a number in -amplitude .. amplitude.
 int random_offset(std::uint64_t seed, std::uint64_t index, int amplitude) {
   return int(scramble(scramble(seed) + index) % std::uint64_t(2 * amplitude + 1)) - amplitude;
 }
@@ -59,7 +59,7 @@ Image<Rgba8> make_boards(Rgba8 color, std::uint64_t seed) {
   Image<Rgba8> image(kSide, kSide);
   for (int y = 0; y < kSide; ++y) {
     const int board = y / kBoard;
-    // Where the board's ends meet.
+    // The position where the ends of the board meet.
     const int end = int(scramble(seed + std::uint64_t(board)) % kSide);
     for (int x = 0; x < kSide; ++x) {
       const bool joint = y % kBoard == 0 || x == end;

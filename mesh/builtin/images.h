@@ -1,4 +1,4 @@
-// The pictures on the surfaces of the built-in scenes, computed from integers.
+// The images on the surfaces of the built-in scenes, computed with integers.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,21 @@
 
 namespace glassbox {
 
-// Pseudo-random numbers from a position: the same on every machine (the finaliser of SplitMix64, Steele et al. 2014).
+// A pseudo-random number from a position: the same on every machine (the finaliser of SplitMix64,
+// Steele et al. 2014).
 std::uint64_t scramble(std::uint64_t x);
-// Uniform in [0, 1), a multiple of 2^-53; a different sequence for each seed.
+// A number uniformly distributed in [0, 1), a multiple of 2^-53; a different sequence for each
+// seed.
 double random_unit(std::uint64_t seed, std::uint64_t index);
 
 // `cells` x `cells` squares of `cell_px` pixels, the top left one in the first colour.
 Image<Rgba8> make_checks(int cells, int cell_px, Rgba8 first, Rgba8 second);
 
-// A colour that varies by up to `amplitude` steps per channel from pixel to pixel and from patch to patch; repeats
-// without seams. The side is a power of two, at least 16 px.
+// A colour that varies by up to `amplitude` steps per channel from pixel to pixel and from patch to
+// patch. The image repeats without seams. The side is a power of two, at least 16 px.
 Image<Rgba8> make_noise(int side_px, Rgba8 color, int amplitude, std::uint64_t seed);
 
-// Boards of 16 px running across, of slightly different shades, with dark joints; 128 px square.
+// Horizontal boards of 16 px, of slightly different shades, with dark joints; 128 px square.
 Image<Rgba8> make_boards(Rgba8 color, std::uint64_t seed);
 
 }  // namespace glassbox

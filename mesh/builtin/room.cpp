@@ -8,7 +8,8 @@
 namespace glassbox {
 namespace {
 
-// The room reaches from (-3, 0, -5) to (3, 3, 0); the window from (0.4, 1) to (2, 2.2) in the wall z = -5.
+// The room extends from (-3, 0, -5) to (3, 3, 0); the window from (0.4, 1) to (2, 2.2) in the wall
+// z = -5.
 constexpr double kLeft = -3, kRight = 3, kHeight = 3, kBack = -5;
 constexpr double kWindowLeft = 0.4, kWindowRight = 2, kSill = 1, kLintel = 2.2, kOutside = -5.25;
 
@@ -26,8 +27,9 @@ Mesh make_ceiling() {
   return mesh;
 }
 
-// The wall around the window is four quads from the corners of the wall to the corners of the opening, so that every
-// edge has one neighbour from end to end and no corner lies within another's edge.
+// The wall around the window is four quads from the corners of the wall to the corners of the
+// opening, so that every edge has exactly one neighbour along its whole length and no corner is
+// inside another quad's edge.
 void add_window_wall(Mesh& mesh) {
   const std::array<std::array<double, 2>, 8> corners = {{{kLeft, 0},
                                                          {kRight, 0},

@@ -1,4 +1,4 @@
-// The scenes that come with the program, by name.
+// The built-in scenes, by name.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-// How finely a scene may be tessellated: `teapot:32`.
+// The range of tessellation levels of a scene, as in `teapot:32`.
 struct LevelRange {
   int low, usual, high;
 };
@@ -25,17 +25,18 @@ struct BuiltinScene {
 
 std::span<const BuiltinScene> builtin_scenes();
 
-// The scene with this name, or nullptr. A level after a colon is not looked at.
+// The scene with this name, or nullptr. A level after a colon is ignored.
 const BuiltinScene* find_builtin(std::string_view name_and_level);
 
-// The name among all built-in scenes that is fewest edits (insertions, deletions, replacements) away from `name`,
-// case ignored; absent if that takes more than two edits.
+// The name among all built-in scenes with the fewest edits (insertions, deletions, replacements)
+// from `name`, case ignored; absent if more than two edits are needed.
 std::optional<std::string_view> nearest_builtin(std::string_view name);
 
-// "teapot" or "teapot:32". An unknown name, a level out of range or one that the scene does not take is an error.
+// Makes the scene "teapot" or "teapot:32". An unknown name, a level out of range, or a level for a
+// scene without levels is an error.
 Result<Scene> make_builtin(std::string_view name_and_level);
 
-// "teapot, cube, ..." for messages.
+// A list "teapot, cube, ..." for messages.
 std::string list_builtins();
 
 }  // namespace glassbox

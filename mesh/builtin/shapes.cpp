@@ -13,7 +13,7 @@ std::uint32_t add_position(Mesh& mesh, double x, double y, double z) {
 }
 
 std::uint32_t add_normal(Mesh& mesh, const Vector<Object, double>& direction) {
-  // A direction that is none stays a zero normal, which no shape here asks for and the tests would find.
+  // A zero vector gives a zero normal, which no shape here produces and the tests would find.
   mesh.normals.push_back(unit_normal(direction).value_or(Normal<Object>()));
   return std::uint32_t(mesh.normals.size() - 1);
 }
@@ -84,7 +84,7 @@ void add_cone(Mesh& mesh, double radius, double bottom, double top, int sides) {
   const std::uint32_t tip = add_position(mesh, 0, top, 0);
   const auto first = std::uint32_t(mesh.positions.size());
   const auto first_normal = std::uint32_t(mesh.normals.size());
-  // Twice as many normals as corners: those between them belong to the tip.
+  // Twice as many normals as corners: every second one belongs to the tip.
   for (int i = 0; i < 2 * sides; ++i) {
     const SinCos turn = sin_cos_degrees(180.0 * i / sides);
     if (i % 2 == 0) add_position(mesh, radius * turn.sin, bottom, radius * turn.cos);

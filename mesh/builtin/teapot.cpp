@@ -13,20 +13,21 @@ using Vec = Vector<Object, double>;
 
 // ---- cubic Bezier curves at the fractions i/n ----
 
-// The Bernstein polynomials (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t^3 from integers, so that they are exactly (1, 0, 0, 0) at
-// the start and that i/n from one end and (n-i)/n from the other give the same four numbers.
+// The Bernstein polynomials (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t^3 from integers, so that they are
+// exactly (1, 0, 0, 0) at the start, and i/n from one end and (n-i)/n from the other give the same
+// four numbers.
 std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
 }
 
-// The outer pair and the inner pair are added first: reversing the curve exchanges the terms within each sum only, so a
-// border comes out the same from both of its patches.
+// The outer pair and the inner pair are added first: reversing the curve only exchanges the terms
+// within each sum, so a border has the same positions in both of its patches.
 Vec weighted(const std::array<double, 4>& weight, const std::array<Vec, 4>& p) {
   return (p[0] * weight[0] + p[3] * weight[3]) + (p[1] * weight[1] + p[2] * weight[2]);
 }
 
-// A third of the derivative: a quadratic curve through the differences.
+// A third of the derivative: a quadratic curve through the differences of the control points.
 Vec tangent(int i, int n, const std::array<Vec, 4>& p) {
   const double a = n - i, b = i, whole = double(n) * n;
   return (p[1] - p[0]) * (a * a / whole) + (p[2] - p[1]) * (2 * (a * b) / whole) +
@@ -65,8 +66,8 @@ struct Patch {
     return weighted(bernstein(j, n), across(i, n));
   }
 
-  // dS/du x dS/dv. At a pole dS/du vanishes, and its growth along v, d2S/dudv, takes its place: nearby dS/du is v times
-  // that, to first order.
+  // dS/du x dS/dv. At a pole dS/du is zero, and its derivative along v, d2S/dudv, is used instead:
+  // nearby dS/du is v times that, to first order.
   Vec normal(int i, int j, int n) const {
     const std::array<Vec, 4> du = tangents_across(i, n);
     const Vec along_v = tangent(j, n, across(i, n));
@@ -132,7 +133,7 @@ private:
 
   int n_;
   Mesh mesh_;
-  std::vector<Corner> corner_;  // of the patch in hand
+  std::vector<Corner> corner_;  // of the current patch
   std::map<std::array<float, 3>, std::uint32_t> border_;
 };
 

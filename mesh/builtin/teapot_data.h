@@ -1,4 +1,5 @@
-// The teapot that Martin Newell modelled in Utah in 1975, as 32 bicubic Bezier patches: the numbers only.
+// The teapot that Martin Newell modelled in Utah in 1975, as 32 bicubic Bezier patches: the numbers
+// only.
 #pragma once
 
 #include <array>
@@ -6,14 +7,15 @@
 
 namespace glassbox {
 
-// Control points, each once; x towards the spout, z up, the pot's axis at x = y = 0, its bottom at z = 0. The copies in
-// circulation differ in one of them: Debian's POV-Ray example has (2, 1.2, 0.45), which breaks the mirror symmetry that
-// all other points have; the value here is the mirror image of (2, -1.12, 0.45).
+// Control points, each stored once; x is towards the spout, z is up, the pot's axis is x = y = 0
+// and its bottom z = 0. The published copies differ in one of them: Debian's POV-Ray example has
+// (2, 1.2, 0.45), which breaks the mirror symmetry of all other points; the value here is the
+// mirror image of (2, -1.12, 0.45).
 extern const std::array<std::array<double, 3>, 290> kTeapotPoints;
 
-// Sixteen points row by row: u grows along a row, v from row to row, and dS/du x dS/dv points outwards. Rim 0 - 3,
-// body 4 - 11, handle 12 - 15, spout 16 - 19, lid 20 - 27, bottom 28 - 31. The first rows of patches 20 - 23 (the lid's
-// knob) and 28 - 31 (the bottom) are a single point each.
+// Sixteen points row by row: u grows along a row, v from row to row, and dS/du x dS/dv points
+// outwards. Rim 0 - 3, body 4 - 11, handle 12 - 15, spout 16 - 19, lid 20 - 27, bottom 28 - 31. The
+// first rows of patches 20 - 23 (the lid's knob) and 28 - 31 (the bottom) are a single point each.
 using TeapotPatch = std::array<std::uint16_t, 16>;
 extern const std::array<TeapotPatch, 32> kTeapotPatches;
 

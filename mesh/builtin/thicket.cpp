@@ -13,8 +13,9 @@ namespace {
 constexpr int kLeafSide = 64;  // px
 constexpr int kLeaves = 40, kTwigs = 240;
 
-// Green everywhere, so that no other colour is filtered into the outline: d is the distance from the midrib in half pixels, and
-// the leaf reaches as far as 0.9 * 4 t (1 - t) of half the width, t from 0 at its tip to 1.
+// Green everywhere, so that filtering cannot mix another colour into the outline. d is the distance
+// from the midrib in half pixels; the leaf extends to 0.9 * 4 t (1 - t) of half the width, where t
+// is from 0 at its tip to 1.
 Image<Rgba8> make_leaf() {
   Image<Rgba8> image(kLeafSide, kLeafSide);
   for (int y = 0; y < kLeafSide; ++y) {
@@ -30,12 +31,12 @@ Image<Rgba8> make_leaf() {
   return image;
 }
 
-// In -1 .. 1.
+// Returns a number in -1 .. 1.
 double random_side(std::uint64_t seed, std::uint64_t index) {
   return 2 * random_unit(seed, index) - 1;
 }
 
-// Leaves about a stem of length 1, each with its own slant.
+// Leaves around a stem of length 1, each with a different slant.
 Mesh make_twig(std::uint32_t material) {
   Mesh mesh;
   mesh.name = "twig";

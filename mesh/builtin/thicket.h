@@ -5,8 +5,9 @@
 
 namespace glassbox {
 
-// 240 twigs of 40 leaves each, one behind the other as far as 16 units from the eye, seen from both sides. What hides what is
-// known only once an image has been looked at: a rasterizer's masks.
+// 240 twigs of 40 leaves each, one behind the other up to 16 units from the eye, seen from both
+// sides. Which leaf hides which is known only after the image's alpha has been read: a test for a
+// rasterizer with alpha masks.
 Scene make_thicket();
 
 }  // namespace glassbox

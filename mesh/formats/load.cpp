@@ -29,7 +29,7 @@ tl::unexpected<Error> refuse(const std::string& file, std::string cause, std::st
   return tl::unexpected<Error>(Error{file, {}, std::move(cause), std::move(remedy)});
 }
 
-// Says what a path is before a loader opens it.
+// Checks that a path is a readable file before a loader opens it.
 Result<void> check_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);

@@ -1,4 +1,4 @@
-// The one way to get a scene by the word that a user types.
+// Loads a scene by the word that a user types.
 #pragma once
 
 #include <string>
@@ -9,13 +9,15 @@
 
 namespace glassbox {
 
-// A word without slash and dot is a built-in scene ("teapot", "teapot:32"; builtin/scenes.h lists them); anything else
-// is a path, read according to its extension: .gltf, .glb, .obj or .ply, in either case. A file called `teapot` is reached as
-// ./teapot, if its name ends in one of these. Errors: unknown built-in (naming the nearest one), unknown extension,
-// missing or unreadable file, and what the loaders find.
+// A word without slash and dot is a built-in scene ("teapot", "teapot:32"; builtin/scenes.h lists
+// them). Anything else is a path, read according to its extension: .gltf, .glb, .obj or .ply, in
+// upper or lower case. To load a file in the current directory whose name could be taken for a
+// built-in scene, write ./ before it; its extension must be one of these. Errors: unknown built-in
+// scene (naming the most similar one), unknown extension, missing or unreadable file, and the
+// errors of the loaders.
 Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limits = {});
 
-// Whether load_scene() reads such a path as glTF.
+// Whether load_scene() reads this path as glTF.
 bool is_gltf_name(const std::string& path);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// A scene from bytes that are no file: what came through a pipe.
+// A scene from bytes that are not in a file, for example from a pipe.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace glassbox {
 
 enum class SceneFormat { kGlb, kGltf, kObj, kPly };
 
-// By how the bytes begin: GLB and PLY have a magic word, glTF is a JSON object, and any other text counts as OBJ. None
-// for what is no text.
+// Detects the format from the first bytes: GLB and PLY have a magic word, glTF is a JSON object,
+// and any other text counts as OBJ. None for bytes that are not text.
 std::optional<SceneFormat> format_of(std::span<const std::byte> bytes);
 
-// There is no directory beside the bytes, so nothing else is read: glTF that names external files is an error, material
-// libraries of OBJ are a warning.
+// There is no directory for these bytes, so no other file is read: glTF that names external files
+// is an error, material libraries of OBJ are a warning.
 Result<Scene> load_scene_memory(std::span<const std::byte> bytes, const LoadLimits& limits = {});
 
 }  // namespace glassbox

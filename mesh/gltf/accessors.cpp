@@ -28,7 +28,8 @@ std::size_t component_bytes(int component_type) {
   }
 }
 
-// Columns of matrices start at multiples of four bytes, and so do the elements: as far apart as this where the view does not say.
+// The distance between elements where the view does not give one. Columns of matrices start at
+// multiples of four bytes, and so do the elements.
 std::size_t element_bytes(const tinygltf::Accessor& accessor) {
   const std::size_t size = component_bytes(accessor.componentType);
   const auto padded = [](std::size_t bytes) { return (bytes + 3) / 4 * 4; };
@@ -44,7 +45,7 @@ std::size_t element_bytes(const tinygltf::Accessor& accessor) {
   }
 }
 
-// Of the last element, whose last column is not padded (glTF 2.0, section 3.6.2.4).
+// The size of the last element; its last column is not padded (glTF 2.0, section 3.6.2.4).
 std::size_t last_element_bytes(const tinygltf::Accessor& accessor) {
   const std::size_t size = component_bytes(accessor.componentType);
   const auto without_padding = [&](std::size_t rows) {
@@ -67,8 +68,8 @@ std::size_t stride_bytes(const Asset& asset, const tinygltf::Accessor& accessor)
   return stride == 0 ? element_bytes(accessor) : stride;
 }
 
-// Whether `count` elements, `stride` apart, the last of `last` bytes, fit behind `offset`. Nothing here can overflow: the count is
-// below 2^32, the stride below 2^8.
+// Whether `count` elements at the distance `stride`, the last of them `last` bytes long, fit after
+// `offset`. Nothing here can overflow: the count is below 2^32, the stride below 2^8.
 bool fits(std::uint64_t available, std::uint64_t offset, std::uint64_t count, std::uint64_t stride,
           std::uint64_t last) {
   if (count == 0) return true;
@@ -132,7 +133,7 @@ Result<void> check_sparse(const Asset& asset, std::size_t index) {
   return {};
 }
 
-// Calls `use` with a value of the C++ type that the component type stands for.
+// Calls `use` with a value of the C++ type of the component type.
 template <class Use>
 void with_component(int component_type, Use use) {
   switch (component_type) {
@@ -153,7 +154,8 @@ void with_component(int component_type, Use use) {
   }
 }
 
-// Buffers are little-endian, and so is memory (base/little_endian.h); they need not be aligned.
+// Buffers are little-endian, and so is memory (base/little_endian.h); the values need not be
+// aligned.
 template <class T>
 T load(std::span<const std::byte> bytes, std::size_t at) {
   T value;
@@ -161,7 +163,7 @@ T load(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-// `count` elements from `bytes`, `stride` apart, to where `target(i)` says.
+// Copies `count` elements at the distance `stride` from `bytes` to the places given by `target(i)`.
 template <class Number, class Target>
 void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte> bytes,
                    std::size_t offset, std::size_t stride, std::size_t count, Target target) {
@@ -172,7 +174,8 @@ void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte
       Number* const out = target(i);
       for (std::size_t c = 0; c < width; ++c) {
         const Component raw = load<Component>(bytes, offset + i * stride + c * sizeof(Component));
-        // Integers are read from unsigned components alone. NOLINTNEXTLINE(bugprone-signed-char-misuse)
+        // Indices are read only from unsigned components.
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse)
         out[c] = static_cast<Number>(raw);
         if constexpr (std::is_integral_v<Component> && std::is_floating_point_v<Number>) {
           if (accessor.normalized)
@@ -183,7 +186,8 @@ void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte
   });
 }
 
-// The indices of the elements that a sparse accessor replaces: strictly ascending, and below its count.
+// The indices of the elements that a sparse accessor replaces: strictly ascending, and below its
+// count.
 Result<std::vector<std::uint32_t>> sparse_indices(const Asset& asset, std::size_t index) {
   const tinygltf::Accessor& accessor = asset.model.accessors[index];
   const auto bytes = view_bytes(asset, std::size_t(accessor.sparse.indices.bufferView));

@@ -20,10 +20,11 @@ constexpr std::array<std::string_view, 5> kSupported = {
     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
     "KHR_mesh_quantization", "KHR_texture_transform"};
 
-// Warnings and names of extensions are kept up to this many: hostile files would fill memory with them.
+// At most this many warnings and names of extensions are kept: hostile files would fill memory with
+// them.
 constexpr std::size_t kMaxWarnings = 100;
 
-// "the extension 'KHR_x' is not supported and was ignored in 3 places"
+// Adds a warning such as "the extension 'KHR_x' is not supported and was ignored in 3 places".
 void warn_of_extension(Asset& asset, const std::string& name, std::uint64_t places) {
   const std::string where = places == 0   ? ""
                             : places == 1 ? " in one place"
@@ -54,7 +55,7 @@ Result<void> check_extensions(Asset& asset, const std::map<std::string, std::uin
       asset.extensions.push_back(printable(name));
     }
   }
-  // Files that do not list what they use.
+  // Extensions that the file uses but does not list.
   for (const auto& [name, places] : found) {
     const bool listed =
         std::ranges::find(asset.extensions, printable(name)) != asset.extensions.end();
@@ -107,17 +108,19 @@ Result<void> check_buffer_views(const Asset& asset) {
   return {};
 }
 
-// tinygltf takes text alone, and is given what was checked instead of the file's own: it would read buffers by its own
-// rules, decode images without bound, and keep animations and extensions that nothing here draws.
+// tinygltf gets only text, from the checked document instead of the file itself: it would read
+// buffers by its own rules, decode images without a limit, and keep animations and extensions that
+// nothing here draws.
 Result<void> parse_model(Asset& asset) {
   json document = asset.document;
   for (const char* kept_here : {"buffers", "images", "animations"}) document.erase(kept_here);
-  // It refuses indices without a buffer view, which glTF allows (they are 0, or sparse): these have one while it reads.
+  // tinygltf refuses indices without a buffer view, which glTF allows (they are 0, or sparse). So
+  // these get a view while it reads.
   json& views = document["bufferViews"];
   const int stand_in = int(views.size());
   views.push_back({{"buffer", 0}, {"byteLength", 1}});
   for (json& accessor : document["accessors"]) accessor.emplace("bufferView", stand_in);
-  // What is no UTF-8 has been refused with its line (schema.h), so that this throws nothing.
+  // Invalid UTF-8 has already been refused with its line (schema.h), so this cannot throw.
   const std::string text = document.dump();
   std::string error, warning;
   tinygltf::TinyGLTF reader;

@@ -1,4 +1,4 @@
-// A glTF file taken in: its description by tinygltf, and the bytes it speaks of.
+// A glTF file in memory: its description by tinygltf, and the bytes that the description refers to.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -18,17 +18,17 @@
 namespace glassbox::gltf {
 
 struct Asset {
-  // Where an index names something, it exists (schema.h). Buffers and images are not in the model.
+  // Every index refers to an entry that exists (schema.h). Buffers and images are not in the model.
   tinygltf::Model model = {};
-  nlohmann::json document;  // the same, as checked; for extensions, extras and images
+  nlohmann::json document;  // the checked document; for extensions, extras and images
   // Null: a buffer for which the file has no data.
   std::vector<std::shared_ptr<const Bytes>> buffers = {};
   Resources resources;
   LoadLimits limits;
-  std::uint64_t bytes = 0;  // of the file and the buffers: what memory is to be in proportion to
+  std::uint64_t bytes = 0;  // of the file and the buffers; memory use is kept proportional to it
   std::vector<std::string> extensions = {};
 
-  // What is said of many places in one sentence.
+  // A warning about many places, stated in one sentence.
   struct Repeated {
     std::string text, first_place;
     std::uint64_t places = 0, amount = 0;
@@ -39,30 +39,32 @@ struct Asset {
   // Whether the file lists the extension as used or required.
   bool uses(const std::string& extension) const;
   void warn(std::string text);  // the same warning is kept once
-  // "PLACE and 4 more: TEXT", where {} in the text stands for the sum of the amounts.
+  // Adds the warning "PLACE and 4 more: TEXT", where {} in the text is replaced by the sum of the
+  // amounts.
   void warn_at(const std::string& place, const std::string& text, std::uint64_t amount = 0);
   std::vector<std::string> all_warnings() const;
 };
 
-// The extensions that are honoured; required others are errors, used others warnings.
+// The extensions that are supported. Other extensions are errors if required, warnings if only
+// used.
 bool is_supported(const std::string& extension);
 
 // The member at the end of the path, or null.
 const nlohmann::json* find(const nlohmann::json& value, std::initializer_list<const char*> path);
 
-// From the bytes of a file to its checked parts. Accessors and images are not looked at yet.
+// Reads the bytes of a file into its checked parts. Accessors and images are not checked yet.
 Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& directory,
                          const LoadLimits& limits);
 
-// From a file, beside which lies what it names, to its checked parts.
+// Reads a file, and the files in its directory that it names, into its checked parts.
 Result<Asset> open_asset(const std::string& path, const LoadLimits& limits);
 
 // The bytes of a buffer view; an error where its buffer has no data.
 Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t buffer_view);
 
-// The file of an image of the document, by its URI or its buffer view.
+// The file of an image of the document, given by its URI or its buffer view.
 struct ImageFile {
-  std::shared_ptr<const Bytes> owner;  // null: the asset
+  std::shared_ptr<const Bytes> owner;  // null: the asset owns the bytes
   std::span<const std::byte> bytes;
 };
 Result<ImageFile> image_file(Asset& asset, const nlohmann::json& image);

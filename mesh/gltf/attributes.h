@@ -1,4 +1,4 @@
-// Vertex attributes of a primitive: which forms each may have, and their numbers.
+// Vertex attributes of a primitive: the forms that each may have, and their numbers.
 #pragma once
 
 #include <cstddef>
@@ -33,16 +33,16 @@ struct Attribute {
 // The attributes of one primitive, or of one of its morph targets.
 class Attributes {
 public:
-  // `place` ("mesh 2, primitive 0") begins the place of every error. `count` is the number of vertices that every
-  // attribute must have.
+  // `place` ("mesh 2, primitive 0") is the beginning of the place in every error. `count` is the
+  // number of vertices that every attribute must have.
   Attributes(const Asset& asset, const std::map<std::string, int>& accessors, std::string place,
              std::size_t count)
       : asset_(asset), accessors_(accessors), place_(std::move(place)), count_(count) {}
 
   bool has(const std::string& name) const { return accessors_.contains(name); }
 
-  // Checks type, component type and count, reads, and refuses numbers that are not finite, naming the vertex. Nothing
-  // where the primitive has no such attribute.
+  // Checks type, component type and count, reads the numbers, and refuses numbers that are not
+  // finite, naming the vertex. Returns nothing where the primitive has no such attribute.
   Result<std::optional<Attribute>> read(const std::string& name, Semantic semantic) const;
 
 private:
@@ -52,11 +52,12 @@ private:
   std::size_t count_;
 };
 
-// An error where the accessor's type is none that glTF allows for this use (with KHR_mesh_quantization where the file
-// uses it).
+// An error where glTF does not allow the accessor's type for this use (with KHR_mesh_quantization
+// if the file uses it).
 Result<void> check_form(const Asset& asset, std::size_t accessor, Semantic semantic);
 
-// Whether the bytes of the accessor are in the file. Buffers without data are legal, and what needs them is not drawn.
+// Whether the bytes of the accessor are in the file. Buffers without data are legal; primitives
+// that need them are not drawn.
 bool has_data(const Asset& asset, std::size_t accessor);
 
 }  // namespace glassbox::gltf

@@ -12,15 +12,16 @@ namespace {
 
 using Direction = Vector<World, double>;
 
-// Lengths and angles as far from exact as sums of three products leave them are taken for exact, so that a rigid pose
-// and a unit direction come through without a changed bit. 64 roundings of 2^-53 are 2^-47.
+// Lengths and angles that differ from exact ones only by the rounding of sums of three products are
+// taken as exact, so that a rigid pose and a unit direction keep all their bits. 64 roundings of
+// 2^-53 are 2^-47.
 constexpr double kRigidTolerance = 0x1p-46;
 
 Direction column(const Transform<World, Object>& m, int i) {
   return {m.at(0, i), m.at(1, i), m.at(2, i)};
 }
 
-// The greatest component's size is taken out first, so that no square overflows or vanishes.
+// Divides by the largest component's size first, so that no square overflows or vanishes.
 std::optional<Direction> normalized(const Direction& v) {
   const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
@@ -40,7 +41,7 @@ bool is_rigid(const Transform<World, Object>& m) {
          dot(cross(x, y), z) > 0;
 }
 
-// Keeps the gaze (-z); up is what the y axis has perpendicular to it.
+// Keeps the gaze (-z); up becomes the part of the y axis that is perpendicular to it.
 Result<Transform<World, Eye>> rigid_pose(const Transform<World, Object>& node, std::size_t index) {
   Transform<World, Eye> pose(node.columns);
   if (is_rigid(node)) return pose;
@@ -87,8 +88,8 @@ Result<Lens> perspective(const Asset& asset, std::size_t index) {
   return lens;
 }
 
-// xmag is half the width in world units. The viewport's aspect ratio decides the width here, as it does for perspective
-// cameras, so that xmag is only checked.
+// xmag is half the width in world units. The viewport's aspect ratio determines the width here, as
+// for perspective cameras, so xmag is only checked.
 Result<Lens> orthographic(const Asset& asset, std::size_t index) {
   const tinygltf::OrthographicCamera& camera = asset.model.cameras[index].orthographic;
   if (camera.xmag == 0 || !(camera.ymag > 0))

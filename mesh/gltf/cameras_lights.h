@@ -1,4 +1,4 @@
-// Cameras and lights, placed by the nodes that carry them.
+// Cameras and lights, placed at the nodes that refer to them.
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -8,8 +8,9 @@
 
 namespace glassbox::gltf {
 
-// One Camera and one Light for each node of the drawn scene that carries one, in the order of the nodes. A camera's
-// node may be scaled or sheared; its pose is the rigid one with the same place, gaze and plane of the gaze and up.
+// Adds one Camera and one Light for each node of the drawn scene that has one, in the order of the
+// nodes. A camera's node may be scaled or sheared; the camera's pose is the rigid one with the same
+// position, the same gaze and the same plane through gaze and up.
 Result<void> place_cameras_and_lights(const Asset& asset, const NodeTree& tree, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -75,7 +75,7 @@ Result<Container> open_container(std::span<const std::byte> bytes) {
       container.binary = data;
     } else if (type == kBinary) {
       return damaged(place, "is binary data, which may only be the second chunk");
-    }  // Chunks of other types are to be skipped.
+    }  // The specification says that chunks of other types are skipped.
     at += size;
   }
   if (!has_json) return damaged("GLB header", "no chunk follows");

@@ -1,4 +1,4 @@
-// GLB: a header and chunks, the first of JSON, the second of binary data.
+// The GLB format: a header and chunks, the first of JSON, the second of binary data.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace glassbox::gltf {
 // Views of the file's bytes.
 struct Container {
   std::string_view json;
-  std::optional<std::span<const std::byte>> binary;  // the data of buffer 0, where it names no URI
+  std::optional<std::span<const std::byte>> binary;  // the data of buffer 0 if that has no URI
   std::vector<std::string> warnings;
 };
 
-// Takes a GLB file apart; a file without GLB's magic number is JSON as a whole.
+// Splits a GLB file into its parts; a file without GLB's magic number is JSON as a whole.
 Result<Container> open_container(std::span<const std::byte> bytes);
 
 }  // namespace glassbox::gltf

@@ -36,7 +36,7 @@ struct MaterialTextures {
   const tinygltf::Material& described;
   const json& material;
   const json& textures;  // of the file
-  bool drawn;            // the scene that is drawn uses the material
+  bool drawn;            // whether the drawn scene uses the material
   GltfContents& contents;
 
   void add(const json& holder, const char* member, const char* what, bool shown) const {

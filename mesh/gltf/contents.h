@@ -1,4 +1,5 @@
-// What is in a glTF file, drawn or not: for a reader who asks what a picture lacks.
+// The contents of a glTF file, drawn or not: for users who want to know what is missing in a
+// picture.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 
 namespace glassbox {
 
-// Lists are in the file's order; names are as the file has them.
+// Lists are in the file's order; names are unchanged from the file.
 struct GltfContents {
   struct Animation {
     std::string name;
@@ -25,18 +26,19 @@ struct GltfContents {
   struct Primitive {
     std::size_t mesh = 0, primitive = 0;
     std::string mesh_name;
-    std::vector<std::string> attributes;  // in the order of their names
+    std::vector<std::string> attributes;  // sorted by name
     std::size_t morph_targets = 0;
   };
-  // What a texture is for: "base colour", "emission", "normal", ...
+  // The purpose of a texture: "base colour", "emission", "normal", ...
   struct TextureUse {
     std::string what;
     std::size_t materials = 0;
-    bool drawn = false;  // some material of the drawn scene shows it
+    bool drawn = false;  // whether a material of the drawn scene shows it
   };
   struct Texture {
     std::string name;
-    std::uint32_t width = 0, height = 0;  // px; 0 where the file does not say, or has no such image
+    // px; 0 where the file does not give the size, or has no such image.
+    std::uint32_t width = 0, height = 0;
     std::vector<TextureUse> uses;
   };
   std::vector<Animation> animations;
@@ -45,10 +47,11 @@ struct GltfContents {
   std::vector<Texture> textures;
 };
 
-// Of a .gltf or .glb file; images are looked up for their sizes and not decoded.
+// Lists a .gltf or .glb file. Images are opened only to find their sizes, and not decoded.
 Result<GltfContents> list_gltf(const std::string& path, const LoadLimits& limits = {});
 
-// Of a glTF file in memory. External files are looked for in `directory`; "" means that there are none at all.
+// Lists a glTF file in memory. External files are searched in `directory`; "" means that there are
+// none.
 Result<GltfContents> list_gltf_memory(std::span<const std::byte> bytes,
                                       const std::string& directory, const LoadLimits& limits = {});
 

@@ -1,4 +1,4 @@
-// The bytes of a GLB file, as they are collected and put together.
+// Collects the bytes of a GLB file and assembles them.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,8 @@ private:
   std::vector<std::byte> bytes_;
 };
 
-// Header, JSON and binary chunk. Doubles are printed with the fewest digits that read back as the same double.
+// Assembles header, JSON and binary chunk. Doubles are printed with the fewest digits that are read
+// back as the same double.
 inline Result<std::vector<std::byte>> assemble_glb(const nlohmann::json& document,
                                                    const BinaryChunk& binary) {
   std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

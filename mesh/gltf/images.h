@@ -1,4 +1,4 @@
-// Images of a glTF file, decoded when something drawn needs them.
+// Images of a glTF file, decoded when something that is drawn needs them.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class ImageTable {
 public:
   ImageTable(Asset& asset, Scene& scene);
 
-  // The index in Scene::images of an image of the file, which is decoded on the first call. All images together stay
-  // within the limits on pixels.
+  // Returns the index in Scene::images of an image of the file; the image is decoded on the first
+  // call. All images together must stay within the limit on pixels.
   Result<std::uint32_t> add(std::size_t index);
 
 private:

@@ -24,7 +24,7 @@ void name_textures(Asset& asset, const std::vector<bool>& used) {
   std::size_t normal = 0, occlusion = 0, metallic = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const json& material = asset.document["materials"][i];
-    // An unlit material asks for its base colour alone.
+    // An unlit material uses its base colour only.
     if (!used[i] || find(material, {"extensions", "KHR_materials_unlit"})) continue;
     normal += material.contains("normalTexture");
     occlusion += material.contains("occlusionTexture");
@@ -42,7 +42,8 @@ void name_textures(Asset& asset, const std::vector<bool>& used) {
 
 // ---- vertex attributes ----
 
-// Which primitives have it and are drawn without it.
+// For each attribute that is not read, the number of primitives that have it and are drawn without
+// it.
 using Unread = std::map<std::string, std::size_t>;
 
 void find_unread(const tinygltf::Primitive& primitive, std::uint32_t texcoord_set, bool skinned,
@@ -64,7 +65,7 @@ void find_unread(const tinygltf::Primitive& primitive, std::uint32_t texcoord_se
 }
 
 void name_attributes(Asset& asset, const NodeTree& tree, const Materials& materials) {
-  std::map<int, bool> skinned;  // by mesh, of those drawn
+  std::map<int, bool> skinned;  // by mesh, for drawn meshes
   for (const std::uint32_t node : tree.drawn) {
     const tinygltf::Node& described = asset.model.nodes[node];
     if (described.mesh < 0) continue;
@@ -113,13 +114,13 @@ void name_motion(Asset& asset, const NodeTree& tree) {
 
 // ---- what stands elsewhere ----
 
-// The light that a node carries, or -1.
+// The index of the light of a node, or -1.
 int light_of(const json& node) {
   const json* light = find(node, {"extensions", "KHR_lights_punctual", "light"});
   return light != nullptr ? light->get<int>() : -1;
 }
 
-// Which entries of a list are carried by a node of the drawn scene.
+// Which entries of each list are referred to by a node of the drawn scene.
 struct Carried {
   std::vector<bool> meshes, cameras, lights;
 
@@ -160,7 +161,7 @@ void name_outside(Asset& asset, const NodeTree& tree) {
   if (!named.empty()) asset.warn("in the file, but not in the scene that is drawn: " + named);
 }
 
-// Pictures are taken through the first where none is asked for.
+// Pictures use the first camera if none is requested.
 void name_cameras(Asset& asset, const NodeTree& tree) {
   const auto cameras = std::ranges::count_if(
       tree.drawn, [&](std::uint32_t node) { return asset.model.nodes[node].camera >= 0; });

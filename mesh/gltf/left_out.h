@@ -1,4 +1,4 @@
-// What a glTF file asks for and the picture lacks.
+// Features of a glTF file that are missing in the picture.
 #pragma once
 
 #include <glassbox/mesh/gltf/asset.h>
@@ -7,10 +7,11 @@
 
 namespace glassbox::gltf {
 
-// Adds one warning, with its count, for each kind of thing that is in the file and not in the picture: textures other than
-// those of base colour and emission, animations, skins (which stand in the pose of their nodes), vertex attributes that
-// nothing reads, cameras beside the first, and what stands outside the scene that is drawn. Extensions have been named by
-// open_asset(), and single things that cannot be drawn where they were met.
+// Adds one warning, with its count, for each kind of thing that is in the file but not in the
+// picture: textures other than those of base colour and emission, animations, skins (which are
+// drawn in the pose of their nodes), vertex attributes that are not read, cameras after the first,
+// and things outside the scene that is drawn. Unsupported extensions have been reported by
+// open_asset(), and single things that cannot be drawn have been reported where they were found.
 void name_left_out(Asset& asset, const NodeTree& tree, const Materials& materials);
 
 }  // namespace glassbox::gltf

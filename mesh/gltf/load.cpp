@@ -20,7 +20,8 @@ namespace {
 
 using namespace gltf;
 
-// Makes the meshes that the nodes draw. A primitive becomes one Mesh, shared by all nodes that draw it in the same pose.
+// Makes the meshes that the nodes draw. A primitive becomes one Mesh, shared by all nodes that draw
+// it in the same pose.
 class MeshTable {
 public:
   MeshTable(Asset& asset, const NodeTree& tree, const Materials& materials, Scene& scene)
@@ -54,20 +55,21 @@ public:
                         std::to_string(asset_.limits.max_corners),
                     "raise the limit if the file can be trusted");
       }
-      // A skinned mesh stands where its joints put it, whatever its node says (glTF 2.0, section 3.7.3.3).
+      // A skinned mesh is placed by its joints; its node's transform is ignored (glTF 2.0, section
+      // 3.7.3.3).
       scene_.instances.push_back({**index, skinned ? identity_node() : tree_.scene_index[node]});
     }
     return {};
   }
 
 private:
-  // Legal files share: a hundred spheres over the same accessors make ten corners of each byte. An element of a mesh
-  // takes up to 48 bytes of memory, an instance eight.
+  // Legal files share data: a hundred spheres with the same accessors make ten corners from each
+  // byte. An element of a mesh takes up to 48 bytes of memory, an instance eight.
   static constexpr std::uint64_t kFreeElements = std::uint64_t(1) << 22;
   static constexpr std::uint64_t kElementsPerByte = 16;
   static constexpr std::uint64_t kFreeInstances = std::uint64_t(1) << 20;
 
-  // mesh, primitive, skin or -1, the weights of morph targets where the node has its own
+  // mesh, primitive, skin or -1, and the weights of morph targets where the node has its own
   using Key = std::tuple<std::size_t, std::size_t, int, std::vector<double>>;
 
   Result<std::vector<double>> weights_of(std::uint32_t node, PrimitiveId id) const {

@@ -1,4 +1,4 @@
-// glTF 2.0 and GLB files in.
+// Reads glTF 2.0 and GLB files.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,24 @@
 
 namespace glassbox {
 
-// Reads the default scene of a .gltf or .glb file (the first scene where none is named, every root node where there are
-// no scenes). Morph targets stand at their default weights, skins in the pose of their nodes. What the file asks for and the
-// scene has not is named in Scene::warnings, one line for each kind (left_out.h).
+// Reads the default scene of a .gltf or .glb file (the first scene if the file names no default,
+// every root node if there are no scenes). Morph targets have their default weights, skins the pose
+// of their nodes. Features of the file that the scene does not have are named in Scene::warnings,
+// one line for each kind (left_out.h).
 //
 // Metallic-roughness materials become Blinn-Phong ones:
 //   specular  = mix(0.2, base colour, metallic) * (1 - roughness)^2
 //   shininess = round(2 / max(roughness, 0.1)^4 - 2), kept within 4 .. 256
 //   emission  = emissive factor * strength (KHR_materials_emissive_strength)
 //
-// The file is taken to be hostile: whatever is read is checked against the bytes that exist, external files come only
-// from the file's own directory, and memory stays in proportion to the files read, within `limits`. Errors name the
-// file, the place in it, the cause and a remedy. A scene with nothing to draw is an error.
+// The file may be hostile: everything that is read is checked against the bytes that exist,
+// external files are read only from the file's own directory, and memory use is proportional to the
+// files read, within `limits`. Errors name the file, the place in it, the cause and a remedy. A
+// scene with nothing to draw is an error.
 Result<Scene> load_gltf(const std::string& path, const LoadLimits& limits = {});
 
-// Reads a glTF file in memory. External files are looked for in `directory`; "" means that there are none at all.
+// Reads a glTF file in memory. External files are searched in `directory`; "" means that there are
+// none.
 Result<Scene> load_gltf_memory(std::span<const std::byte> bytes, const std::string& directory,
                                const LoadLimits& limits = {});
 

@@ -15,12 +15,12 @@ namespace {
 
 using nlohmann::json;
 
-// Reflectance of glass and plastics at normal incidence is about 0.04 in linear light; Blinn-Phong without a Fresnel
-// term looks dull with it, so that 0.2 stands in for dielectrics.
+// The reflectance of glass and plastics at normal incidence is about 0.04 in linear light.
+// Blinn-Phong without a Fresnel term looks dull with this value, so 0.2 is used for dielectrics.
 constexpr double kDielectricSpecular = 0.2;
 
-// The exponent whose highlight is about as wide as that of a GGX lobe of the same roughness: 2/alpha^2 - 2 with
-// alpha = roughness^2.
+// The exponent whose highlight is about as wide as that of a GGX lobe of the same roughness:
+// 2/alpha^2 - 2 with alpha = roughness^2.
 int shininess_of(double roughness) {
   const double r = std::max(roughness, 0.1);
   const double exponent = std::floor(2 / ((r * r) * (r * r)) - 2 + 0.5);
@@ -37,14 +37,15 @@ void set_specular(Material& material, double metallic, double roughness) {
   material.shininess = shininess_of(roughness);
 }
 
-// No product of it with a texel overflows, nor does the sum with what is reflected (kBrightest of raster/shading.h).
+// The largest emission for which neither its product with a texel nor its sum with the reflected
+// light overflows (kBrightest of raster/shading.h).
 constexpr double kBrightestEmission = 1e18;
 
 float emission_of(double emitted) {
   return float(std::min(emitted, kBrightestEmission));
 }
 
-// KHR_materials_unlit leaves no light but the base colour.
+// With KHR_materials_unlit only the base colour is shown, so there is no emission.
 void set_emission(Material& material, const json& document) {
   const json* factor = find(document, {"emissiveFactor"});
   if (factor == nullptr || material.unlit) return;
@@ -56,7 +57,8 @@ void set_emission(Material& material, const json& document) {
   }
 }
 
-// What write_glb left in the extras, for which metallic-roughness has no exact counterpart.
+// Restores the numbers that write_glb stored in the extras, because metallic-roughness has no exact
+// counterpart for them.
 void restore_exact(Material& material, const json& exact) {
   for (std::size_t i = 0; i < 3; ++i)
     material.specular[i] = float(exact["specular"][i].get<double>());
@@ -95,7 +97,7 @@ TexCoordTransform read_transform(const json& described) {
   const SinCos turn = sin_cos(described.value("rotation", 0.0));
   const double u_scale = scale[0], v_scale = scale[1];
   TexCoordTransform transform;
-  // Counter-clockwise on the image as it is seen, v downwards.
+  // Counter-clockwise on the displayed image, where v is downwards.
   transform.matrix[0][0] = turn.cos * u_scale;
   transform.matrix[0][1] = turn.sin * v_scale;
   transform.matrix[0][2] = offset[0];
@@ -142,7 +144,7 @@ Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t 
   sampler.wrap_u = *wrap_u;
   sampler.wrap_v = *wrap_v;
   if (described.magFilter == kNearestCode) sampler.magnify = Filter::kNearest;
-  if (described.minFilter == -1) return sampler;  // none given: the best there is
+  if (described.minFilter == -1) return sampler;  // none given: use the best one
   const auto known = std::ranges::find(kMinifyCodes, described.minFilter, &MinifyCode::code);
   if (known == std::end(kMinifyCodes)) {
     return fail(entry("sampler", index),
@@ -154,7 +156,7 @@ Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t 
   return sampler;
 }
 
-// Puts textures into the scene as materials ask for them, each once.
+// Adds the textures that materials need to the scene, each once.
 class TextureTable {
 public:
   TextureTable(Asset& asset, Scene& scene)
@@ -164,7 +166,8 @@ public:
         known_(asset.model.textures.size()),
         reported_(asset.model.textures.size(), false) {}
 
-  // The index in Scene::textures; nothing where the texture has no image that could be drawn.
+  // Returns the index in Scene::textures; nothing where the texture has no image that could be
+  // drawn.
   Result<std::optional<std::uint32_t>> add(std::size_t index) {
     if (known_[index]) return known_[index];
     const tinygltf::Texture& described = asset_.model.textures[index];
@@ -196,10 +199,11 @@ private:
   Scene& scene_;
   ImageTable images_;
   std::vector<std::optional<std::uint32_t>> known_;
-  std::vector<bool> reported_;  // textures without an image
+  std::vector<bool> reported_;  // textures without an image that have been reported
 };
 
-// The texture that a material of the file names, and its coordinates; nothing where it cannot be drawn.
+// The texture that a material of the file names, and its coordinates; nothing where it cannot be
+// drawn.
 struct NamedTexture {
   std::optional<std::uint32_t> texture;
   TexCoordSource texcoords;
@@ -216,7 +220,8 @@ Result<NamedTexture> named_texture(const json& info, std::size_t material, Textu
   return named;
 }
 
-// Without its texture all of the surface would shine.
+// If the texture cannot be read there is no emission, because otherwise all of the surface would
+// glow.
 Result<void> add_emission_texture(Asset& asset, const json& info, std::size_t index,
                                   TextureTable& textures, Material& material,
                                   TexCoordSource& source) {
@@ -286,7 +291,7 @@ Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used,
     scene.materials.push_back(std::move(material));
     materials.texcoords.push_back(source);
   }
-  // For primitives without a material: glTF's default, which is white, metallic and entirely rough.
+  // For primitives without a material: glTF's default, which is white, metallic and fully rough.
   scene.materials.push_back(convert(tinygltf::Material(), json::object()));
   materials.texcoords.emplace_back();
   return materials;

@@ -1,4 +1,4 @@
-// Materials, textures, samplers and images: from metallic-roughness to Blinn-Phong.
+// Converts materials, textures, samplers and images: from metallic-roughness to Blinn-Phong.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace glassbox::gltf {
 
-// (u, v) -> offset + rotation * (scale * (u, v)), KHR_texture_transform.
+// The map (u, v) -> offset + rotation * (scale * (u, v)) of KHR_texture_transform.
 struct TexCoordTransform {
   double matrix[2][3] = {{1, 0, 0}, {0, 1, 0}};
   friend bool operator==(const TexCoordTransform&, const TexCoordTransform&) = default;
 };
 
-// How a mesh of a material is to make its texture coordinates.
+// How a mesh computes its texture coordinates for a material.
 struct TexCoordSource {
   std::uint32_t set = 0;  // TEXCOORD_set
   std::optional<TexCoordTransform> transform;
@@ -26,11 +26,12 @@ struct TexCoordSource {
   friend bool operator==(const TexCoordSource&, const TexCoordSource&) = default;
 };
 
-// Of each material of the file, whether the scene that is drawn uses it.
+// For each material of the file, whether the scene that is drawn uses it.
 std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree);
 
-// Whether a material of the file that is drawn shows its emissive texture, if that has an image: what the material says of
-// its light, and what convert_materials makes of its textures' coordinates. `textures` are the file's.
+// Whether a drawn material of the file shows its emissive texture, if that has an image. This
+// depends on what the material says about its emission, and on which texture coordinates
+// convert_materials chooses. `textures` are the file's.
 bool shows_emission_texture(const tinygltf::Material& described, const nlohmann::json& document,
                             const nlohmann::json& textures);
 
@@ -38,10 +39,11 @@ struct Materials {
   std::vector<TexCoordSource> texcoords;  // one for each of Scene::materials
 };
 
-// Fills scene.materials with the file's materials in their order and one for primitives that name none, and
-// scene.textures and scene.images with what the materials named in `used` need: images that nothing drawn uses are not
-// decoded. `used` has one entry per material of the file. A mesh has one table of texture coordinates: where the base
-// colour and the emission of a material need different ones, the emission is left out (shows_emission_texture).
+// Fills scene.materials with the file's materials in their order and one for primitives that name
+// none, and scene.textures and scene.images with everything that the materials marked in `used`
+// need: images that nothing drawn uses are not decoded. `used` has one entry per material of the
+// file. A mesh has one table of texture coordinates: where the base colour and the emission of a
+// material need different ones, the emission is left out (shows_emission_texture).
 Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -30,8 +30,8 @@ Result<Matrix> from_matrix(const std::vector<double>& numbers, std::size_t index
   return matrix;
 }
 
-// translation * rotation * scale. The quaternion is to be a unit one; the factor 2/|q|^2 makes a rotation of any other,
-// without a square root.
+// translation * rotation * scale. The quaternion should be a unit quaternion; the factor 2/|q|^2
+// makes a rotation from any other one too, without a square root.
 Result<Matrix> from_trs(const tinygltf::Node& node, std::size_t index) {
   const auto get = [](const std::vector<double>& v, std::size_t i, double otherwise) {
     return v.empty() ? otherwise : v[i];
@@ -67,7 +67,7 @@ bool is_finite(const Matrix& matrix) {
   return true;
 }
 
-// The parent of every node, kNone for roots.
+// The parent of every node; kNone for roots.
 Result<std::vector<std::uint32_t>> find_parents(const Asset& asset) {
   const auto& nodes = asset.model.nodes;
   std::vector<std::uint32_t> parents(nodes.size(), kNone);
@@ -87,7 +87,7 @@ Result<std::vector<std::uint32_t>> find_parents(const Asset& asset) {
   return parents;
 }
 
-// All nodes below the roots given, in the order of a walk that visits parents first and children in order.
+// All nodes below the given roots, in depth-first order: parents first, children in their order.
 std::vector<std::uint32_t> walk(const Asset& asset, const std::vector<std::uint32_t>& roots) {
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> stack(roots.rbegin(), roots.rend());
@@ -102,7 +102,7 @@ std::vector<std::uint32_t> walk(const Asset& asset, const std::vector<std::uint3
   return order;
 }
 
-// The nodes at which the default scene starts.
+// The root nodes of the default scene.
 Result<std::vector<std::uint32_t>> scene_roots(const Asset& asset,
                                                const std::vector<std::uint32_t>& parents,
                                                const std::vector<std::uint32_t>& all_roots,
@@ -158,7 +158,8 @@ Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
                                                    : from_matrix(nodes[node].matrix, node);
     if (!matrix) return tl::unexpected(matrix.error());
     own[node] = *matrix;
-    // A node that says nothing stands exactly where its parent does: a product with the identity loses the sign of -0.
+    // A node without a transform gets exactly its parent's transform: a product with the identity
+    // would lose the sign of -0.
     if (parent == kNone) {
       tree.world_from_node[node] = own[node];
     } else if (!has_transform(nodes[node])) {

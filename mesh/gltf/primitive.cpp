@@ -11,8 +11,8 @@
 namespace glassbox::gltf {
 namespace {
 
-// Normals as far from unit length as rounding to float makes them (3 components, each within 2^-24 relative: |n|^2
-// within 2^-22) are kept bit by bit.
+// Normals whose length differs from 1 by no more than rounding to float causes (3 components, each
+// within 2^-24 relative: |n|^2 within 2^-22) are kept bit by bit.
 constexpr double kUnitTolerance = 0x1p-21;
 
 std::string place_of(const Asset& asset, PrimitiveId id) {
@@ -28,7 +28,7 @@ std::string mesh_name(const tinygltf::Mesh& mesh, PrimitiveId id) {
   return std::string(name).append("[").append(std::to_string(id.primitive)).append("]");
 }
 
-// Every accessor that drawing the primitive reads; the first is that of the positions.
+// Every accessor that is read to draw the primitive; the first is that of the positions.
 std::vector<std::size_t> accessors_of(const tinygltf::Primitive& primitive) {
   std::vector<std::size_t> accessors{std::size_t(primitive.attributes.at("POSITION"))};
   for (const auto& [name, accessor] : primitive.attributes)
@@ -47,7 +47,7 @@ bool is_compressed(const Asset& asset, PrimitiveId id) {
 
 // ---- vertices ----
 
-// The positions and normals before they are rounded: morphed and skinned.
+// The positions and normals before they are rounded, after morphing and skinning.
 Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitive,
                                const Attributes& attributes, const std::string& place,
                                std::size_t count, const Pose& pose, Budget& budget) {
@@ -110,7 +110,8 @@ Result<void> set_positions(Mesh& mesh, const Vertices& vertices, const std::stri
   return {};
 }
 
-// Unit normals. The entry of a vertex whose normal has no direction is not used by its corners, which are flat.
+// Sets unit normals. A vertex whose normal has no direction has an unused entry; its corners are
+// shaded flat.
 std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices,
                               const std::string& place) {
   std::vector<bool> usable;
@@ -119,7 +120,8 @@ std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices
   for (std::size_t i = 0; i < vertices.normals.size() / 3; ++i) {
     const double* n = vertices.normals.data() + i * 3;
     const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    // Squares of floats neither overflow nor vanish in double; morphed and skinned numbers could.
+    // Squares of floats neither overflow nor vanish in double, but morphed and skinned numbers
+    // could.
     const bool good = squared > 0x1p-1000 && std::isfinite(squared);
     const double length = std::abs(squared - 1) <= kUnitTolerance ? 1 : std::sqrt(squared);
     usable.push_back(good);
@@ -214,8 +216,8 @@ Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
   return *read;
 }
 
-// glTF 2.0, section 3.7.2.1: which vertices make which triangle, line or point. corner(i): of the i-th of the `n` vertices in
-// drawing order.
+// Connects vertices to triangles, lines or points (glTF 2.0, section 3.7.2.1). corner(i) returns
+// the corner of the i-th of the `n` vertices in drawing order.
 template <class CornerOf>
 void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& corner,
              const std::string& place) {
@@ -254,7 +256,7 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
       break;
     case TINYGLTF_MODE_TRIANGLE_STRIP:
       reserve_faces(n);
-      // Every second triangle swaps two corners, so that all turn the same way.
+      // In every second triangle two corners are swapped, so that all have the same winding.
       for (std::size_t i = 0; i + 2 < n; ++i) add_face(i, i + 1 + i % 2, i + 2 - i % 2);
       break;
     case TINYGLTF_MODE_TRIANGLE_FAN:
@@ -262,7 +264,7 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
       for (std::size_t i = 0; i + 2 < n; ++i) add_face(i + 1, i + 2, 0);
       break;
     default:
-      break;  // schema.h lets nothing else pass
+      break;  // schema.h allows no other mode
   }
 }
 
@@ -313,7 +315,7 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
   mesh.name = mesh_name(described, id);
   if (auto done = set_positions(mesh, *vertices, place); !done) return tl::unexpected(done.error());
   const std::vector<bool> has_normal = set_normals(asset, mesh, *vertices, place);
-  *vertices = {};  // twice as large as the mesh's own
+  *vertices = {};  // it is twice as large as the mesh's own table
   if (auto done = set_texcoords(asset, mesh, attributes, texcoords, place); !done)
     return tl::unexpected(done.error());
   if (auto done = set_colors(mesh, attributes); !done) return tl::unexpected(done.error());

@@ -1,4 +1,5 @@
-// One primitive of a glTF mesh to one Mesh: attributes to tables, modes to faces, lines and points.
+// Converts one primitive of a glTF mesh to one Mesh: attributes to tables, modes to faces, lines
+// and points.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@
 
 namespace glassbox::gltf {
 
-// How many vertices and corners may still be made. Primitives may share accessors, so that a short file could ask for
-// any amount of them.
+// The number of vertices and corners that may still be made. Primitives may share accessors, so
+// that a short file could request any number of them.
 class Budget {
 public:
   explicit Budget(std::uint64_t elements) : left_(elements) {}
@@ -29,19 +30,20 @@ private:
   std::uint64_t left_;
 };
 
-// Where a primitive stands in the file, for messages.
+// The position of a primitive in the file, for messages.
 struct PrimitiveId {
   std::size_t mesh = 0;
   std::size_t primitive = 0;
 };
 
-// What a primitive is drawn with besides what it says itself.
+// The data for drawing a primitive that are not in the primitive itself.
 struct Pose {
-  std::vector<double> weights;            // of the morph targets; empty: the primitive as it is
+  std::vector<double> weights;            // of the morph targets; empty: not morphed
   const JointMatrices* joints = nullptr;  // null: not skinned
 };
 
-// Nothing where there is nothing to draw (no positions, no data, too few vertices); asset.warnings says so.
+// Returns nothing where there is nothing to draw (no positions, no data, too few vertices); then
+// asset.warnings has the reason.
 Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, const Pose& pose,
                                               const TexCoordSource& texcoords, Budget& budget);
 

@@ -1,11 +1,11 @@
-// glTF's numbers for how textures are read, for both directions.
+// glTF's numbers for filters and wrap modes, for reading and writing.
 #pragma once
 
 #include <glassbox/mesh/scene.h>
 
 namespace glassbox::gltf {
 
-inline constexpr int kNearestCode = 9728, kLinearCode = 9729;  // of magnification
+inline constexpr int kNearestCode = 9728, kLinearCode = 9729;  // for magnification
 
 struct WrapCode {
   int code;

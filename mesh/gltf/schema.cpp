@@ -13,10 +13,11 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxDepth = 256;
-// Entries of one top-level array. An entry of a few characters becomes a record of some hundred bytes.
+// The largest number of entries of one top-level array. An entry of a few characters becomes a
+// record of some hundred bytes.
 constexpr std::size_t kMaxEntries = std::size_t(1) << 18;
 
-// "accessor 7, sparse.count": the top-level entry, then the way down from it.
+// A place such as "accessor 7, sparse.count": the top-level entry, then the path below it.
 struct Place {
   std::string entry;
   std::string path;
@@ -42,7 +43,7 @@ private:
     return fail(place.text(), std::move(cause), "correct the file or export it again");
   }
 
-  // How many entries the top-level array has that an index is to name.
+  // The number of entries in the top-level array that an index refers to.
   std::size_t entries(std::string_view array) const {
     const json* at = &document_;
     const auto descend = [&at](const char* name) {
@@ -195,7 +196,8 @@ bool too_deep(std::string_view text) {
   return false;
 }
 
-// Extras are the application's own, and may hold anything.
+// Counts extensions. Extras belong to the application that wrote the file, and may contain
+// anything, so they are skipped.
 void count_extensions(const json& value, std::map<std::string, std::uint64_t>& counts) {
   if (value.is_array()) {
     for (const json& item : value) count_extensions(item, counts);
@@ -223,7 +225,8 @@ Result<void> check_version(const json& asset) {
 
 namespace {
 
-// The parser tells where it stopped, but not of a number beyond double, which it quotes: ", line 3, column 17" of the first such.
+// The parser reports the place of an error except for a number that is too large for double, which
+// it only quotes. Returns ", line 3, column 17" for the first such number.
 std::string place_of_number(std::string_view text, std::string_view what) {
   constexpr std::string_view kOverflow = "number overflow parsing '";
   if (!what.starts_with(kOverflow)) return "";
@@ -252,8 +255,8 @@ Result<Document> read_document(std::string_view text) {
   try {
     document = json::parse(text);
   } catch (const json::exception& error) {
-    // Without the parser's own name for the error ("[json.exception.parse_error.101] parse error at line 1 ..."), and
-    // without the bytes that it quotes where they may not be UTF-8.
+    // Remove the parser's own name for the error ("[json.exception.parse_error.101] parse error at
+    // line 1 ..."), and the bytes that it quotes where they may not be UTF-8.
     std::string what = error.what();
     if (const std::size_t name_end = what.find("] "); name_end != std::string::npos)
       what.erase(0, name_end + 2);

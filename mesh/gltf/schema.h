@@ -1,4 +1,5 @@
-// What the JSON of a glTF file may say: the part of the glTF 2.0 schema that Glassbox reads, as a table.
+// What the JSON of a glTF file may contain: the part of the glTF 2.0 schema that Glassbox reads, as
+// a table.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,10 @@ struct Document {
   std::map<std::string, std::uint64_t> extensions;
 };
 
-// Parses the text and checks every property that Glassbox reads: its type, its range, the length of its array, and
-// that an index names an entry that exists. What comes back has only these properties, integers written as 3.0 made
-// integers, so that whoever reads it need not check again. Text nested deeper than 256 levels is refused before it is
-// parsed.
+// Parses the text and checks every property that Glassbox reads: its type, its range, the length of
+// its array, and that an index refers to an entry that exists. The result has only these
+// properties, and integers written as 3.0 are integers in it, so that its users need not check
+// again. Text nested deeper than 256 levels is refused before it is parsed.
 Result<Document> read_document(std::string_view text);
 
 }  // namespace glassbox::gltf

@@ -30,10 +30,10 @@ Property presence(const char* name) {
 
 }  // namespace
 
-// glTF 2.0, section 5, and the extensions' own schemas. Numbers of the specification: 5120 .. 5126 component types,
-// 9728 .. filters, 10497, 33071, 33648 wrap modes.
+// From glTF 2.0, section 5, and the schemas of the extensions. The specification's codes: 5120 ..
+// 5126 are component types, 9728 .. are filters, and 10497, 33071, 33648 are wrap modes.
 const Tables& schema_tables() {
-  const double kMaxCount = 4294967294.0;  // the largest index is kept for "none"
+  const double kMaxCount = 4294967294.0;  // the largest index is reserved for "none"
   static const Tables all = {
       {"document",
        {object("asset", "asset").needed(), string("extensionsUsed").list(),
@@ -54,7 +54,7 @@ const Tables& schema_tables() {
         number("color").list(3, 3).within(0, kInfinity), number("intensity").within(0, kInfinity),
         number("range").within(std::numeric_limits<double>::min(), kInfinity),
         object("spot", "spot")}},
-      // The greatest outer angle is pi/2.
+      // The largest outer angle is pi/2.
       {"spot",
        {number("innerConeAngle").within(0, 1.5707963267948966),
         number("outerConeAngle").within(0, 1.5707963267948968)}},

@@ -1,4 +1,5 @@
-// What of a glTF document is looked at: names, types and ranges of the properties of every kind of object.
+// The parts of a glTF document that are read: names, types and ranges of the properties of every
+// kind of object.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 
 namespace glassbox::gltf {
 
-inline constexpr double kLargestInteger = 0x1p53;  // integers beyond have no exact double
+inline constexpr double kLargestInteger = 0x1p53;  // larger integers may have no exact double
 inline constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -22,7 +23,7 @@ enum class Type {
   kObject,      // `of` names its table
   kIndex,       // into the top-level array `of`
   kDictionary,  // any names, the values are indices into `of`
-  kPresence,    // anything; only that it is there matters
+  kPresence,    // anything; only its presence matters
 };
 
 struct Property {
@@ -35,7 +36,7 @@ struct Property {
   std::size_t max_items = kAny;
   double low = -kInfinity;
   double high = kInfinity;
-  std::vector<const char*> words = {};  // kString: the values allowed, where there is a list
+  std::vector<const char*> words = {};  // kString: the allowed values, where there is a list
 
   Property needed() const {
     Property copy = *this;
@@ -62,7 +63,7 @@ struct Property {
   }
 };
 
-// By the name that Property::of gives; the document itself is "document".
+// The tables by the names that Property::of uses; the document itself is "document".
 using Tables = std::map<std::string, std::vector<Property>, std::less<>>;
 
 const Tables& schema_tables();

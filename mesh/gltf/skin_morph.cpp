@@ -40,7 +40,7 @@ Result<std::vector<Matrix>> inverse_bind_matrices(const Asset& asset, std::size_
   return matrices;
 }
 
-// What the joints do to one vertex.
+// The matrix by which the joints move one vertex.
 Result<Matrix> blend(std::size_t vertex, const std::vector<Influences>& sets,
                      const JointMatrices& joints) {
   double sum = 0;
@@ -70,7 +70,8 @@ Result<Matrix> blend(std::size_t vertex, const std::vector<Influences>& sets,
   return mean;
 }
 
-// The matrix of cofactors of the upper 3x3 part: det(m) times the inverse transposed, without a division.
+// Transforms by the matrix of cofactors of the upper 3x3 part: det(m) times the inverse transposed,
+// without a division.
 std::array<double, 3> transform_normal(const Matrix& m, const double* n) {
   std::array<double, 3> out;
   for (int row = 0; row < 3; ++row) {

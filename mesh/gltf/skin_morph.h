@@ -11,12 +11,14 @@
 
 namespace glassbox::gltf {
 
-// world_from_joint * inverse bind matrix of each joint: carries vertices as modelled to where the pose puts them.
+// world_from_joint * inverse bind matrix of each joint: moves vertices from the modelled pose to
+// the current pose.
 using JointMatrices = std::vector<Transform<World, Object>>;
 
 Result<JointMatrices> joint_matrices(const Asset& asset, const NodeTree& tree, std::size_t skin);
 
-// The numbers of one primitive while they are still exact: three per vertex, normals empty where there are none.
+// The numbers of one primitive before rounding: three per vertex, normals empty where there are
+// none.
 struct Vertices {
   std::vector<double> positions;
   std::vector<double> normals;
@@ -32,9 +34,9 @@ struct Influences {
   std::vector<double> weights;
 };
 
-// Moves the vertices by the weighted mean of their joints' matrices; normals by its cofactors, which keep them
-// perpendicular. Weights are taken relative to their sum; a vertex without weight follows its first joint. Errors name
-// the vertex whose joint does not exist.
+// Moves the vertices by the weighted mean of their joints' matrices; normals by its cofactors,
+// which keep them perpendicular to the surface. Weights are divided by their sum; a vertex without
+// weight follows its first joint. Errors name the vertex whose joint does not exist.
 Result<void> apply_skin(Vertices& vertices, const std::vector<Influences>& sets,
                         const JointMatrices& joints);
 

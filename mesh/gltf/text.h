@@ -1,4 +1,4 @@
-// Words of the messages about glTF files.
+// Text for messages about glTF files.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace glassbox::gltf {
 
-// The error of something inside, with the way to it: "mesh 2, primitive 0, " before its own place.
+// Prefixes an error's place with the place around it: "mesh 2, primitive 0, " and then its own
+// place.
 inline tl::unexpected<Error> fail_inside(const std::string& place, const Error& error) {
   return fail(place + ", " + error.place, error.cause, error.remedy);
 }
 
-// "accessor 7"
+// Returns a text such as "accessor 7".
 inline std::string entry(std::string_view kind, std::size_t index) {
   return std::string(kind) + " " + std::to_string(index);
 }

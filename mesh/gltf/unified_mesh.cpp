@@ -22,7 +22,7 @@ struct CornerHash {
   }
 };
 
-// Adds shapes to the last primitive while their attributes stay the same.
+// Adds shapes to the last primitive as long as their attributes are the same.
 class Unifier {
 public:
   void add(int mode, bool has_normals, std::span<const Corner> corners) {

@@ -1,4 +1,5 @@
-// A Mesh as glTF can hold it: runs of triangles, lines or points, each with one index per corner.
+// A Mesh in the form that glTF can store: runs of triangles, lines or points, each with one index
+// per corner.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +10,19 @@
 
 namespace glassbox::gltf {
 
-// One primitive. Each vertex is a distinct combination of indices into the tables of the mesh, in the order in which
-// the corners first name it; `indices` name vertices.
+// One primitive. Each vertex is a distinct combination of indices into the tables of the mesh, in
+// the order in which the corners first use it; `indices` refer to vertices.
 struct UnifiedPrimitive {
-  int mode = 4;  // as glTF numbers them: 0 points, 1 lines, 4 triangles
+  int mode = 4;  // glTF's numbers: 0 points, 1 lines, 4 triangles
   bool has_normals = false, has_texcoords = false, has_colors = false;
   std::vector<Corner> vertices;
   std::vector<std::uint32_t> indices;
 };
 
-// The triangles in the order of triangulate(), cut into runs whose corners have the same attributes; then the lines, then
-// the points. Where only some corners of a run have a texture coordinate or a colour, the others get (0, 0) and white,
-// with which they are drawn. A triangle with normals on some of its corners only is an error: glTF has no such thing.
+// The triangles in the order of triangulate(), divided into runs whose corners have the same
+// attributes; then the lines, then the points. Where only some corners of a run have a texture
+// coordinate or a colour, the others get (0, 0) and white, with which they are drawn. A triangle
+// with normals on only some of its corners is an error: glTF cannot represent it.
 Result<std::vector<UnifiedPrimitive>> unify(const Mesh& mesh);
 
 }  // namespace glassbox::gltf

@@ -24,7 +24,7 @@ using gltf::entry;
 using gltf::UnifiedPrimitive;
 using nlohmann::json;
 
-// glTF's numbers for types.
+// glTF's codes for types.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertexData = 34962;
@@ -92,7 +92,7 @@ private:
     return document_["bufferViews"].size() - 1;
   }
 
-  // The binary data since `offset` as one accessor: its index.
+  // Makes one accessor of the binary data from `offset` on, and returns its index.
   std::size_t add_accessor(std::size_t offset, int component_type, const char* type,
                            std::size_t count, int target) {
     const std::size_t view = add_view(offset, binary_.size() - offset, target);
@@ -103,7 +103,7 @@ private:
     return document_["accessors"].size() - 1;
   }
 
-  // What `numbers` gives for each vertex, one number after the other.
+  // Writes the result of `numbers` for each vertex, one number after the other.
   template <class Numbers>
   std::size_t write_attribute(const UnifiedPrimitive& primitive, const char* type,
                               Numbers numbers) {
@@ -230,7 +230,8 @@ private:
     return by_node;
   }
 
-  // Whether a walk over the hierarchy, parents first, meets the instances in the order in which they are drawn.
+  // Whether a depth-first walk over the hierarchy, parents first, meets the instances in the order
+  // in which they are drawn.
   bool order_follows_hierarchy() const {
     const auto instances = instances_by_node();
     const auto children = children_by_node();
@@ -258,7 +259,8 @@ private:
     }
   }
 
-  // A glTF node carries one mesh: a node of several instances gets a child for each, before its other children.
+  // A glTF node has at most one mesh: a node with several instances gets a child for each, before
+  // its other children.
   void write_hierarchy() {
     for (const Node& described : scene_.nodes) {
       const std::size_t index = add_node(described.name);
@@ -287,7 +289,7 @@ private:
     }
   }
 
-  // Every instance under a root of its own: the hierarchy is lost, the picture is not.
+  // Writes every instance under its own root: the hierarchy is lost, but the picture is the same.
   void write_flat() {
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
       const Node& described = scene_.nodes[scene_.instances[i].node];
@@ -334,7 +336,8 @@ private:
   const Scene& scene_;
   json document_;
   BinaryChunk binary_;
-  std::vector<std::optional<std::size_t>> mesh_numbers_;  // by Scene::meshes; none: nothing to draw
+  // By the index in Scene::meshes; none: nothing to draw.
+  std::vector<std::optional<std::size_t>> mesh_numbers_;
   std::vector<std::size_t> roots_;
   std::vector<std::string> used_;
 };

@@ -1,4 +1,4 @@
-// Scenes out as GLB files.
+// Writes scenes as GLB files.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,22 @@
 
 namespace glassbox {
 
-// Writes the scene so that load_gltf gives back what is drawn bit by bit: matrices, positions, normals, texture
-// coordinates, colours, the order of instances and triangles, materials, cameras and lights. Polygons are written as the
-// triangles that triangulate() gives. Errors: a camera with a FrustumLens (glTF has none), a triangle with normals on
-// some of its corners only, numbers that are not finite, a file that cannot be written.
+// Writes the scene so that load_gltf restores everything that is drawn bit by bit: matrices,
+// positions, normals, texture coordinates, colours, the order of instances and triangles,
+// materials, cameras and lights. Polygons are written as the triangles of triangulate(). Errors: a
+// camera with a FrustumLens (glTF has none), a triangle with normals on only some of its corners,
+// numbers that are not finite, a file that cannot be written.
 Result<void> write_glb(const Scene& scene, const std::string& path);
 
-// The bytes of that file.
+// Returns the bytes of that file.
 Result<std::vector<std::byte>> encode_glb(const Scene& scene);
 
-// What writing takes at most, beside the scene and its pictures, of a triangle that shares no corner with another: while equal corners are
-// looked for a table's node, 48 bytes, and two tables of pointers for each, and itself and its number, with at most twice as much room as they need,
-// 108 in all for one of three; while the file is put together a place, a colour and a number, 32 for one of three, as they are gathered, at
-// most twice as much room, in the file's order, and once more: 384.
+// An upper bound of the memory for writing, in bytes per triangle that shares no corner with
+// another, in addition to the scene and its pictures. While equal corners are searched: a table
+// node of 48 bytes, two tables of pointers for each node, and the corner itself and its number,
+// with at most twice the necessary capacity, 108 in all for one of three corners. While the file is
+// assembled: a position, a colour and a number, 32 for one of three corners, as they are collected
+// with at most twice the necessary capacity, in the file's order, and once more. The sum is 384.
 inline constexpr double kGlbBytesOfTriangle = 384;
 
 }  // namespace glassbox

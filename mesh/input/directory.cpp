@@ -15,8 +15,8 @@ bool is_absolute(std::string_view name) {
   return name.starts_with('/') || (name.size() >= 2 && name[1] == ':');
 }
 
-// Whether the name climbs above the place where it starts, taken as text. Names inside come through,
-// even with ".." in them; what links do is for the canonical path to say.
+// Whether the name, taken as text, leaves the directory in which it starts. Names that stay inside
+// are accepted, even with ".." in them; the effect of links is checked with the canonical path.
 bool climbs_out(std::string_view name) {
   int depth = 0;
   while (!name.empty()) {
@@ -50,7 +50,7 @@ Result<fs::path> Directory::find(std::string_view name) const {
     return fail("", "the file " + in_quotes(name) + " " + cause,
                 "put it beside " + owner_ + " and name it by a relative path");
   };
-  // No file system takes longer paths, and none takes NUL.
+  // No file system accepts longer paths, and none accepts NUL.
   constexpr std::size_t kMaxLength = 4096;
   if (root_.empty() || name.empty() || name.size() > kMaxLength ||
       name.find('\0') != std::string_view::npos) {

@@ -14,14 +14,15 @@ namespace glassbox::obj {
 
 class Directory {
 public:
-  // Holds no file at all.
+  // Contains no file.
   Directory() = default;
-  // The directory of `file`, which messages call "the OBJ file" if `kind` is "OBJ". `max_bytes` bounds all files together.
+  // The directory of `file`; messages call it "the OBJ file" if `kind` is "OBJ". `max_bytes` limits
+  // the sum of all files.
   Directory(const std::filesystem::path& file, const char* kind, std::uint64_t max_bytes);
 
-  // The canonical path of an existing file. A name is relative to the directory, with slashes or
-  // backslashes, and must not leave it, not even through a symbolic link; nothing outside is
-  // touched in order to find out.
+  // Returns the canonical path of an existing file. A name is relative to the directory, with
+  // slashes or backslashes, and must not leave it, not even through a symbolic link; nothing
+  // outside is accessed to find this out.
   Result<std::filesystem::path> find(std::string_view name) const;
 
   Result<std::vector<std::byte>> read(const std::filesystem::path& found);

@@ -32,7 +32,8 @@ std::optional<unsigned> hex_digit(char c) {
   return std::nullopt;
 }
 
-// "Box%20With%20Spaces.bin" -> "Box With Spaces.bin"; nothing where a per cent sign starts no code.
+// "Box%20With%20Spaces.bin" -> "Box With Spaces.bin"; nothing where a per cent sign does not begin
+// a code.
 std::optional<std::string> percent_decoded(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -50,7 +51,8 @@ std::optional<std::string> percent_decoded(std::string_view uri) {
   return text;
 }
 
-// RFC 3986: a letter, then letters, digits, '+', '-' or '.', then ':'.
+// Whether the URI has a scheme (RFC 3986): a letter, then letters, digits, '+', '-' or '.', then
+// ':'.
 bool has_scheme(std::string_view uri) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   if (uri.empty() || !letter(uri[0])) return false;
@@ -78,7 +80,7 @@ Result<Bytes> decode_data_uri(std::string_view uri) {
   return Bytes(bytes.begin(), bytes.end());
 }
 
-// Whether `path` lies below `directory`, both canonical.
+// Whether `path` is below `directory`; both are canonical.
 bool is_inside(const fs::path& path, const fs::path& directory) {
   const auto [in_directory, in_path] =
       std::mismatch(directory.begin(), directory.end(), path.begin(), path.end());

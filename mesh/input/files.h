@@ -1,4 +1,4 @@
-// The bytes that a file names: data URIs, and files inside its own directory.
+// The bytes that a file refers to: data URIs, and files inside its own directory.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@
 
 namespace glassbox {
 
-// What `load` makes, a Result, with the file named in its error. Too little memory is an error, too.
+// Returns the Result of `load`, with the file named in its error. Too little memory is an error,
+// too.
 template <class Load>
 auto naming_file(const std::string& path, Load load) -> decltype(load()) {
   auto made = unless_out_of_memory(load, "there is not enough memory for it",
@@ -30,23 +31,26 @@ namespace glassbox::gltf {
 
 using Bytes = std::vector<std::byte>;
 
-// A regular file as a whole. Directories, pipes and devices are refused, and so is more than `max_bytes`.
+// Reads a whole regular file. Directories, pipes and devices are refused, and so are files of more
+// than `max_bytes`.
 Result<Bytes> read_whole_file(const std::string& path, std::uint64_t max_bytes);
 
-// "QUJD" -> "ABC", strictly: the alphabet of RFC 4648, padded to whole groups of four, nothing in between.
+// Decodes "QUJD" to "ABC", strictly: only the alphabet of RFC 4648, padded to groups of four, with
+// nothing in between.
 Result<Bytes> decode_base64(std::string_view text);
 
 class Resources {
 public:
-  // `directory` "" forbids every external file.
+  // A `directory` of "" forbids every external file.
   Resources(std::string directory, const LoadLimits& limits)
       : directory_(std::move(directory)), limits_(limits) {}
 
-  // What `uri` names. Of URIs with a scheme only data URIs are read (base64 or per cent codes, RFC 2397); everything else is a path relative to the
-  // directory, which it must not leave, not even through a symbolic link. A file named twice is read once.
+  // Returns the bytes that `uri` refers to. URIs with a scheme must be data URIs (base64 or per
+  // cent codes, RFC 2397). Everything else is a path relative to the directory, which it must not
+  // leave, not even through a symbolic link. A file that is named twice is read once.
   Result<std::shared_ptr<const Bytes>> read(std::string_view uri);
 
-  // How many bytes have been read.
+  // The number of bytes read so far.
   std::uint64_t total_bytes() const { return total_bytes_; }
 
 private:

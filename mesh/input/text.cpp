@@ -14,15 +14,15 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Whether a decimal number that no float can hold is too large rather than too small: whether its
-// first digit that is not zero stands, after the exponent, before the decimal point.
+// Whether a decimal number outside the range of float is too large rather than too small: whether
+// its first digit that is not zero is, after applying the exponent, before the decimal point.
 bool is_too_large(std::string_view number) {
   const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == std::string_view::npos) return false;
-  // The place of the first digit: 0 for units, -1 for tenths.
+  // The position of the first digit: 0 for units, -1 for tenths.
   const std::int64_t place =
       first < point ? std::int64_t(point - first) - 1 : -std::int64_t(first - point);
   std::int64_t exponent = 0;
@@ -31,7 +31,8 @@ bool is_too_large(std::string_view number) {
     const bool negative = digits.starts_with('-');
     if (negative || digits.starts_with('+')) digits.remove_prefix(1);
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    // Beyond what an int64 holds, no mantissa that fits in memory can make up for it.
+    // For an exponent that does not fit in an int64, the mantissa has no influence: it would not
+    // fit in memory.
     if (parsed.ec == std::errc::result_out_of_range) return !negative;
     if (negative) exponent = -exponent;
   }
@@ -97,7 +98,7 @@ std::string_view Words::next() {
 }
 
 Number parse_number(std::string_view word) {
-  // from_chars takes no plus sign.
+  // from_chars does not accept a plus sign.
   if (word.starts_with('+') && word.size() > 1 && (is_digit(word[1]) || word[1] == '.')) {
     word.remove_prefix(1);
   }
@@ -106,7 +107,8 @@ Number parse_number(std::string_view word) {
   const auto parsed = std::from_chars(word.data(), end, number.value);
   if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) return {};
   if (parsed.ec == std::errc::result_out_of_range) {
-    // The library does not say which end of the range it was, nor keep the sign of a zero.
+    // The library does not say which end of the range was exceeded, nor does it keep the sign of a
+    // zero.
     if (is_too_large(word)) return {Number::Kind::kNotFinite, 0};
     return {Number::Kind::kFinite, word.starts_with('-') ? -0.0f : 0.0f};
   }

@@ -13,11 +13,12 @@
 
 namespace glassbox::obj {
 
-// Without a comment at its end. A '#' inside a word ("Material#25") starts none.
+// The text without a comment at its end. A '#' inside a word ("Material#25") does not begin a
+// comment.
 std::string_view without_comment(std::string_view text);
 
-// The lines of a text, whatever their endings (LF, CR LF or CR). A backslash at the end of a line
-// joins the next one to it, except in a comment: there it ends a Windows path more often than not.
+// The lines of a text, with any line endings (LF, CR LF or CR). A backslash at the end of a line
+// joins the next line to it, except in a comment, where it is usually the end of a Windows path.
 class Lines {
 public:
   explicit Lines(std::string_view text);
@@ -26,7 +27,7 @@ public:
   bool next();
 
   std::string_view text() const { return line_; }       // trimmed; valid until next()
-  std::uint64_t number() const { return first_line_; }  // of its first line, from 1
+  std::uint64_t number() const { return first_line_; }  // of its first line, counted from 1
 
 private:
   std::string_view take_physical_line();
@@ -45,15 +46,15 @@ public:
 
   // The next word; empty at the end.
   std::string_view next();
-  // What follows the words taken, trimmed, comments included.
+  // The text after the words taken so far, trimmed, comments included.
   std::string_view rest() const { return rest_; }
 
 private:
   std::string_view rest_;
 };
 
-// The float nearest to a decimal number; what rounds to infinity, and "inf" and "nan" themselves,
-// are not finite; everything else is text.
+// The float nearest to a decimal number. Numbers that round to infinity, and "inf" and "nan"
+// themselves, are not finite; everything else is text.
 struct Number {
   enum class Kind { kFinite, kNotFinite, kText };
   Kind kind = Kind::kText;
@@ -63,8 +64,8 @@ Number parse_number(std::string_view word);
 
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
-// What was ignored or repaired. A hostile file has a million of everything: only the first few are
-// kept, and the others counted.
+// Warnings about what was ignored or repaired. A hostile file could cause millions: only the first
+// few are kept, and the others are counted.
 class Warnings {
 public:
   void add(std::string text);
@@ -76,13 +77,13 @@ private:
   std::uint64_t dropped_ = 0;
 };
 
-// Counts occurrences of one oddity, for one warning that names the first.
+// Counts the occurrences of one problem, for one warning that names the first.
 class Tally {
 public:
   void add(std::uint64_t number) {
     if (count_++ == 0) first_ = number;
   }
-  // Says "<count> <what> (first<where> <number>)" where there was any.
+  // Adds "<count> <what> (first<where> <number>)" if there were any.
   void report(const char* what, Warnings& warnings, const char* where = " in line") const;
 
 private:

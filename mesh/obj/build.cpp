@@ -7,13 +7,13 @@
 namespace glassbox::obj {
 namespace {
 
-// Where the entries of one table of the file went in the table of the mesh being built. Starting
-// the next mesh costs nothing.
+// Maps the entries of one table of the file to the table of the current mesh. Starting the next
+// mesh costs nothing.
 class Renumbering {
 public:
   explicit Renumbering(std::size_t size) : mesh_of_(size, kNone), local_(size, kNone) {}
 
-  // True where `mesh` has met the entry before; local() then has its number.
+  // True where `mesh` has used the entry before; local() then returns its number.
   bool knows(std::uint32_t global, std::uint32_t mesh) const { return mesh_of_[global] == mesh; }
   std::uint32_t local(std::uint32_t global) const { return local_[global]; }
   void set(std::uint32_t global, std::uint32_t mesh, std::uint32_t local) {
@@ -26,7 +26,8 @@ private:
   std::vector<std::uint32_t> mesh_of_, local_;
 };
 
-// Of unit length, computed in double; nothing for the zero vector, which has no direction.
+// The normal scaled to unit length, computed in double; nothing for the zero vector, which has no
+// direction.
 std::optional<Normal<Object>> normalized(const Normal<Object>& n) {
   const double x = n.x, y = n.y, z = n.z;
   const double length = std::sqrt(x * x + y * y + z * z);
@@ -34,7 +35,8 @@ std::optional<Normal<Object>> normalized(const Normal<Object>& n) {
   return Normal<Object>(float(x / length), float(y / length), float(z / length));
 }
 
-// Moved by the material's map and turned top down; nothing where it leaves the range of floats.
+// The texture coordinates with the material's map applied and v reversed; nothing where they are
+// outside the range of float.
 std::optional<TexCoord> placed(const TexCoord& t, const TexCoordMap& map) {
   const double u = double(map.scale[0]) * double(t.u) + double(map.offset[0]);
   const double v = double(map.scale[1]) * double(t.v) + double(map.offset[1]);
@@ -43,8 +45,8 @@ std::optional<TexCoord> placed(const TexCoord& t, const TexCoordMap& map) {
   return moved;
 }
 
-// "object", "group" or "object/group". Names have a bounded length here, because one long name can
-// be part of very many meshes.
+// "object", "group" or "object/group". The length of names is limited here, because one long name
+// can be part of very many meshes.
 std::string mesh_name(const std::string& object, const std::string& group) {
   constexpr std::size_t kMaxLength = 255;
   std::string name = object.substr(0, kMaxLength);
@@ -109,7 +111,7 @@ private:
     return positions_.local(global);
   }
 
-  // Colours belong to vertices in the file, so they are found by the vertex.
+  // Colours belong to vertices in the file, so they are found by the vertex index.
   std::uint32_t color(std::uint32_t vertex) {
     if (tables_.colors.empty() || !tables_.colors[vertex].given) return kNone;
     if (!colors_.knows(vertex, number_)) {
@@ -151,10 +153,10 @@ private:
   TexCoordMap texcoord_map_;
 };
 
-// The elements of each part together, in the order of the file: a counting sort.
+// The elements grouped by part, in the order of the file: a counting sort.
 struct ElementsByPart {
-  std::vector<std::uint32_t> begin;     // of part i in elements; one more entry than parts
-  std::vector<std::uint32_t> elements;  // in Tables::elements
+  std::vector<std::uint32_t> begin;  // where part i begins in `elements`; one more entry than parts
+  std::vector<std::uint32_t> elements;  // indices into Tables::elements
 
   explicit ElementsByPart(const Tables& tables)
       : begin(tables.parts.size() + 1), elements(tables.elements.size()) {

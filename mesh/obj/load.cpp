@@ -17,10 +17,11 @@ namespace fs = std::filesystem;
 
 struct MtlText {
   std::string_view text;
-  bool is_all = true;  // whether no library that the OBJ text names is missed
+  bool is_all = true;  // true: no library that the OBJ text names is missing
 };
 
-// The steps of both ways in. `mtl` is the only library where it is given.
+// The common steps of reading from a file and from memory. If `mtl` is given, it is the only
+// library.
 Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Directory directory,
                         const LoadLimits& limits) {
   obj::Warnings warnings;
@@ -47,7 +48,7 @@ Result<std::vector<std::byte>> read_obj(const std::string& path, const LoadLimit
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return fail("", "there is no such file", "check the path");
-  // A pipe or device would never end.
+  // Reading a pipe or device might never end.
   if (!fs::is_regular_file(status)) {
     return fail("", "is not a regular file", "give the path of a file");
   }

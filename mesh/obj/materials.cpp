@@ -7,8 +7,8 @@
 namespace glassbox::obj {
 namespace {
 
-// A map's file name may end in a comment, but may also hold a '#' of its own: the latter is tried
-// first.
+// A map's file name may be followed by a comment, but may also contain a '#'. The name with the '#'
+// is tried first.
 Result<std::filesystem::path> find_map(const Directory& directory, std::string_view file) {
   auto found = directory.find(file);
   if (found) return found;
@@ -18,7 +18,7 @@ Result<std::filesystem::path> find_map(const Directory& directory, std::string_v
   return found;
 }
 
-// "a.mtl b\ c.mtl" -> "a.mtl", "b c.mtl"
+// Splits "a.mtl b\ c.mtl" into "a.mtl" and "b c.mtl".
 std::vector<std::string> split_names(std::string_view text) {
   std::vector<std::string> names(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -40,7 +40,7 @@ std::string bounded_name(std::string_view name) {
   return std::string((short_name.empty() ? name : short_name).substr(0, kMaxLength));
 }
 
-// Ns is a real number from 0; the scene's exponents are integers from 1.
+// Ns is a real number, at least 0; the scene's exponents are integers, at least 1.
 int shininess_from(float exponent) {
   return int(std::clamp(double(exponent), 1.0, 1024.0) + 0.5);
 }
@@ -49,7 +49,7 @@ TexCoordMap texcoord_map_of(const MapStatement& map) {
   return {map.offset, map.scale};
 }
 
-// OBJ does not say which side of a face is its outside, and files disagree: both are drawn.
+// OBJ does not say which side of a face is its outside, and files disagree: both sides are drawn.
 Material plain_material(std::string name) {
   Material material;
   material.name = std::move(name);
@@ -91,7 +91,7 @@ bool MaterialMaker::read_library(std::string_view name) {
 void MaterialMaker::read_libraries(std::string_view names) {
   const std::string_view uncommented = without_comment(names);
   if (read_library(names) || read_library(uncommented)) return;
-  // A line may name as many files as fit on it; this many are looked for.
+  // A line may name any number of files; this many are searched.
   constexpr std::size_t kMaxNames = 64;
   const std::vector<std::string> all = split_names(uncommented);
   bool any = false;
@@ -125,7 +125,7 @@ void MaterialMaker::set_opacity(const MtlMaterial& written, Material& material) 
   material.base_color.a = std::clamp(opacity, 0.0f, 1.0f);
   if (material.base_color.a < 1.0f) material.alpha_mode = AlphaMode::kBlend;
   if (!written.opacity_map) return;
-  // One file for both is how exporters say that the picture's own alpha counts.
+  // Exporters name one file for both maps to say that the image's own alpha is to be used.
   if (written.diffuse_map && written.diffuse_map->file == written.opacity_map->file) {
     if (material.texture) material.alpha_mode = AlphaMode::kBlend;
   } else {
@@ -134,7 +134,7 @@ void MaterialMaker::set_opacity(const MtlMaterial& written, Material& material) 
   }
 }
 
-// A mesh has one table of texture coordinates, so both maps have to move them alike.
+// A mesh has one table of texture coordinates, so both maps must transform them in the same way.
 void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
                                  TexCoordMap& texcoord_map) {
   if (material.unlit || (!written.emission && !written.emission_map)) return;
@@ -151,7 +151,7 @@ void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
       return;
     }
     material.emission_texture = texture(*written.emission_map);
-    if (!material.emission_texture) return;  // without it all of the surface would shine
+    if (!material.emission_texture) return;  // without the texture all of the surface would glow
     texcoord_map = moved;
   }
   material.emission = emission;
@@ -196,7 +196,7 @@ MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
 }
 
 std::optional<std::uint32_t> MaterialMaker::texture(const MapStatement& map) {
-  // Looking for a file takes far longer than naming it, and names are cheap in a hostile library.
+  // Searching for a file takes far longer than naming it, and a hostile library can name many.
   constexpr int kMaxTexturesSought = 4096;
   if (textures_sought_ == kMaxTexturesSought) {
     warnings_.add("a texture was left out: only the first " + std::to_string(kMaxTexturesSought) +

@@ -1,4 +1,4 @@
-// Materials by name to materials and textures of the scene.
+// Adds materials, found by their names, and their textures to the scene.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@
 
 namespace glassbox::obj {
 
-// How map_Kd moves texture coordinates, v up: (u, v) to (s_u u + o_u, s_v v + o_v).
+// How map_Kd transforms texture coordinates, v up: (u, v) to (s_u u + o_u, s_v v + o_v).
 struct TexCoordMap {
   std::array<float, 2> offset{0, 0};
   std::array<float, 2> scale{1, 1};
   friend bool operator==(const TexCoordMap&, const TexCoordMap&) = default;
 };
 
-// Finds materials by their names and puts those that are asked for into the scene, with the images
+// Finds materials by their names and adds those that are used to the scene, with the images that
 // they need.
 class MaterialMaker {
 public:
@@ -35,16 +35,17 @@ public:
         warnings_(warnings),
         pixels_left_(limits.max_image_pixels) {}
 
-  // Of two materials with one name the first counts.
+  // If two materials have the same name, the first counts.
   void add_library(std::string_view text, std::string_view name);
-  // What follows mtllib: one name that may hold blanks, or several, with blanks in them escaped.
+  // Reads the text after mtllib: one name that may contain blanks, or several names, with blanks in
+  // them escaped.
   void read_libraries(std::string_view names);
 
   struct Made {
     std::uint32_t index = 0;  // in scene.materials
     TexCoordMap texcoord_map;
   };
-  // The material that usemtl calls `name`; a default one where it is defined nowhere.
+  // The material that usemtl calls `name`; a default one where it is not defined.
   Made make(const std::string& name);
 
 private:
@@ -68,7 +69,7 @@ private:
   std::map<const MtlMaterial*, Made> made_;
   std::map<std::string, std::size_t, std::less<>> written_by_name_;
   std::map<std::string, bool> libraries_read_;  // by canonical path
-  // By canonical path; nothing where decoding failed, so that it is tried once.
+  // By canonical path; nothing where decoding failed, so that it is tried only once.
   std::map<std::string, std::optional<std::uint32_t>> images_;
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> textures_;  // by image and clamping
 };

@@ -8,8 +8,8 @@
 namespace glassbox::obj {
 namespace {
 
-// Options of map statements and how many arguments each takes at most. Those of more than one take
-// only as many words as are numbers.
+// Options of map statements and the largest number of arguments of each. Options with more than one
+// argument take words only as long as they are numbers.
 struct MapOption {
   std::string_view name;
   int max_arguments;
@@ -31,8 +31,8 @@ void set_pair(std::array<float, 2>& pair, const std::vector<float>& numbers) {
   for (std::size_t i = 0; i < pair.size() && i < numbers.size(); ++i) pair[i] = numbers[i];
 }
 
-// Takes the arguments of an option off `words`. Numbers beyond the first may be left out, so that a
-// word that is none starts the file name.
+// Takes the arguments of an option from `words`. Numbers after the first are optional, so a word
+// that is not a number begins the file name.
 void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.max_arguments == 1) {
     const std::string_view argument = words.next();
@@ -43,7 +43,7 @@ void read_option(const MapOption& option, Words& words, MapStatement& map) {
   while (int(numbers.size()) < option.max_arguments) {
     Words ahead = words;
     const Number number = parse_number(ahead.next());
-    // The last word is the file name, even where it is a number.
+    // The last word is the file name, even if it is a number.
     if (number.kind != Number::Kind::kFinite || ahead.rest().empty()) break;
     numbers.push_back(number.value);
     words = ahead;
@@ -52,7 +52,7 @@ void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.name == "-s") set_pair(map.scale, numbers);
 }
 
-// What changes a surface's look by a picture, and is not drawn.
+// Whether the statement names a map that changes the look of a surface but is not drawn here.
 bool names_map_left_out(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {"map_Ka", "map_Ks", "map_Ns", "map_bump", "map_Bump",
                                             "bump",   "disp",   "decal",  "refl",     "norm",
@@ -103,7 +103,7 @@ private:
     if (names_map_left_out(keyword)) ++left_out_[keyword];
   }
 
-  // r [g b]: g and b are r where they are left out. The forms "spectral" and "xyz" are not read.
+  // r [g b]: g and b equal r if they are left out. The forms "spectral" and "xyz" are not read.
   void read_color(Words words, std::optional<std::array<float, 3>>& color) {
     const Number r = parse_number(words.next());
     const std::string_view second = words.next();
@@ -136,7 +136,7 @@ private:
   std::vector<MtlMaterial>& materials_;
   Warnings& warnings_;
   Tally unreadable_;
-  std::map<std::string_view, int> left_out_;  // by keyword: how often it stands there
+  std::map<std::string_view, int> left_out_;  // by keyword: the number of its occurrences
 };
 
 }  // namespace
@@ -144,12 +144,13 @@ private:
 MapStatement parse_map(std::string_view arguments) {
   MapStatement map;
   Words words(arguments);
-  // The file name: from its first word to the end of its last, with the blanks between as written.
+  // The file name: from its first word to the end of its last, with the blanks between them as
+  // written.
   const char* file_begin = nullptr;
   const char* file_end = nullptr;
   while (!words.rest().empty()) {
     Words ahead = words;
-    // A word of the rest, not Words::next(): a file name may hold a '#'.
+    // A word of the rest, not Words::next(), because a file name may contain a '#'.
     const std::string_view rest = words.rest();
     const std::string_view word = rest.substr(0, rest.find_first_of(" \t\v\f"));
     const MapOption* const option = find_option(word);

@@ -1,4 +1,4 @@
-// MTL text to materials as written, before textures are looked for.
+// Parses MTL text to materials as written, before textures are searched.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace glassbox::obj {
 
-// A map statement: options, then a file name, which may hold blanks.
+// A map statement: options, then a file name, which may contain blanks.
 struct MapStatement {
   std::string file;
   std::array<float, 2> offset{0, 0};  // -o u v
@@ -28,8 +28,8 @@ struct MtlMaterial {
   std::optional<MapStatement> diffuse_map, opacity_map, emission_map;
 };
 
-// Appends the materials of `text` in its order. Statements that cannot be read are passed over with
-// a warning that names `library` and the line.
+// Appends the materials of `text` in its order. Statements that cannot be read are skipped with a
+// warning that names `library` and the line.
 void parse_mtl(std::string_view text, std::string_view library, std::vector<MtlMaterial>& materials,
                Warnings& warnings);
 

@@ -25,7 +25,7 @@ bool is_free_form(std::string_view keyword) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
 }
 
-// Statements that say how to render, which the scene has no use for.
+// Statements that control rendering, which the scene does not use.
 bool is_render_state(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {"s",          "mg",       "bevel",  "c_interp",
                                             "lod",        "d_interp", "maplib", "usemap",
@@ -33,12 +33,12 @@ bool is_render_state(std::string_view keyword) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
 }
 
-// One of the tables that corners index. An index may name an entry that only follows later in the
-// file, so the largest one is kept and compared with the final size.
+// One of the tables that corners index. An index may refer to an entry that follows later in the
+// file, so the largest index is kept and compared with the final size.
 struct IndexedTable {
   const char* name;
   std::uint64_t size = 0;
-  std::int64_t largest = -1;  // from 0
+  std::int64_t largest = -1;  // counted from 0
   std::uint64_t line_of_largest = 0;
 };
 
@@ -97,7 +97,7 @@ private:
     return {};
   }
 
-  // v x y z [w] [r g b]
+  // Reads "v x y z [w] [r g b]".
   Status vertex(Words words) {
     std::array<Number, 7> numbers;
     std::size_t count = 0;
@@ -134,7 +134,7 @@ private:
     return {};
   }
 
-  // The colour of the vertex that was read last.
+  // Sets the colour of the vertex that was read last.
   void vertex_color(const std::array<Number, 3>& channels) {
     VertexColor color;
     color.given = true;
@@ -152,7 +152,7 @@ private:
     tables_.colors.back() = color;
   }
 
-  // vt u [v] [w]
+  // Reads "vt u [v] [w]".
   void texcoord(Words words) {
     const Number u = parse_number(words.next());
     const std::string_view second = words.next();
@@ -163,7 +163,7 @@ private:
     ++texcoords_.size;
   }
 
-  // vn x y z
+  // Reads "vn x y z".
   void normal(Words words) {
     std::array<float, 3> n{};
     bool readable = true;
@@ -210,7 +210,7 @@ private:
     return {};
   }
 
-  // i, i/j, i//k or i/j/k; an index that is left out after a slash is none.
+  // Parses i, i/j, i//k or i/j/k; an index that is left out after a slash is missing.
   Result<Reference> reference(std::string_view word) {
     std::array<std::string_view, 3> fields;
     std::size_t count = 0;
@@ -249,7 +249,7 @@ private:
     if (*written == 0) {
       return refuse(std::string("names ") + table.name + " 0, but numbers start at 1", remedy);
     }
-    // Negative numbers count back from the latest entry, -1.
+    // Negative numbers count back from the latest entry, which is -1.
     const std::int64_t from_zero =
         *written > 0 ? *written - 1 : std::int64_t(table.size) + *written;
     if (from_zero < 0 || from_zero >= std::int64_t(kNone)) {
@@ -304,8 +304,8 @@ private:
     return {};
   }
 
-  // Some exporters write the indices of normals or texture coordinates but not these themselves. If
-  // there are none in the whole file, what is meant is clear.
+  // Some exporters write indices of normals or texture coordinates without writing the entries. If
+  // the whole file has no entries, it is clear that the indices can be ignored.
   using IndexOf = std::uint32_t Reference::*;
   void drop_references_to(IndexedTable& absent, IndexOf index) {
     if (absent.size > 0 || absent.largest < 0) return;
@@ -343,7 +343,7 @@ private:
   std::map<Part, std::uint32_t> part_numbers_;
   std::set<std::string, std::less<>> libraries_seen_;
   Part part_;
-  std::uint64_t corners_ = 0;  // in meshes: a polyline's inner vertices count twice
+  std::uint64_t corners_ = 0;  // in meshes: inner vertices of a polyline count twice
 
   IndexedTable positions_{"vertex"};
   IndexedTable texcoords_{"texture coordinate"};

@@ -1,4 +1,5 @@
-// OBJ text to tables: every statement read and checked, nothing yet arranged for drawing.
+// Parses OBJ text to tables: every statement is read and checked, but nothing is arranged for
+// drawing yet.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace glassbox::obj {
 
-// Names as numbers. Number 0 is the empty name.
+// Gives each name a number. Number 0 is the empty name.
 class Names {
 public:
   Names() { number_of(""); }
@@ -27,10 +28,10 @@ public:
 
 private:
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
-  std::vector<const std::string*> names_;  // keys of the map, which stay where they are
+  std::vector<const std::string*> names_;  // keys of the map, whose addresses do not change
 };
 
-// The indices at one corner, from 0; kNone where there is none.
+// The indices at one corner, counted from 0; kNone where there is none.
 struct Reference {
   std::uint32_t position = kNone;
   std::uint32_t texcoord = kNone;
@@ -47,26 +48,26 @@ struct Element {
   ElementKind kind = ElementKind::kFace;
 };
 
-// What becomes one mesh: all that is drawn under the same names.
+// The part that becomes one mesh: everything that is drawn under the same names.
 struct Part {
   std::uint32_t object = 0, group = 0, material = 0;  // in Tables::names
   auto operator<=>(const Part&) const = default;
 };
 
-// An sRGB code for each channel, where the file gives one.
+// An sRGB code for each channel, if the file gives one.
 struct VertexColor {
   std::uint8_t r = 255, g = 255, b = 255;
   bool given = false;
 };
 
-// A vertex whose coordinates are not numbers is an error only where something is drawn with it.
+// A vertex whose coordinates are not numbers is an error only if something is drawn with it.
 struct UnreadableVertex {
   std::uint32_t index = 0;
   std::uint64_t line = 0;
 };
 
 struct Tables {
-  std::vector<Point<Object>> positions;      // NaN where unreadable, else finite
+  std::vector<Point<Object>> positions;      // NaN where unreadable, otherwise finite
   std::vector<UnreadableVertex> unreadable;  // ascending
   std::vector<VertexColor> colors;           // as many as positions, or none at all
   std::vector<TexCoord> texcoords;      // v = 0 at the bottom, as in the file; NaN where unreadable
@@ -74,10 +75,10 @@ struct Tables {
 
   std::vector<Reference> references;  // all within the tables
   std::vector<Element> elements;
-  std::vector<Part> parts;  // each has an element
+  std::vector<Part> parts;  // each has at least one element
 
   Names names;
-  std::vector<std::string> libraries;  // the text after mtllib, each once
+  std::vector<std::string> libraries;  // the text after mtllib, each text once
 };
 
 Result<Tables> parse_obj(std::string_view text, const LoadLimits& limits, Warnings& warnings);

@@ -67,7 +67,8 @@ private:
                 std::move(cause), std::move(remedy));
   }
 
-  // One element's numbers: row_ has one for each property, of lists the length; lists_ the rest.
+  // Reads the numbers of one element: row_ has one for each property (for a list, its length);
+  // lists_ has the values of the lists.
   bool read_row(const Element& element) {
     row_.resize(element.properties.size());
     lists_.resize(element.properties.size());
@@ -160,7 +161,7 @@ private:
              : Normal<Object>(0, 0, 1));
   }
 
-  // The index of what was added.
+  // Returns the index of the added entry.
   std::uint32_t add_texcoord(double u, double v, std::uint64_t index) {
     TexCoord t{float(u), float(1.0 - v)};
     if (!std::isfinite(t.u) || !std::isfinite(t.v)) {
@@ -233,7 +234,7 @@ private:
     return {};
   }
 
-  // Texture coordinates of the corners of the last face.
+  // Adds the texture coordinates of the corners of the last face.
   void add_wedges(const Property& property, const std::vector<double>& list, std::uint64_t face) {
     Mesh& mesh = built_.mesh;
     const Face& last = mesh.faces.back();
@@ -264,7 +265,8 @@ private:
 
   // ---- when all is read: faces may come before the vertices ----
 
-  // Corners have one index into each table, and positions say the others, unless faces have them.
+  // A corner has one index into each table. The other indices equal the position's index, unless
+  // faces have their own values.
   void complete_corners() {
     Mesh& mesh = built_.mesh;
     const bool by_corner = !wedges_.empty(), by_face = !vertex_colors_ && !face_colors_.empty();

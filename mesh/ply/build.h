@@ -1,4 +1,4 @@
-// The elements of a PLY file as a mesh.
+// Converts the elements of a PLY file to a mesh.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct Built {
   bool translucent = false;  // some vertex or face has an alpha below 1
 };
 
-// Reads all elements behind the header. Errors name the vertex or face, and where in the file it stands; what is read over
-// is a warning.
+// Reads all elements after the header. Errors name the vertex or face and its place in the file;
+// things that are ignored are warnings.
 Result<Built> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
                          obj::Warnings& warnings);
 

@@ -12,7 +12,7 @@ constexpr std::size_t kMaxHeaderBytes = std::size_t(1) << 20;
 constexpr std::size_t kMaxElements = 64;
 constexpr std::size_t kMaxProperties = 256;  // of one element
 constexpr std::size_t kMaxTextures = 64;
-constexpr std::uint64_t kMaxCount = 4294967294;  // the largest index is kept for "none"
+constexpr std::uint64_t kMaxCount = 4294967294;  // the largest index is reserved for "none"
 
 constexpr std::pair<std::string_view, Type> kTypes[] = {
     {"char", Type::kInt8},      {"uchar", Type::kUint8},    {"short", Type::kInt16},
@@ -49,7 +49,8 @@ private:
     return fail("line " + std::to_string(number_), std::move(cause), std::move(remedy));
   }
 
-  // The first line says, too, how lines end; binary data may begin with what looks like half an ending.
+  // The first line also shows how lines end; binary data may begin with a byte that looks like half
+  // of a line ending.
   Result<void> take_magic() {
     const std::size_t end = std::min(file_.find_first_of("\r\n"), file_.size());
     if (file_.substr(0, end) != "ply" || end == file_.size()) {
@@ -177,7 +178,7 @@ private:
                      : bytes_of(property.count_type.value_or(property.type));
       }
       needed += element.count * bytes;
-      // The last number of a text needs no blank.
+      // The last number of a text file needs no blank after it.
       if (needed > available + (header_.format == Format::kAscii ? 1 : 0)) {
         return fail("element " + in_quotes(element.name),
                     "the " + std::to_string(element.count) + " that the header promises need " +

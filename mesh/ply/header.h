@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, how many of each, and what each of them is made of.
+// The header of a PLY file: which elements follow, how many of each, and which properties each has.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ inline std::size_t bytes_of(Type type) {
 struct Property {
   std::string name;
   Type type = Type::kFloat32;           // of the value, or of each value of the list
-  std::optional<Type> count_type = {};  // of lists: of the number that says how many follow
+  std::optional<Type> count_type = {};  // of lists: the type of the number of values
 };
 
 struct Element {
@@ -35,22 +35,23 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 
-  // The index of a property, if there is one with one of the names.
+  // The index of the property with one of the names, if there is one.
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
 };
 
 struct Header {
   Format format = Format::kAscii;
-  std::vector<Element> elements;      // in the order in which their data come
-  std::vector<std::string> textures;  // "comment TextureFile NAME", a custom of MeshLab
+  std::vector<Element> elements;      // in the order of their data
+  std::vector<std::string> textures;  // "comment TextureFile NAME", a convention of MeshLab
   std::size_t data_begin = 0;         // offset in the file
-  std::uint64_t data_line = 0;        // number of the line there
+  std::uint64_t data_line = 0;        // line number of the first data
 
   const Element* find(std::string_view name) const;
 };
 
-// Checks every line, and that the counts of elements fit into the bytes that follow the header: in binary a value has the
-// bytes of its type, in text a digit and a blank at least, and a list at least its count.
+// Checks every line, and that the counts of elements fit into the bytes after the header: in binary
+// a value has the bytes of its type, in text at least a digit and a blank, and a list has at least
+// its count.
 Result<Header> parse_header(std::string_view file);
 
 }  // namespace glassbox::ply

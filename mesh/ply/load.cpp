@@ -11,7 +11,7 @@
 namespace glassbox {
 namespace {
 
-// The first texture that the header names, where it can be read.
+// Adds the first texture that the header names, if it can be read.
 void add_texture(const std::vector<std::string>& names, obj::Directory directory,
                  const LoadLimits& limits, Scene& scene, obj::Warnings& warnings) {
   if (names.empty()) return;

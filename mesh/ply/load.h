@@ -1,4 +1,4 @@
-// PLY files in: the polygon format of Stanford's scans (Greg Turk, 1994).
+// Reads PLY files, the polygon format of Stanford's scans (Greg Turk, 1994).
 #pragma once
 
 #include <string>
@@ -10,21 +10,25 @@
 
 namespace glassbox {
 
-// Reads an ascii, binary_little_endian or binary_big_endian file: one mesh of polygons, with all their corners.
+// Reads an ascii, binary_little_endian or binary_big_endian file: one mesh of polygons, with all
+// their corners.
 //
-//   vertex  x y z; nx ny nz; red green blue [alpha]; u v, s t, texture_u texture_v or texture_s texture_t
-//   face    a list vertex_indices or vertex_index; red green blue [alpha] where the vertices have no colours; a list
-//           texcoord of u and v for each corner
+//   vertex  x y z; nx ny nz; red green blue [alpha];
+//           u v, s t, texture_u texture_v or texture_s texture_t
+//   face    a list vertex_indices or vertex_index; red green blue [alpha] where the vertices
+//           have no colours; a list texcoord of u and v for each corner
 //
-// Conventions that the format leaves open, as for OBJ files: colours are sRGB (integers of their type's range, floats of
-// 0 .. 1), rounded to one of its 256 codes; v = 0 is the bottom of a texture, which "comment TextureFile NAME" names and
-// which lies in the file's own directory; faces are seen from both sides. An alpha below 1 blends; where all are 0, nobody
-// has set them, and they are left out with a warning.
+// Choices that the format leaves open, made as for OBJ files: colours are sRGB (integers of their
+// type's range, floats of 0 .. 1), rounded to one of its 256 codes; v = 0 is the bottom of a
+// texture, which "comment TextureFile NAME" names and which must be in the file's own directory;
+// faces are visible from both sides. An alpha below 1 blends; where all alphas are 0, they were
+// never set, and they are ignored with a warning.
 //
-// The file is taken to be hostile: counts are held against the bytes that exist before anything is allocated, and time and
-// memory stay in proportion to the file, within `limits`. A position that is not finite, an index out of range and a file
-// without faces (a point cloud) are errors that name the vertex, the face and the place in the file. Elements and
-// properties that are not drawn, and faces of fewer than three corners, are warnings of the scene.
+// The file may be hostile: counts are compared with the bytes that exist before anything is
+// allocated, and time and memory are proportional to the file, within `limits`. A position that is
+// not finite, an index out of range and a file without faces (a point cloud) are errors that name
+// the vertex, the face and the place in the file. Elements and properties that are not drawn, and
+// faces of fewer than three corners, are warnings of the scene.
 Result<Scene> load_ply(const std::string& path, const LoadLimits& limits = {});
 
 // Reads a PLY file in memory, where no texture can be read.

@@ -1,4 +1,4 @@
-// Which properties of a PLY element say what, and what their numbers mean.
+// The properties of a PLY element that are used, and the meaning of their numbers.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,12 @@
 
 namespace glassbox::ply {
 
-using Place = std::optional<std::size_t>;  // of a property in its element
+using Place = std::optional<std::size_t>;  // index of a property in its element
 
 // ---- which properties say what ----
 
-// A number of each element: a list of that name says something else.
+// The property with one of these names, if it is a single number; a list of the same name has
+// another meaning.
 inline Place scalar(const Element& e, std::initializer_list<std::string_view> names) {
   const Place place = e.find(names);
   return place && !e.properties[*place].count_type ? place : Place();
@@ -53,7 +54,7 @@ struct VertexPlaces {
 
 // ---- colours ----
 
-// A channel's value as a fraction of the brightest that its type has.
+// A channel's value as a fraction of the largest value of its type.
 inline double fraction_of(double value, Type type) {
   switch (type) {
     case Type::kInt8:
@@ -75,12 +76,12 @@ inline double fraction_of(double value, Type type) {
   return value;
 }
 
-// Kept within [0, 1]; what is no number is 0.
+// The fraction clamped to [0, 1]; NaN becomes 0.
 inline double kept_within(double fraction) {
   return fraction > 0 ? std::min(fraction, 1.0) : 0.0;
 }
 
-// Integers and fractions are sRGB, and rounded to one of its codes.
+// Integers and fractions are taken as sRGB and rounded to one of its codes.
 inline float light_of(double value, Type type) {
   const double code = std::floor(kept_within(fraction_of(value, type)) * 255 + 0.5);
   return decode_srgb(std::uint8_t(code));

@@ -49,14 +49,16 @@ auto with_type(Type type, Use use) {
   return use(float());
 }
 
-// A double of the text; what rounds to infinity is infinite, what rounds to zero is zero. "nan" and "inf" are themselves.
+// Parses a double. Numbers that round to infinity are infinite, numbers that round to zero are
+// zero. "nan" and "inf" have their own values.
 bool parse_double(std::string_view word, double& number) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const char* const end = word.data() + word.size();
   const auto parsed = std::from_chars(word.data(), end, number);
   if (parsed.ptr != end || parsed.ec == std::errc::invalid_argument) return false;
   if (parsed.ec == std::errc()) return true;
-  // The library does not say which end of the range it was; a float's text decides for a double's, too.
+  // The library does not say which end of the range was exceeded; the range test for floats gives
+  // the right answer for doubles, too.
   const bool tiny = obj::parse_number(word).kind == obj::Number::Kind::kFinite;
   number = tiny ? 0.0 : std::numeric_limits<double>::infinity();
   if (word.starts_with('-')) number = -number;

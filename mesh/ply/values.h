@@ -1,4 +1,4 @@
-// The numbers behind the header of a PLY file, one after the other.
+// The numbers after the header of a PLY file, one after the other.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace glassbox::ply {
 
-// Numbers come as double, in which every type of PLY is exact; text becomes the nearest number of its type.
+// Numbers are returned as double, which represents every type of PLY exactly; text becomes the
+// nearest number of its type.
 class Values {
 public:
   Values(std::string_view file, const Header& header)
@@ -20,16 +21,17 @@ public:
         line_(header.data_line),
         format_(header.format) {}
 
-  // The next number; false where there is none that the type can hold, and problem() says why.
+  // Reads the next number; false where there is no number that the type can hold; then problem()
+  // has the reason.
   bool next(Type type, double& number);
 
-  // At least so many bytes are needed for `count` numbers, and are there.
+  // Whether the bytes that `count` numbers need at least are present.
   bool has_room_for(std::uint64_t count, Type type) const {
     const std::uint64_t each = format_ == Format::kAscii ? 2 : bytes_of(type);
     return count <= (std::uint64_t(rest_.size()) + 1) / each;
   }
 
-  // Where the reading stands: "line 12", or "byte 300" of a binary file.
+  // The current place in the file: "line 12", or "byte 300" of a binary file.
   std::string place() const;
   const std::string& problem() const { return problem_; }
 

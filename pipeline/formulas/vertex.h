@@ -1,16 +1,18 @@
-// From NDC to pixels along one axis, whose ends on the screen are `at_minus_one` and `at_one`.
+// Converts NDC to pixels along one axis; NDC -1 and 1 are at the pixel coordinates `at_minus_one`
+// and `at_one`.
 template <Number F>
 inline F to_pixels(F ndc, float at_minus_one, float at_one) {
   return ndc * ((at_one - at_minus_one) * 0.5f) + (at_one + at_minus_one) * 0.5f;
 }
 
-// One row of a normal's transform: row times column, from left to right.
+// One row of a normal's transform: the row times the normal, summed from left to right.
 template <class Matrix, Number F>
 inline F transform_normal_row(const Matrix& m, int row, const std::array<F, 3>& n) {
   return m.at(row, 0) * n[0] + m.at(row, 1) * n[1] + m.at(row, 2) * n[2];
 }
 
-// n / |n|, the length taken in double, where squares of floats neither overflow nor vanish. Zero stays zero.
+// n / |n|. The length is computed in double, where squares of floats neither overflow nor vanish.
+// Zero stays zero.
 template <Number F>
 inline std::array<F, 3> unit_normal(const std::array<F, 3>& n) {
   const auto x = widened(n[0]), y = widened(n[1]), z = widened(n[2]);
@@ -19,7 +21,8 @@ inline std::array<F, 3> unit_normal(const std::array<F, 3>& n) {
   return {rounded(x / divisor), rounded(y / divisor), rounded(z / divisor)};
 }
 
-// How far away a point of a parallel view is along the gaze, between its planes.
+// The distance along the gaze of a point of a parallel view, from its depth and the near and far
+// planes.
 template <Number F>
 inline F parallel_distance(F depth, bool reversed, double near, double far) {
   const auto z = widened(depth);

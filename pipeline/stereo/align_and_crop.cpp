@@ -8,7 +8,8 @@
 namespace glassbox {
 namespace {
 
-// The camera moved by -shift, with `columns` more of the same pixels, half of them on each side.
+// The camera moved by -shift, with `columns` more pixels of the same size, half of them on each
+// side.
 View wider_view(const View& centre, double shift, int columns) {
   View view = centre;
   view.eye_from_world.at(0, 3) += shift;
@@ -43,8 +44,8 @@ Result<AlignAndCrop> align_and_crop(const View& centre, const StereoPair& pair) 
   cut.shift = int(std::lround(cut.shift_px));
   cut.left = wider_view(centre, eye_shift(pair, Side::kLeft), cut.shift);
   cut.right = wider_view(centre, eye_shift(pair, Side::kRight), cut.shift);
-  // Of the wide picture's columns, the skew moves shift/2 to the left for the left eye, and the wider border is another
-  // shift/2; for the right eye the two cancel.
+  // In the wide picture, the skew moves the columns to the left by shift/2 for the left eye, and
+  // the wider border adds another shift/2; for the right eye the two cancel.
   cut.left_first = cut.shift;
   cut.right_first = 0;
   return cut;

@@ -1,5 +1,5 @@
-// The skewed pair from an unskewed one by cutting (S0-08): draw wider than needed, lay the pictures over each other
-// until what should be in the window coincides, and trim.
+// Makes the skewed pair from an unskewed one by cropping (S0-08): draw the pictures wider than
+// needed, lay them over each other so that points in the window coincide, and crop.
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -8,21 +8,23 @@
 
 namespace glassbox {
 
-// Two parallel cameras with the centre's frustum widened to both sides, W + shift columns of the centre's pixels.
+// Two parallel cameras with the centre's frustum widened on both sides, W + shift columns of the
+// centre's pixels.
 struct AlignAndCrop {
   View left, right;
-  // The parallax of infinity, s a W/f px with a the entry (0, 0) of the projection, and the columns that are cut for
-  // it: the nearest whole number.
+  // The parallax at infinity, s a W/f px with a the entry (0, 0) of the projection; `shift`: the
+  // number of columns that are cropped for it, the nearest whole number.
   double shift_px = 0;
   int shift = 0;
   // Columns first .. first + W - 1 of each picture are kept.
   int left_first = 0, right_first = 0;
 };
 
-// Where shift_px is a whole number (even or odd), cutting shifts every vertex by whole pixels against eye_view's, and
-// the pictures are the same but for rounding; else each eye's picture is off by half of shift_px - shift, a quarter
-// of a pixel at most. Errors: a parallel projection, whose unskewed pair has no parallax to cut; a viewport that is
-// not the whole picture from (0, 0); more than kMaxImageSide columns. The pair counts as checked.
+// Where shift_px is a whole number (even or odd), cropping shifts every vertex by whole pixels
+// compared with eye_view's, and the pictures are the same except for rounding. Otherwise each eye's
+// picture is off by half of shift_px - shift, a quarter of a pixel at most. Errors: a parallel
+// projection, whose unskewed pair has no parallax to crop; a viewport that is not the whole picture
+// from (0, 0); more than kMaxImageSide columns. The pair must have passed check_pair.
 Result<AlignAndCrop> align_and_crop(const View& centre, const StereoPair& pair);
 
 }  // namespace glassbox

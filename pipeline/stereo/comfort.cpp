@@ -35,7 +35,7 @@ Result<void> check_comfort(const View& centre, const DepthSpan& span,
 
 double largest_half_separation(const View& centre, double window, const DepthSpan& span,
                                const ParallaxBudget& budget, double at_most) {
-  // Parallax is proportional to the separation and grows with the distance.
+  // Parallax is proportional to the separation and increases with the distance.
   const StereoPair unit{1, window};
   const double in_front = -parallax_at(centre, unit, span.nearest).px;
   const double behind = parallax_at(centre, unit, span.farthest).px;
@@ -43,7 +43,8 @@ double largest_half_separation(const View& centre, double window, const DepthSpa
   const double bound = s;
   if (in_front > 0) s = std::min(s, budget.in_front_px / in_front);
   if (behind > 0) s = std::min(s, budget.behind_px / behind);
-  // parallax_at rounds a product of five factors, here and when it is asked again, and the quotient rounds too.
+  // parallax_at rounds a product of five factors, here and when the caller calls it again, and the
+  // quotient rounds too.
   return s == bound ? s : s * (1 - 12 * unit_roundoff<double>);
 }
 
@@ -53,7 +54,7 @@ double best_window(const View& centre, const DepthSpan& span, const ParallaxBudg
   const double behind = total > 0 ? budget.behind_px / total : 0.5;
   const double window = centre.perspective ? 1 / (behind / span.nearest + front / span.farthest)
                                            : behind * span.nearest + front * span.farthest;
-  return std::clamp(window, span.nearest, span.farthest);  // rounding may have left them
+  return std::clamp(window, span.nearest, span.farthest);  // rounding may have moved it outside
 }
 
 double low_pass_share(double frames) {
@@ -79,12 +80,13 @@ double WindowFilter::next(double window) {
 
 std::vector<double> smooth_separations(std::span<const double> limits, double release_frames,
                                        double max_step) {
-  // Backwards: as low as the frames to come need it to be, each a step away from the next.
+  // Backwards: as low as later frames require, one step per frame.
   std::vector<double> reachable(limits.begin(), limits.end());
   for (std::size_t i = reachable.size(); i-- > 1;) {
     reachable[i - 1] = std::min(reachable[i - 1], reachable[i] + max_step);
   }
-  // Forwards. No fall is longer than a step: what came before was within one of what was reachable here.
+  // Forwards. No fall is longer than a step: the separation before was within one step of what is
+  // reachable here.
   std::vector<double> separations;
   separations.reserve(limits.size());
   const double share = low_pass_share(release_frames);

@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// A camera that moves by -shift along x sees the world moved by +shift.
+// For a camera that moves by -shift along x the world moves by +shift.
 Transform<Eye, Eye> translation(double shift) {
   Transform<Eye, Eye> m;
   m.at(0, 3) = shift;
@@ -24,8 +24,9 @@ DepthRow depth_row(const View& view) {
   return {view.clip_from_eye.at(2, 2), view.clip_from_eye.at(2, 3)};
 }
 
-// -a s focus/shift, from comparing the two shifts of NDC term by term: a s (1/z - 1/f) for perspective, where the
-// depth is B/z - A, and a s (1 - z/f) for parallel projections, where it is B - A z.
+// -a s focus/shift, from comparing the two shifts in NDC term by term: a s (1/z - 1/f) for
+// perspective, where the depth is B/z - A, and a s (1 - z/f) for parallel projections, where it is
+// B - A z.
 double shift_ratio(const View& centre, double window) {
   const DepthRow depth = depth_row(centre);
   return centre.perspective ? depth.offset : depth.scale * window;
@@ -39,7 +40,8 @@ Result<View> off_axis_view(const View& centre, const StereoPair& pair, Side side
                 "use the skew matrix, which makes it oblique");
   }
   const double s = eye_shift(pair, side), n = centre.near;
-  // x_clip = a x + b z_eye and w = -z_eye: the edges -1 and 1 of NDC are at x = n (b -+ 1)/a on the near plane.
+  // x_clip = a x + b z_eye and w = -z_eye: the edges -1 and 1 of NDC are at x = n (b -+ 1)/a on the
+  // near plane.
   const auto edge = [&](int axis, double ndc) {
     return n * (centre.clip_from_eye.at(axis, 2) + ndc) / centre.clip_from_eye.at(axis, axis);
   };
@@ -102,7 +104,7 @@ View toe_in_view(const View& centre, const StereoPair& pair, Side side) {
   const double s = eye_shift(pair, side);
   const double tangent = s / pair.window;
   const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
-  Transform<Eye, Eye> turn;  // about y, the left camera to its right
+  Transform<Eye, Eye> turn;  // about y; the left camera turns to its right
   turn.at(0, 0) = cosine;
   turn.at(0, 2) = sine;
   turn.at(2, 0) = -sine;

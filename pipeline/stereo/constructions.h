@@ -1,7 +1,8 @@
-// Other ways to make the pair of eye_view, which is clip_from_eye * stereo_skew: two that are the same, the other
-// reading of the slide's matrix, which is the same with other numbers, and one that is wrong.
+// Other ways to construct the pair of eye_view, which is clip_from_eye * stereo_skew: two that give
+// the same pair, the other reading of the slide's matrix, which gives the same pair with other
+// parameters, and one that is wrong.
 //
-// All of them count the pair as checked (check_pair).
+// For all of them the pair must have passed check_pair.
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -10,37 +11,42 @@
 
 namespace glassbox {
 
-// The eye moves by -s (left) or s, then looks through an off-axis frustum: the centre's window on the near plane n,
-// shifted by s n/f (left) or -s n/f, and frustum() of projection.h (S0-11). Perspective only; an error for parallel
-// projections, where glOrtho cannot slant its box, and where the shifted window leaves double.
+// The eye moves by -s (left) or s, then looks through an off-axis frustum: the centre's window on
+// the near plane n, shifted by s n/f (left) or -s n/f, and frustum() of projection.h (S0-11).
+// Perspective only. An error for parallel projections, because glOrtho cannot slant its box, and
+// where the shifted window is out of the range of double.
 Result<View> off_axis_view(const View& centre, const StereoPair& pair, Side side);
 
-// The eye moves by -s (left) or s, then eye space is sheared: x' = x - s z/f at the distance z (S0-10, "translate and
-// skew").
+// The eye moves by -s (left) or s, then eye space is sheared: x' = x - s z/f at the distance z
+// (S0-10, "translate and skew").
 View translate_and_shear_view(const View& centre, const StereoPair& pair, Side side);
 
 // ---- the slide's matrix after the projection (E2) ----
 
-// x' = x + shift (1 - z/focus) in NDC, `shift` turned round for the right eye: what S0.21's product means where
-// vectors are rows. The plane without parallax is the one with the depth `focus`, 0 .. 1.
+// x' = x + shift (1 - z/focus) in NDC, with the sign of `shift` changed for the right eye: the
+// meaning of S0.21's product where vectors are rows. The plane without parallax is the one with the
+// depth `focus`, 0 .. 1.
 struct ClipSkew {
   double shift = 0, focus = 1;
 };
 View clip_skew_view(const View& centre, const ClipSkew& skew, Side side);
 
-// The same pair in the other's numbers. With z' = A z_eye + B the third row of clip_from_eye and a its entry (0, 0):
+// The same pair in the parameters of the other construction. With z' = A z_eye + B the third row of
+// clip_from_eye and a its entry (0, 0):
 //
 //   perspective   f = B/(focus + A)     s = -shift B/(a focus)
 //   parallel      f = (B - focus)/A     s = -shift A f/(a focus)
 //
-// A window with depth 0 (on the near plane, or infinitely far in the reversed range) has no clip skew: an error.
+// An error: a window with depth 0 (on the near plane, or infinitely far in the reversed range),
+// which has no clip skew.
 StereoPair pair_of_clip_skew(const View& centre, const ClipSkew& skew);
 Result<ClipSkew> clip_skew_of_pair(const View& centre, const StereoPair& pair);
 
 // ---- the wrong way ----
 
-// Cameras that turn towards each other until their axes meet at the window, tan(angle) = s/f. The picture's corners get
-// vertical parallax (parallax.h; S0-07, C-75), which eyes cannot follow, and the window is no plane.
+// Cameras that turn towards each other until their axes meet at the window, tan(angle) = s/f. The
+// corners of the picture get vertical parallax (parallax.h; S0-07, C-75), which eyes cannot follow,
+// and the window is not a plane.
 View toe_in_view(const View& centre, const StereoPair& pair, Side side);
 
 }  // namespace glassbox

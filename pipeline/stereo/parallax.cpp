@@ -9,7 +9,8 @@
 namespace glassbox {
 namespace {
 
-// 1/f - 1/z, where either may be infinite. The difference is taken before dividing, so that nothing cancels.
+// 1/f - 1/z, where either may be infinite. The difference is taken before dividing, so that nothing
+// cancels.
 double inverse_difference(double f, double z) {
   if (std::isinf(z)) return 1 / f;
   if (std::isinf(f)) return -1 / z;
@@ -23,7 +24,7 @@ struct Sight {
 
 double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair, const Sight& sight) {
   if (!centre.perspective) return 0;
-  // sin and cos of the angle whose tangent is s/f.
+  // The sine and cosine of the angle whose tangent is s/f.
   const double tangent = pair.half_separation / pair.window;
   const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
   const double left = cosine + (sight.x + sight.half_separation) * sine;   // zL/z

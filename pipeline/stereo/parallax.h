@@ -1,11 +1,11 @@
-// How far apart the two eyes see a point (S0-11): parallax, x in the right eye's picture minus x in the left one's.
-// Negative is in front of the window (crossed), positive behind it.
+// Parallax, the distance between a point's two images (S0-11): x in the right eye's picture minus x
+// in the left one's. It is negative in front of the window (crossed) and positive behind it.
 //
 //   perspective   p(z) = 2 s (d/h) (1/f - 1/z)      towards 2 s (d/h)/f at infinity
 //   parallel      p(z) = 2 s (1/h) (z/f - 1)        linear, without limit
 //
-// in half-widths of the picture, with h the window's half-width at the distance d from the eye, s half the
-// separation, f the stereo window's distance and z the point's, all along the gaze.
+// in half-widths of the picture, with h the window's half-width at the distance d from the eye, s
+// half the separation, f the stereo window's distance and z the point's, all along the gaze.
 #pragma once
 
 #include <glassbox/base/spaces.h>
@@ -21,11 +21,12 @@ struct Parallax {
   double percent = 0;  // of the picture's width
 };
 
-// Within 5 ulps of the formula for z > 0 (perspective; infinity included) or any finite z (parallel); 0 exactly at the
-// window.
+// The parallax at a distance, within 5 ulps of the formula for z > 0 (perspective; infinity
+// included) or any finite z (parallel); exactly 0 at the window.
 Parallax parallax_at(const View& centre, const StereoPair& pair, double distance);
 
-// The nearest, the undisturbed and the farthest: what the budget of comfort.h and the user's printout are about.
+// The parallax at the near plane, at the window and at the far plane: the values that the budget of
+// comfort.h and the user's printout use.
 struct ParallaxTable {
   Parallax near, window, far;
 };
@@ -33,8 +34,8 @@ ParallaxTable parallax_table(const View& centre, const StereoPair& pair);
 
 // ---- in front of a display ----
 
-// The distance between the pupils of a grown-up (the mean of men and women, to the next 5 mm). With more parallax than
-// this behind the window, the eyes would have to diverge, which they cannot (C-72).
+// The distance between an adult's pupils (the mean of men and women, rounded to 5 mm). With more
+// parallax than this behind the window, the eyes would have to diverge, which they cannot (C-72).
 inline constexpr double kPupilDistanceMm = 65;
 
 struct Display {
@@ -44,7 +45,8 @@ struct Display {
 
 struct DisplayedParallax {
   double mm = 0;
-  // How much less the eyes converge than for the screen's surface: 2 atan(e/2D) - 2 atan((e - p)/2D).
+  // The decrease of the eyes' convergence, compared with a point on the screen: 2 atan(e/2D) - 2
+  // atan((e - p)/2D).
   double degrees = 0;
   bool diverges = false;  // mm > kPupilDistanceMm
 };
@@ -52,18 +54,19 @@ DisplayedParallax on_display(const Parallax& parallax, const Display& display);
 
 // ---- cameras that are toed in (constructions.h) ----
 
-// y in the left eye's picture minus y in the right one's, in pixels upwards, of a point of the centre's eye space for
-// toe_in_view's cameras (S0-07):
+// y in the left eye's picture minus y in the right one's, in pixels upwards, for a point of the
+// centre's eye space seen by toe_in_view's cameras (S0-07):
 //
-//   -(d/h) y 2x sin(a) / (zL zR),  zL = z cos(a) + (x + s) sin(a),  zR = z cos(a) - (x - s) sin(a),  tan(a) = s/f
+//   -(d/h) y 2x sin(a) / (zL zR),  tan(a) = s/f,
+//   zL = z cos(a) + (x + s) sin(a),  zR = z cos(a) - (x - s) sin(a)
 //
-// Skewed frusta have none. 0 for parallel projections. Infinite or meaningless where a camera has the point beside or
-// behind it.
+// Skewed frusta have no vertical parallax. 0 for parallel projections. Infinite or meaningless
+// where the point is beside or behind a camera.
 double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                    const Point<Eye, double>& point);
 
-// The largest |vertical parallax| of what the centre's picture shows at this distance (may be infinite), which is
-// that of one of its corners. It grows with the distance.
+// The largest |vertical parallax| in the centre's picture at this distance (may be infinite); it
+// occurs at one of the corners. It grows with the distance.
 double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                            double distance);
 

@@ -54,7 +54,7 @@ Result<void> check_separation(const View& centre, const StereoPair& pair) {
   return {};
 }
 
-// The stages work in float: an entry that is not zero has to stay a normal number there.
+// The stages work in float: an entry that is not zero has to be a normal float.
 Result<void> check_float_range(const View& eye) {
   for (const int column : {2, 3}) {
     const double size = std::abs(eye.clip_from_eye.at(0, column));

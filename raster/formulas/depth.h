@@ -1,6 +1,7 @@
-// Codes of depth: the smaller is nearer. Depth outside [0, 1] (rounding at a clipped edge) is clamped, and NaN is 0.
+// Codes of depth: the smaller code is nearer. Depth outside [0, 1] (from rounding at a clipped
+// edge) is clamped, and NaN becomes 0.
 
-// Floats that are not negative order as their bits do.
+// The bits of floats that are not negative have the same order as the floats.
 template <Number F>
 inline auto float_depth_code(F depth) {
   return bits_of(in_unit_range(depth));
@@ -10,8 +11,9 @@ inline auto reversed_depth_code(F depth) {
   return bits_of(F(1.0f)) - bits_of(in_unit_range(depth));
 }
 
-// round-half-up of z (2^bits - 1), `steps`. Exact: 24-bit z times at most 24 bits fits a double, and so does the sum with a half
-// wherever it could reach the next integer.
+// z (2^bits - 1) rounded to nearest, halves up; `steps` is 2^bits - 1. Exact: a z of 24 bits times
+// at most 24 bits fits in a double, and so does the sum with a half wherever it could reach the
+// next integer.
 template <Number F>
 inline auto unorm_depth_code(F depth, double steps) {
   return to_integer(floor(widened(in_unit_range(depth)) * steps + 0.5));

@@ -1,13 +1,14 @@
-// A triangle's edges (Pineda 1988), in integers: nothing here is rounded. Corners run clockwise on the screen, where y points
-// down.
+// A triangle's edge functions (Pineda 1988), in integers: nothing is rounded here. The corners run
+// clockwise on the screen, where y points down.
 
-// Twice the signed area: positive where the corners run clockwise.
+// Twice the signed area: positive if the corners run clockwise.
 template <WholeNumber I>
 inline I double_area(const std::array<I, 3>& x, const std::array<I, 3>& y) {
   return (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
 }
 
-// a x + b y + c, positive on the inner side of the edge, without its c.
+// The coefficients a and b of the edge function a x + b y + c, which is positive on the inner side
+// of the edge.
 template <WholeNumber I>
 struct EdgeSlopes {
   I a, b;
@@ -23,8 +24,8 @@ inline I edge_value(const EdgeSlopes<I>& edge, I on_x, I on_y, I x, I y) {
   return edge.a * (x - on_x) + edge.b * (y - on_y);
 }
 
-// A top edge points right and a left edge points up: points on it belong to the triangle, points on other edges to its
-// neighbour.
+// Whether the triangle owns the points on this edge. A top edge points right and a left edge points
+// up: their points belong to the triangle, the points of other edges to its neighbour.
 template <WholeNumber I>
 inline auto owns_its_points(const EdgeSlopes<I>& edge) {
   const I zero = 0;
@@ -33,7 +34,8 @@ inline auto owns_its_points(const EdgeSlopes<I>& edge) {
   return top || left;
 }
 
-// Which pixel centres lie at or after `low`, and before or at `high`.
+// The first pixel whose centre is at or after `low`, and one past the last pixel whose centre is at
+// or before `high`.
 template <WholeNumber I>
 inline I first_pixel(I low) {
   return shifted_right<kSubpixelBits>(low + (kPixelCentre - 1));

@@ -1,5 +1,5 @@
-// Depth and attributes at a point of a triangle. With E_k its edge functions there and A their sum, exact integers, `fl` the
-// rounding to float, and every operation rounded:
+// Depth and attributes at a point of a triangle. E_k are the edge functions there and A is their
+// sum, all exact integers; `fl` rounds to float, and every operation is rounded:
 //
 //   lambda_k   = fl(E_k) * fl(1 / fl(A))
 //   depth      = d0 + (lambda_1 (d1 - d0) + lambda_2 (d2 - d0))
@@ -7,31 +7,34 @@
 //   weight_k   = (lambda_k / w_k) * (1 / q)
 //   attribute  = a0 + (weight_1 (a1 - a0) + weight_2 (a2 - a0))
 //
-// Nothing depends on where the walk over the pixels began, so every way of walking gives the same bits.
-// Errors to first order in u = 2^-24, relative to the exact value for the snapped triangle and the 1/w_k as given
-// (tests/raster/interpolate_test.cpp holds them against rationals):
-//   - lambda: 4u (E_k, A, 1/A and the product are rounded), also in the far corner of a sliver.
-//   - depth: 8u, which a reversed depth range needs near 0. Vertex 0 is the one of smallest depth, so nothing cancels:
-//     4u of lambda, then a difference, a product and two sums of numbers that are not negative. Never below the
-//     smallest depth; and a flat triangle has exactly its own.
-//   - q: 7u. A sum of positive numbers: no cancellation however different the w are (C-66).
-//   - weight: 10u. The rounding of A and 1/A divides out, which leaves 3u of lambda_k / w_k, 5u of q and two operations.
-//   - attribute: 13u (weight_1 |a1 - a0| + weight_2 |a2 - a0|) + u |attribute|, absolute. One that is equal at the three
-//     vertices is exactly that everywhere.
+// Nothing depends on where the walk over the pixels began, so every order of visiting them gives
+// the same bits. Errors to first order in u = 2^-24, relative to the exact value for the snapped
+// triangle and the given 1/w_k (tests/raster/interpolate_test.cpp compares them with rationals):
+// - lambda: 4u (E_k, A, 1/A and the product are rounded), even in the far corner of a sliver.
+// - depth: 8u, which a reversed depth range needs near 0. Vertex 0 has the smallest depth, so
+//   nothing cancels: 4u of lambda, then a difference, a product and two sums of numbers that are
+//   not negative. The result is never below the smallest depth, and a triangle of constant depth
+//   gets exactly that depth.
+// - q: 7u. A sum of positive numbers: no cancellation however different the w are (C-66).
+// - weight: 10u. The rounding errors of A and 1/A divide out, which leaves 3u of lambda_k / w_k, 5u
+//   of q and two operations.
+// - attribute: 13u (weight_1 |a1 - a0| + weight_2 |a2 - a0|) + u |attribute|, absolute. An
+//   attribute that is equal at the three vertices has exactly that value everywhere.
 
 template <Number F>
 inline F screen_weight(F edge, F inverse_area) {
   return edge * inverse_area;
 }
 
-// From the value at vertex 0 and what the others have more than it, by the weights of the others: for depth those on the
-// screen, for attributes those in space.
+// Interpolates from the value at vertex 0, the differences of the other two values from it, and the
+// weights of the other two vertices: the screen weights for depth, the weights in space for
+// attributes.
 template <Number F>
 inline F interpolate(F a0, F a1_less_a0, F a2_less_a0, F weight1, F weight2) {
   return a0 + (weight1 * a1_less_a0 + weight2 * a2_less_a0);
 }
 
-// Each component of an attribute, from those of the three vertices.
+// Interpolates each component of an attribute from those of the three vertices.
 template <Number F, std::size_t N>
 inline std::array<F, N> interpolate(const std::array<F, N>& a0, const std::array<F, N>& a1,
                                     const std::array<F, N>& a2, F weight1, F weight2) {
@@ -42,7 +45,7 @@ inline std::array<F, N> interpolate(const std::array<F, N>& a0, const std::array
   return a;
 }
 
-// Weights on the triangle in space, and 1/w there.
+// Barycentric weights on the triangle in space, and 1/w at that point.
 template <Number F>
 struct WeightsInSpace {
   F weight0, weight1, weight2;
@@ -60,7 +63,7 @@ inline WeightsInSpace<F> perspective(const std::array<F, 3>& lambda,
   return {share0 * w, share1 * w, share2 * w, q};
 }
 
-// All three w are equal: perspective changes nothing.
+// Whether all three w are equal, so that perspective changes nothing.
 template <Number F>
 inline auto is_affine(const std::array<F, 3>& inverse_w) {
   return inverse_w[0] == inverse_w[1] && inverse_w[1] == inverse_w[2];

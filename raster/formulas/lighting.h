@@ -1,6 +1,8 @@
-// Light that arrives at a surface and leaves it; raster/shading.h has the formula that these are the terms of.
+// Light that arrives at a surface and light that leaves it. raster/shading.h has the formula whose
+// terms these are.
 
-// base^exponent by repeated squaring: no library function, so the same bits everywhere.
+// base^exponent by repeated squaring. It uses no library function, so it gives the same bits
+// everywhere.
 template <Number F>
 inline F power(F base, int exponent) {
   F result = 1.0f;
@@ -11,10 +13,11 @@ inline F power(F base, int exponent) {
   return result;
 }
 
-// What is left of a light at a point: distance, range and cone.
+// The light that arrives at a point: its direction, and the fraction that distance, range and cone
+// leave of it.
 template <Number F>
 struct Arrival {
-  std::array<F, 3> towards;  // unit vector at the light
+  std::array<F, 3> towards;  // unit vector from the point to the light
   F fraction;
 };
 
@@ -41,8 +44,8 @@ inline Arrival<F> arrive(const EyeLight& light, const std::array<F, 3>& at) {
   return {zero_unless(apart, towards), select(apart, fraction, F(0.0f))};
 }
 
-// `normal` need not be of unit length. Without `highlights` the specular part is not computed, and is 0. Of the channels, kChannels from
-// `first` on.
+// The light reflected by a surface. `normal` need not be of unit length. Without `highlights` the
+// specular part is not computed and is 0. Computes kChannels channels, from channel `first` on.
 template <std::size_t kChannels = 3, Number F>
 inline ReflectionOf<F, kChannels> reflected_light(const Lighting& lighting,
                                                   const std::array<F, 3>& position,
@@ -79,8 +82,9 @@ inline ReflectionOf<F, kChannels> reflected_light(const Lighting& lighting,
   return reflection;
 }
 
-// What a surface sends out of the light that falls on it. One without a normal shines by itself (glTF 2.0, 3.7.2.1). Without
-// `highlights` the specular part is left out.
+// The light that a surface sends out, given the light that falls on it. A surface without a normal
+// shows its base colour unlit (glTF 2.0, 3.7.2.1). Without `highlights` the specular part is left
+// out.
 template <Number F, std::size_t kChannels>
 inline std::array<F, kChannels> lit(const std::array<F, kChannels>& base,
                                     const std::array<F, 3>& normal,

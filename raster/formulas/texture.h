@@ -1,8 +1,9 @@
 // Samples from an image, and how fast its coordinates change from pixel to pixel.
 
-// The coordinate within one period of its wrap mode: [0, 1), or [0, 2] where every second copy is mirrored, or [0, 1].
-// Exact but for negative ones near 0, which the sum may round up to the whole period: to the first texel's side. One that is
-// not finite is 0.
+// The coordinate within one period of its wrap mode: [0, 1) for repeat, [0, 2] where every second
+// copy is mirrored, [0, 1] for clamp. Exact except for negative coordinates near 0: there the sum
+// may round up to the whole period, whose end is next to the first texel. A coordinate that is not
+// finite becomes 0.
 template <Number F>
 inline F wrap_coordinate(Wrap wrap, F t) {
   F wrapped = t;
@@ -20,14 +21,15 @@ inline F wrap_coordinate(Wrap wrap, F t) {
   return select(is_finite(t), wrapped, F(0.0f));
 }
 
-// Into [0, period), of an index that is off either end by less than one.
+// Wraps an index into [0, period). It may be outside at either end by less than one period.
 template <WholeNumber I, class Size>
 inline I into_period(I i, Size period) {
   const I from_below = select(i < 0, i + period, i);
   return select(from_below < period, from_below, from_below - period);
 }
 
-// A texel index that may be off either end by less than a period. Where all have the same level, one size is that of all.
+// Wraps a texel index that may be outside at either end by less than one period. If all lanes use
+// the same level, `size` is one number.
 template <WholeNumber I, class Size>
 inline I wrap_texel(Wrap wrap, I i, Size size) {
   const I last = size - 1;
@@ -44,8 +46,9 @@ inline I wrap_texel(Wrap wrap, I i, Size size) {
   return i;
 }
 
-// The texel `i` and the one after it, of -1 <= i < size: those at the ends are each other's neighbours, or their own. (A wrapped
-// coordinate below 1 times a size stays below the size when it is rounded.)
+// Returns texel `i` and the one after it, wrapped, for -1 <= i < size. At the ends the neighbour is
+// on the other side of the image, or is the end texel itself. (A wrapped coordinate below 1 times a
+// size stays below the size when it is rounded.)
 template <WholeNumber I, class Size>
 inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
   const I next = i + 1, last = size - 1;
@@ -53,7 +56,7 @@ inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
     case Wrap::kRepeat:
       return {select(i < 0, last, i), select(last < next, I(0), next)};
     case Wrap::kMirroredRepeat:
-      break;  // is wrapped to two copies
+      break;  // handled below, where the index is wrapped within two copies
     case Wrap::kClampToEdge:
       return {greatest(I(0), i), least(next, last)};
   }
@@ -62,21 +65,23 @@ inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
 
 // ---- between texels ----
 
-// How far it is from one texel to the next, or from one level to the next: t in [0, 1] in units of 2^-15, rounded down, below 1.
+// The fraction t in [0, 1] of the way from one texel or level to the next, in units of 2^-15:
+// rounded down, at most 32767.
 template <Number F>
 inline auto fraction_of(F t) {
   const auto fraction = to_integer(t * 32768.0f);
   return least(fraction, decltype(fraction)(32767));
 }
 
-// From a at f = 0 towards b at f = 2^15, rounded to nearest: never beyond either, and at most 1.5 from the exact mix for t.
+// Mixes from a at f = 0 towards b at f = 2^15, rounded to nearest. The result is never outside [a,
+// b], and at most 1.5 from the exact mix for t.
 template <class T>
 inline T mix_whole(T a, T b, T f) {
   return a + times_fraction(b - a, f);
 }
 
-// What a texel's whole numbers stand for. Alpha is divided, so that a byte's is the float next to byte / 255: a cutoff of that
-// keeps it.
+// Converts a texel's integers to light and alpha. Alpha is divided, so that the alpha of a byte is
+// the float nearest to byte / 255, and a cutoff of that value keeps it.
 template <WholeNumber I>
 inline auto light_of_texel(I whole) {
   return to_float(whole) * (1.0f / kFullTexel);
@@ -88,14 +93,15 @@ inline auto alpha_of_texel(I whole) {
 
 // ---- one level ----
 
-// How wide or high a level is whose base has `side` texels there.
+// The width or height of a level whose base has `side` texels in that direction.
 template <WholeNumber I>
 inline I side_of_level(int side, I level) {
   return greatest(I(1), shifted_right(I(side), level));
 }
 
-// The texel that (u, v) is in, and the mean of the four around it. A texture has a texel(level, x, y), and texels have a mix()
-// of their channels by mix_whole(). Coordinates are wrapped already. Texel centres are at halves.
+// sample_nearest() returns the texel that contains (u, v), sample_linear() the weighted mean of the
+// four texels around it. A texture has texel(level, x, y), and texels have mix(), which mixes their
+// channels by mix_whole(). The coordinates are already wrapped. Texel centres are at halves.
 template <Number F, class Texture, class Size>
 inline auto sample_nearest(const Texture& texture, const Sampler& sampler,
                            const TextureLevelOf<Size>& level, F u, F v) {
@@ -127,13 +133,13 @@ inline auto sample_level(const Texture& texture, const Sampler& sampler, Filter 
 
 // ---- level of detail ----
 
-// What lambda_k / w_k changes by over one pixel, from what the edge function changes by.
+// The change of lambda_k / w_k over one pixel, from the change of the edge function.
 template <Number F>
 inline F slope_over_w(F edge_step, F inverse_area, F inverse_w) {
   return edge_step * inverse_area * inverse_w;
 }
 
-// `slopes`: [axis][vertex]; `texcoords`: [vertex][u, v].
+// The plane equations of 1/w, u/w and v/w. `slopes`: [axis][vertex]; `texcoords`: [vertex][u, v].
 template <Number F, class Condition>
 inline TexturePlanesOf<F> planes_over_w(const std::array<std::array<F, 3>, 2>& slopes,
                                         const std::array<std::array<F, 2>, 3>& texcoords,
@@ -164,9 +170,9 @@ inline TextureGradientOf<F> gradient_at(const TexturePlanesOf<F>& planes,
   return gradient;
 }
 
-// log2 of a positive finite number: the exponent, and a series in s = (m - 1)/(m + 1) for the mantissa m in
-// [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 + s^7/7 + ...), |s| < 0.1716. What is left out is below
-// 5e-8; a level of detail needs no more.
+// log2 of a positive finite number: the exponent, plus a series in s = (m - 1)/(m + 1) for the
+// mantissa m in [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 + s^7/7 + ...), |s| <
+// 0.1716. The truncation error is below 5e-8; a level of detail needs no more.
 template <Number F>
 inline F log2_positive(F x) {
   const auto subnormal = x < 0x1p-126f;
@@ -200,8 +206,8 @@ inline F level_of_detail(const TextureGradientOf<F>& gradient, int width, int he
 
 // ---- between levels ----
 
-// The level whose texels are about as large as the pixel, or the two that such a one would lie between. `position`: in
-// 0 .. last_level.
+// Samples the level whose texels are about as large as the pixel, or mixes the two levels around
+// that size. `position` is in 0 .. last_level.
 template <Number F, class Texture>
 inline auto sample_minified(const Texture& texture, const Sampler& sampler, F u, F v, F position) {
   const Filter filter = sampler.minify;
@@ -220,7 +226,7 @@ inline auto sample_minified(const Texture& texture, const Sampler& sampler, F u,
              fraction_of(beyond));
 }
 
-// One filtered sample. A texture has base(), and level(k) for k in 0 .. last_level().
+// Returns one filtered sample. A texture has base(), and level(k) for k in 0 .. last_level().
 template <Number F, class Texture>
 inline auto sample_texture(const Texture& texture, const Sampler& sampler,
                            const std::array<F, 2>& texcoord, F level_of_detail) {

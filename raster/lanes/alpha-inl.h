@@ -1,6 +1,8 @@
-// What becomes of the fragments that are in front: the tile keeps them, or some of them by their alpha, or they are laid over what
-// is in the picture. Those that ask for alpha are calls: there is one loop over triangles for each of them, each format of depths, and
-// tiles within the screen or not, and shading is not to be compiled for each.
+// What happens to the fragments that are in front: the tile keeps them all, or only some by their
+// alpha, or they are blended over the picture. Masked and Blended compute alpha in function calls
+// that are not inlined: there is a loop over triangles for each of them, for each depth format, and
+// for tiles within the screen or not, and the shading code should not be compiled for each of
+// these.
 
 #if defined(GLASSBOX_ALPHA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ALPHA_INL_H_
@@ -18,22 +20,23 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// One lane's number.
+// Returns one lane's number, in all lanes.
 HWY_INLINE Floats in_all_lanes(Floats x, std::size_t lane) {
   HWY_ALIGN float lanes[kLanes];
   store(x, lanes);
   return lanes[lane];
 }
 
-// The tile keeps all.
+// The tile keeps all fragments.
 struct Opaque {
   static constexpr bool kKeepsAll = true, kIsBehind = false;
 };
 
-// Those whose alpha reaches the material's cutoff, asked where they are shaded.
-// Which pixels that are not drawn, or drawn otherwise, are counted beside those that are.
+// The counter for pixels that are discarded or blended; it is counted beside the written ones.
 using CountOf = std::uint64_t FragmentCounts::*;
 
+// Keeps the fragments whose alpha reaches the material's cutoff. Alpha is computed where they are
+// shaded.
 class Masked {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
@@ -41,13 +44,14 @@ public:
 
   HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
 
-  // `lanes`: some. Of the quad at (x, y), the pixels k .. k + kLanes - 1 that the small triangle of this reference covers ...
+  // Returns which of `lanes` are kept, of which at least one is set. The lanes are pixels k .. k +
+  // kLanes - 1 of the quad at (x, y), covered by the small triangle of this reference ...
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - test_.draw->first_reference);
     return kept(lanes, SmallSource(*test_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
                                    AtSamples{test_.points, lanes}));
   }
-  // ... or the large one.
+  // ... or by the large triangle.
   HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
                             std::size_t k) const {
     return kept(lanes, LargeSource(shape, x, y, k, AtSamples{test_.points, lanes}));
@@ -68,7 +72,7 @@ private:
   const AlphaTest& test_;
 };
 
-// Those behind what is given; of a draw that is tested, as Masked has it.
+// Keeps the fragments behind the given depths, and of an alpha-tested draw those that Masked keeps.
 class Behind {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = true;
@@ -76,8 +80,9 @@ public:
 
   HWY_INLINE explicit Behind(const BehindTest& test) : codes_(*test.codes), alpha_(test.alpha) {}
 
-  // Of the quad at (x, y) the pixels k .. k + kLanes - 1. (kEmptyDepth, the greatest code, lets nothing through; beyond the picture nothing is
-  // drawn anyway.)
+  // Returns which of pixels k .. k + kLanes - 1 of the quad at (x, y) are behind the given depths.
+  // (At kEmptyDepth, the largest code, nothing is behind; outside the picture nothing is drawn
+  // anyway.)
   HWY_INLINE IntMask behind(Ints code, int x, int y, std::size_t k) const {
     HWY_ALIGN std::uint32_t given[kLanes];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -101,8 +106,8 @@ private:
   const AlphaTest& alpha_;
 };
 
-// What a triangle of one colour makes of each byte that it is laid over, in all four channels at once. Worth making once as many
-// vectors have been blended as there are in the table.
+// A table for a triangle of one colour: the result of blending it over each possible byte, in all
+// four channels. It is worth making once as many vectors have been blended as the table has.
 struct BlendedBytes {
   static constexpr std::size_t kBytes = 256;
   std::size_t vectors = 0;  // blended so far
@@ -111,13 +116,13 @@ struct BlendedBytes {
   bool made() const { return vectors >= kBytes / kLanes; }
 };
 
-// None: they are blended, in the order in which they come.
+// The tile keeps no fragment: they are blended into the picture, in the order in which they come.
 class Blended {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
   static constexpr CountOf kOthers = &FragmentCounts::blended;
 
-  // `bytes`: of a triangle of one colour where nothing but colours is wanted, otherwise null.
+  // `bytes`: the table of a triangle of one colour if only colours are wanted, otherwise null.
   HWY_INLINE explicit Blended(const BlendJob& job, BlendedBytes* bytes = nullptr)
       : job_(job), bytes_(bytes), mask_(bytes_of(job.resolve->mask)) {}
 
@@ -192,7 +197,8 @@ private:
     return color | (after(shifted_right<24>(before)) & std::int32_t(0xff000000u));
   }
 
-  // What is stored in these lanes by what `after` says of it, as far as the mask goes.
+  // Replaces the stored colours of these lanes by what `after` makes of them, in the channels of
+  // the mask.
   template <class After>
   HWY_INLINE void replace(IntMask lanes, int x, int y, std::size_t k, const After& after) const {
     HWY_ALIGN std::int32_t colors[kLanes] = {};
@@ -206,8 +212,9 @@ private:
     });
   }
 
-  // Calls visit(lane, colours, count) for colours of these lanes that lie side by side: the rows of a quad, where all of it is
-  // blended and a pixel has one colour; otherwise one at a time.
+  // Calls visit(lane, colours, count) for runs of stored colours of these lanes that are next to
+  // each other: the rows of a quad, if all of it is blended and a pixel has one colour; otherwise
+  // single colours.
   template <class Visit>
   HWY_INLINE void for_each_run(IntMask lanes, int x, int y, std::size_t k,
                                const Visit& visit) const {
@@ -223,7 +230,7 @@ private:
     });
   }
 
-  // blend_over(); channels that are not wanted are 0.
+  // Vectorised blend_over(); channels that are not wanted are 0.
   HWY_INLINE Ints laid_over_bytes(const Rgb& color, Floats alpha, Ints before) const {
     const ResolveJob& resolve = *job_.resolve;
     const Transfer transfer = resolve.transfer;

@@ -1,4 +1,5 @@
-// Large triangles over the pixels of a block, and blocks that are filled in when something comes to them.
+// Large triangles over the pixels of a block, and filling in the pixels of a plain block when they
+// are needed.
 
 #if defined(GLASSBOX_BLOCKS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_BLOCKS_INL_H_
@@ -15,9 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Edge functions are integers of at most 52 bits, which doubles hold exactly.
+// Edge functions are integers of at most 52 bits, which doubles represent exactly.
 //
-// What those of a large triangle add from a quad's first pixel to its others.
+// Returns the differences of a large triangle's edge function between a quad's first pixel and
+// pixels i .. i + kLanes - 1.
 template <int kEdge>
 HWY_INLINE Doubles quad_offsets(const TriangleSetup& setup, std::size_t i) {
   const EdgeFunction& edge = setup.edges[kEdge];
@@ -25,7 +27,7 @@ HWY_INLINE Doubles quad_offsets(const TriangleSetup& setup, std::size_t i) {
          widened(to_float(quad_rows(i))) * double(edge.b * kSubpixels);
 }
 
-// An edge function at a pixel of the screen: at its centre, or at another point of it.
+// An edge function at a pixel of the screen, at its centre or at another point of it.
 HWY_INLINE std::int64_t edge_in_pixel(const EdgeFunction& edge, int x, int y, SampleOffset point) {
   return edge.at(std::int64_t(x) * kSubpixels + kPixelCentre + point.x,
                  std::int64_t(y) * kSubpixels + kPixelCentre + point.y);
@@ -39,11 +41,12 @@ HWY_INLINE std::int64_t least_inside(const EdgeFunction& edge) {
   return edge.owns_zero ? 0 : 1;
 }
 HWY_INLINE IntMask covers(const Doubles& values, std::int64_t least) {
-  // Zero or one: exact as a float, and the sign of an integer survives its rounding.
+  // `least` is 0 or 1, which a float represents exactly, and rounding an integer to float keeps its
+  // sign.
   return int_mask(rounded(values) >= float(least));
 }
 
-// A large triangle's depth over quads.
+// Computes a large triangle's depth over quads.
 struct LargeDepth {
   explicit LargeDepth(const TriangleSetup& triangle)
       : setup(triangle),
@@ -61,7 +64,7 @@ struct LargeDepth {
   Floats inverse_area, depth0, depth1, depth2;
 };
 
-// The depth codes of a quad's pixels.
+// Writes the depth codes of a quad's pixels to `codes`.
 inline void fill_quad_depths(const TriangleSetup& setup, const TileBuffer& tile, int x, int y,
                              std::int32_t* codes) {
   const LargeDepth depth(setup);
@@ -101,7 +104,8 @@ inline void fill_block(TileBuffer& tile, std::size_t index) {
   }
 }
 
-// Gives every pixel of a plain block its depth and reference.
+// Makes sure that the pixels of a block have their depths and references stored: fills in a plain
+// block.
 HWY_INLINE void make_plain_block_full(TileBuffer& tile, std::size_t index) {
   if (HWY_UNLIKELY(tile.block(index).plain)) fill_block(tile, index);
 }

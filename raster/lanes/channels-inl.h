@@ -1,4 +1,4 @@
-// Which channels of light pixels are shaded in: all three, or those that an eye of an anaglyph keeps.
+// The channels in which light is computed: all three, or the two that an eye of an anaglyph keeps.
 
 #if defined(GLASSBOX_CHANNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_CHANNELS_INL_H_
@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Each is computed by itself, so leaving one out changes none of the others. Texels are four words of 16 bits: two neighbours of them are
-// one vector where all four are two.
+// Each channel is computed independently, so leaving one out does not change the others. Texels are
+// four integers of 16 bits: two neighbouring channels fit in one vector, all four in two.
 struct AllChannels {
   static constexpr std::size_t kCount = 3;
   static constexpr bool kHasAlpha = true;
@@ -77,7 +77,7 @@ HWY_INLINE std::array<Floats, 2> product(const std::array<Floats, 2>& a,
   return {a[0] * b[0], a[1] * b[1]};
 }
 
-// What texels stand for.
+// The light and alpha of texels.
 HWY_INLINE std::array<Floats, 3> color_of(const Shorts& texels) {
   return {light_of_texel(short_of<0>(texels)), light_of_texel(short_of<1>(texels)),
           light_of_texel(short_of<2>(texels))};

@@ -1,4 +1,4 @@
-// Codes of depth as tiles keep them, by the format.
+// The depth codes that tiles store, for each depth format.
 
 #if defined(GLASSBOX_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_DEPTH_INL_H_
@@ -30,7 +30,7 @@ struct UnormCode {
   double steps;
 };
 
-// Calls work with the code of the format.
+// Calls `work` with the code type of the format.
 template <class Work>
 HWY_INLINE void with_code(DepthFormat format, const Work& work) {
   switch (format) {

@@ -1,4 +1,4 @@
-// As many doubles as there are floats.
+// Vectors of doubles, with as many elements as there are floats in a vector.
 
 #if defined(GLASSBOX_DOUBLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_DOUBLES_INL_H_
@@ -21,8 +21,8 @@ inline constexpr hn::Half<DF> kHalfF;
 #endif
 inline constexpr DD kD;
 
-// As many doubles as there are floats: those of the lower half, and those of the upper one. (A single lane has no halves: both are
-// the same.)
+// As many doubles as there are floats in a vector, in two vectors: the lower half and the upper
+// half. (A single lane has no halves: both are the same.)
 struct Doubles {
   hn::Vec<DD> low, high;
 
@@ -78,7 +78,7 @@ HWY_INLINE Floats rounded(const Doubles& x) {
   return hn::Combine(kF, hn::DemoteTo(kHalfF, x.high), hn::DemoteTo(kHalfF, x.low));
 }
 #endif
-// x holds integers below 2^24, which floats hold.
+// x must hold integers below 2^24, which floats represent exactly.
 HWY_INLINE Ints to_integer(const Doubles& x) {
   return to_integer(rounded(x));
 }

@@ -1,4 +1,4 @@
-// The formulas of the stages, over lanes.
+// The formulas of the stages, compiled for vectors.
 
 #if defined(GLASSBOX_FORMULAS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_FORMULAS_INL_H_
@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// What compilers find too large for the loop over the pixels, and call: it must become part of it all the same.
+// Compilers find these functions too large for the loop over the pixels and would call them; they
+// must be inlined all the same.
 template <Number F>
 HWY_INLINE F wrap_coordinate(Wrap wrap, F t);
 template <WholeNumber I, class Size>
@@ -33,7 +34,7 @@ HWY_INLINE auto sample_linear(const Texture& texture, const Sampler& sampler,
 template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
                              const TextureLevelOf<Size>& level, F u, F v);
-// And what is large enough to be called.
+// This one is large enough to be called.
 template <Number F, class Texture>
 HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
                                  const std::array<F, 2>& texcoord, F level_of_detail);

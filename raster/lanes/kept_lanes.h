@@ -1,4 +1,5 @@
-// Which of eight lanes are kept, by the bits of a mask: entry m has the numbers of m's bits in its bytes, the first in the lowest.
+// A table for compacting eight lanes by a mask: the bytes of entry m are the positions of the bits
+// set in m, the first one in the lowest byte.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The functions behind Kernels, for one instruction set. They are compiled in six sources (*_kernels.cpp), several at once: together
-// they take longer than all else that the first picture needs.
+// The functions behind Kernels, for one instruction set. They are compiled in six sources
+// (*_kernels.cpp), several at once: together they take longer to compile than all the rest that the
+// first picture needs.
 
 #if defined(GLASSBOX_KERNEL_FUNCTIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_KERNEL_FUNCTIONS_INL_H_
@@ -38,7 +39,7 @@ void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test, Re
 void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
                         TileBuffer& tile, FragmentCounts& counts);
 
-// Those of an anaglyph's eye are resolved at pixel centres only.
+// For an anaglyph's eye (two channels) only pixel centres are resolved.
 void resolve_all_channels(const ResolveJob& job, std::span<TileBuffer> tiles);
 void resolve_two_channels(const ResolveJob& job, std::span<TileBuffer> tiles);
 

@@ -1,4 +1,5 @@
-// The stages over lanes, compiled for each instruction set: what the tile engine calls.
+// The vectorised stages, compiled for each instruction set: the interface that the tile engine
+// calls.
 #pragma once
 
 #include <cstddef>
@@ -15,27 +16,31 @@ struct Kernels {
   void (*transform_vertices)(const VertexJob& job);
   void (*transform_normals)(const NormalJob& job);
   void (*transform_positions)(const EyePositionJob& job);
-  // Writes to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
+  // Writes the selected triangles to `selected`, which has room for job.count + kMostLanes, and
+  // returns their number.
   std::size_t (*select_triangles)(const SelectJob& job, const BinColumns& selected,
                                   SelectCounts& counts);
-  // Into each of `tiles`, which are of the same part of the screen: a pixel's samples.
+  // Draws into each of `tiles`, which cover the same part of the screen: one for each sample of a
+  // pixel.
   void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                      std::span<TileBuffer> tiles, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
-  // The same of a draw whose alpha is tested.
+  // The same for a draw whose alpha is tested.
   void (*draw_small_masked)(const SmallJob& job, const AlphaTest& test,
                             const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                             FragmentCounts& counts);
   void (*draw_large_masked)(const LargeTriangle& triangle, const AlphaTest& test,
                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
-  // Of one that is opaque or tested, behind what is given. The tile's points are centres.
+  // The same for an opaque or alpha-tested draw, behind given depths. The tile's points are pixel
+  // centres.
   void (*draw_small_behind)(const SmallJob& job, const BehindTest& test,
                             const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                             FragmentCounts& counts);
   void (*draw_large_behind)(const LargeTriangle& triangle, const BehindTest& test,
                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
-  // Of a draw that is blended: into the picture, where the colours of what was drawn before have to be.
+  // For a blended draw: into the picture, which must already have the colours of what was drawn
+  // before.
   void (*draw_small_blended)(const SmallJob& job, const BlendJob& blend,
                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                              FragmentCounts& counts);

@@ -1,4 +1,5 @@
-// The body of a function that returns the `kKernels` that were compiled for `target`: included between its braces.
+// The body of a function that returns the `kKernels` that were compiled for `target`. It is
+// included between the function's braces.
 #if HWY_ARCH_X86
 static_assert((HWY_TARGETS & ~(HWY_AVX3 | HWY_AVX2 | HWY_SSE4 | HWY_SCALAR)) == 0,
               "compiled for an instruction set that is never asked for: "

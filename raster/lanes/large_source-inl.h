@@ -1,4 +1,4 @@
-// Where the attributes of fragments come from: one large triangle in all lanes.
+// The source of fragments' attributes if one large triangle is in all lanes.
 
 #if defined(GLASSBOX_LARGE_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_LARGE_SOURCE_INL_H_
@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// A large triangle's edge functions over a quad, for as long as neighbouring quads show the same one.
+// A large triangle's edge functions over a quad. It is used again while neighbouring quads show the
+// same triangle.
 struct LargeShape {
   const LargeTriangle* triangle = nullptr;
   Doubles offsets0[kQuadVectors], offsets1[kQuadVectors], offsets2[kQuadVectors];
@@ -29,7 +30,7 @@ struct LargeShape {
   }
 };
 
-// What of it is needed for attributes.
+// The part of a fragment's data that its attributes need.
 struct LargePlace {
   const LargeTriangle* triangle = nullptr;
   Floats weight1, weight2;  // in space, of vertices 1 and 2
@@ -55,7 +56,7 @@ public:
   Ints id() const { return std::int32_t(self().triangle->number + 1); }
 
 private:
-  // The first N components of one of the varyings.
+  // Interpolates the first N components of one of the varyings.
   template <std::size_t N, class Member>
   HWY_INLINE std::array<Floats, N> attribute(Member member) const {
     const auto& a0 = self().triangle->vertices[0].*member;
@@ -73,7 +74,8 @@ private:
 };
 struct LargeFragments : LargePlace, LargeAttributes<LargeFragments> {};
 
-// One large triangle in all lanes, which begin at pixel `i` of the quad at (x, y).
+// The fragments of one large triangle in all lanes. The lanes begin at pixel `i` of the quad at (x,
+// y).
 class LargeSource : public LargePlace, public LargeAttributes<LargeSource> {
 public:
   using Fragments = LargeFragments;

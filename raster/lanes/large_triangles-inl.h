@@ -1,5 +1,5 @@
-// Large triangles into a tile: block by block, most of which are given up or taken whole; pixels are looked at along the edges,
-// and where something else may be in front.
+// Draws large triangles into a tile, block by block. Most blocks are skipped or covered as a whole;
+// single pixels are tested only along the edges, and where something else may be in front.
 
 #if defined(GLASSBOX_LARGE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_LARGE_TRIANGLES_INL_H_
@@ -18,14 +18,14 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// The depth codes of a triangle's pixels lie within these.
+// The range that contains the depth codes of a triangle's pixels.
 struct CodeRange {
   TileDepth nearest = 0, farthest = 0;
 };
 
-// depth[0] is the smallest, and no pixel's is smaller (interpolate.h). The largest may be exceeded by rounding: four
-// roundings of lambda and four operations, less than 2^-20 of it; and where the products are subnormal, by half of the smallest
-// float for each.
+// depth[0] is the smallest depth, and no pixel's is smaller (interpolate.h). Rounding may exceed
+// the largest: by four roundings of lambda and four operations, less than 2^-20 of it; and where
+// the products are subnormal, by half of the smallest float for each.
 inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
   const float least = setup.depth[0];
   const float largest = std::max({setup.depth[0], setup.depth[1], setup.depth[2]});
@@ -39,7 +39,7 @@ inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
 struct LargeEdge {
   EdgeFunction edge;
   std::int64_t least = 0;  // the smallest value that counts as covered
-  // How far a block's smallest and largest value lie from its first.
+  // The differences between a block's smallest and largest value and the value at its first pixel.
   std::int64_t below = 0, above = 0;
   Doubles offsets[kQuadVectors];
 };
@@ -57,7 +57,7 @@ HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   return e;
 }
 
-// `shape`: null where the tile keeps all fragments, and nobody looks at it.
+// `shape`: null if the tile keeps all fragments, because then it is not used.
 template <class Code, class Alpha>
 class LargeRaster {
 public:
@@ -100,10 +100,11 @@ private:
     return at_centres ? setup_.bounds : sampled_bounds(setup_.bounds);
   }
 
-  // Every pixel there has a fragment.
+  // Whether every pixel of the block gets a fragment.
   HWY_INLINE static bool fills(Place place) { return Alpha::kKeepsAll && place == Place::kInside; }
 
-  // Where the square of `side` pixels at (x, y) lies: the extremes of an edge function over it are at its corners.
+  // Classifies the square of `side` pixels at (x, y): the extremes of an edge function over it are
+  // at its corners.
   HWY_INLINE Place place_of(int x, int y, int side) const {
     bool inside = true;
     for (const LargeEdge& e : edges_) {
@@ -141,8 +142,9 @@ private:
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
     if (whole && fills(place)) block.farthest = std::min(block.farthest, codes_.farthest);
-    // Several triangles may cover the block together, of which none knows what the others do: worth a look where the next ones are
-    // likely to be behind it, too.
+    // Several triangles may cover the block together, each without knowing of the others. So the
+    // farthest depth is computed from the pixels if the next triangles are likely to be behind it,
+    // too.
     if (counts_.written == written_before) {
       block.farthest = std::min(block.farthest, farthest_in(index));
     }

@@ -1,5 +1,6 @@
-// What stands at any places of a table, loaded place by place. Gathers do the same, but AMD's processors make 20 to 80 operations of
-// one, and a load fetches up to four words of an entry where a gather fetches one.
+// Reads table entries at arbitrary indices by one load for each index. Gather instructions do the
+// same, but AMD's processors split one into 20 to 80 operations, and a load fetches up to four
+// words of an entry where a gather fetches one.
 
 #if defined(GLASSBOX_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_LOADS_INL_H_
@@ -19,7 +20,7 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
 
-// Each lane's place.
+// The index of each lane.
 struct Places {
   HWY_INLINE explicit Places(Ints at) { store(at, lane); }
   HWY_ALIGN std::int32_t lane[kLanes];
@@ -28,18 +29,20 @@ struct Places {
 // A block is 128 bits, four lanes.
 using DBlock = hn::FixedTag<std::int32_t, 4>;
 
-// Four words of 32 bits from word `at` of a table on.
+// Loads four words of 32 bits, beginning at word `at` of a table.
 HWY_INLINE hn::Vec<DBlock> four_words(const std::int32_t* table, std::int32_t at) {
   return hn::LoadU(DBlock(), table + at);
 }
-// Words of 64 bits, kBytes times `first` bytes from the table's beginning and kBytes times `second`.
+// Loads two words of 64 bits, at kBytes times `first` and kBytes times `second` bytes from the
+// table's beginning.
 template <int kBytes>
 HWY_INLINE hn::Vec<DBlock> two_words(const void* table, std::int32_t first, std::int32_t second) {
   const auto word = [&](std::int32_t at) HWY_ATTR {
     return static_cast<const char*>(table) + std::ptrdiff_t(at) * kBytes;
   };
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
-  // (Of hn::Combine g++ 12 makes two loads and a shuffle: S2 takes a fiftieth longer with AVX2.)
+  // (For hn::Combine g++ 12 generates two loads and a shuffle: scene S2 takes 2 % longer with
+  // AVX2.)
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(word(first)));
   const auto* high = reinterpret_cast<const __m64*>(word(second));
   return hn::Vec<DBlock>{_mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(low), high))};
@@ -52,7 +55,7 @@ HWY_INLINE hn::Vec<DBlock> two_words(const void* table, std::int32_t first, std:
 #endif
 }
 
-// The vector whose block that begins with lane k is `of_lane`(k).
+// Returns the vector whose block beginning with lane k is `of_lane`(k).
 template <class OfLane>
 HWY_INLINE hn::Vec<DI> of_blocks(const OfLane& of_lane) {
   if constexpr (kLanes == 4) {

@@ -1,7 +1,8 @@
-// Many numbers at a time: what base/numbers.h has for one, over the vectors that the processor has, of 16 floats at most.
+// Vectors of numbers: the operations that base/numbers.h has for one number, on vectors as wide as
+// the processor has, of at most 16 floats. A lane is one element of a vector.
 //
-// Every operation is the IEEE one, so each lane has the bits that one number alone would have. No multiplication and addition
-// in one, no approximate reciprocals.
+// Every operation is the IEEE one, so each lane has the same bits as a single number would have.
+// There are no fused multiply-adds and no approximate reciprocals.
 
 #if defined(GLASSBOX_NUMBERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_NUMBERS_INL_H_
@@ -32,7 +33,7 @@ inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
 
 // ---- conditions ----
 
-// What holds in some lanes.
+// A condition that is true in some lanes.
 template <class D>
 struct MaskOf {
   hn::Mask<D> m;
@@ -72,7 +73,7 @@ HWY_INLINE std::uint64_t bits_of(IntMask a) {
   hn::StoreMaskBits(kI, a.m, bytes.data());
   return std::bit_cast<std::uint64_t>(bytes);
 }
-// Lanes 0 .. count - 1.
+// True in lanes 0 .. count - 1.
 HWY_INLINE IntMask first_lanes(std::size_t count) {
   return {hn::FirstN(kI, count)};
 }
@@ -126,8 +127,8 @@ HWY_INLINE FloatMask operator!=(Floats a, Floats b) {
 HWY_INLINE Floats select(FloatMask condition, Floats yes, Floats no) {
   return hn::IfThenElse(condition.m, yes.v, no.v);
 }
-// least() and greatest() of base/formulas/common.h: of two equal numbers, and of a NaN and another one, the first. That is what x86's
-// instructions make of their operands in the other order.
+// least() and greatest() of base/formulas/common.h: of two equal numbers, and of a NaN and another
+// number, the result is the first. x86's instructions give that with their operands exchanged.
 HWY_INLINE Floats least(Floats a, Floats b) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   return hn::Min(b.v, a.v);
@@ -142,7 +143,7 @@ HWY_INLINE Floats greatest(Floats a, Floats b) {
   return select(a < b, b, a);
 #endif
 }
-// Of base/formulas/common.h, in two instructions.
+// As in base/formulas/common.h, in two instructions.
 HWY_INLINE Floats in_unit_range(Floats x) {
   return least(Floats(1.0f), greatest(Floats(0.0f), x));
 }
@@ -230,7 +231,7 @@ HWY_INLINE Ints shifted_right(Ints i, Ints bits) {
   return hn::Shr(i.v, bits.v);
 }
 
-// From and to memory that is aligned as the vectors are.
+// Loads and stores need memory that is aligned for vectors.
 HWY_INLINE Floats load(const float* from) {
   return hn::Load(kF, from);
 }
@@ -244,7 +245,7 @@ HWY_INLINE void store(Ints i, std::int32_t* to) {
   hn::Store(i.v, kI, to);
 }
 
-// AVX2 has an instruction for it, too, but AMD's processors make some 20 of it.
+// AVX2 has an instruction for this, but AMD's processors split it into about 20 operations.
 HWY_INLINE void store_where(IntMask where, Ints i, std::int32_t* to) {
 #if HWY_TARGET == HWY_AVX2
   store(select(where, i, load(to)), to);
@@ -252,10 +253,10 @@ HWY_INLINE void store_where(IntMask where, Ints i, std::int32_t* to) {
   hn::BlendedStore(i.v, where.m, kI, to);
 #endif
 }
-// The lanes that are kept, one after the other, and whatever beyond them.
+// Returns the kept lanes one after the other; the lanes after them are unspecified.
 HWY_INLINE Ints first_kept(Ints i, IntMask keep) {
 #if HWY_TARGET == HWY_AVX2
-  // (Highway 1.0.3 has g++ copy the whole of its table to the stack for each call.)
+  // (With Highway 1.0.3 g++ copies the whole table to the stack for each call.)
   const auto* lanes = reinterpret_cast<const __m128i*>(&kKeptLanes[bits_of(keep)]);
   const __m256i from = _mm256_cvtepu8_epi32(_mm_loadl_epi64(lanes));
   return hn::Vec<DI>{_mm256_permutevar8x32_epi32(i.v.raw, from)};
@@ -263,7 +264,7 @@ HWY_INLINE Ints first_kept(Ints i, IntMask keep) {
   return hn::Compress(i.v, keep.m);
 #endif
 }
-// Integers in [0, 2^16).
+// The integers must be in [0, 2^16).
 HWY_INLINE void store_shorts(Ints i, std::uint16_t* to) {
   const hn::Rebind<std::uint16_t, DI> d;
   hn::StoreU(hn::DemoteTo(d, i.v), d, to);
@@ -280,7 +281,8 @@ HWY_INLINE Ints first_short(Ints pair) {
 HWY_INLINE Ints second_short(Ints pair) {
   return shifted_right<16>(pair);
 }
-// The products of the first ones and of the second ones, added: a single instruction where there are vectors of x86.
+// The sum of the products of the first halves and of the second halves: a single instruction with
+// x86 vectors.
 HWY_INLINE Ints sum_of_products(Ints a, Ints b) {
 #if HWY_TARGET == HWY_AVX3
   return hn::Vec<DI>{_mm512_madd_epi16(a.v.raw, b.v.raw)};
@@ -298,11 +300,12 @@ HWY_INLINE Ints sum_of_products(Ints a, Ints b) {
 HWY_INLINE Floats to_float(Ints i) {
   return hn::ConvertTo(kF, i.v);
 }
-// Of all lanes.
+// The same number in all lanes.
 HWY_INLINE float to_float(std::int32_t i) {
   return float(i);
 }
-// x is within the integers. (hn::ConvertTo() has three instructions more, for what is not.)
+// x must be within the range of the integers. (hn::ConvertTo() has three more instructions, for
+// values outside.)
 HWY_INLINE Ints to_integer(Floats x) {
 #if HWY_TARGET == HWY_AVX3
   return hn::Vec<DI>{_mm512_cvttps_epi32(x.v.raw)};

@@ -1,4 +1,4 @@
-// What best_target() says, told otherwise: for tests of what has no option for it.
+// Overrides best_target(), for tests of functions that have no option for the instruction set.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-// From now on best_target() is this one, which must be available; none: the best there is. Nothing
-// may be drawn meanwhile.
+// From now on best_target() returns this one, which must be available; with std::nullopt it returns
+// the best one again. Nothing may be drawn during the call.
 void prefer_target(std::optional<Target> target);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// A quad of pixels, as vectors of lanes.
+// A quad of 4 x 4 pixels as vectors.
 
 #if defined(GLASSBOX_QUADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_QUADS_INL_H_
@@ -25,7 +25,7 @@ HWY_INLINE Ints quad_rows(std::size_t i) {
   return shifted_right<2>(hn::Iota(kI, std::int32_t(i)));
 }
 
-// Those of a block's vector within the block.
+// Columns and rows of the pixels of a block's vector, within the block.
 HWY_INLINE Ints block_columns(std::size_t vector) {
   const auto quad = std::int32_t(vector / kQuadVectors);
   return quad_columns(vector % kQuadVectors * kLanes) + (quad % 2) * kQuadSide;
@@ -35,7 +35,8 @@ HWY_INLINE Ints block_rows(std::size_t vector) {
   return quad_rows(vector % kQuadVectors * kLanes) + (quad / 2) * kQuadSide;
 }
 
-// Which of the quad's pixels i .. i + kLanes - 1 are on the screen, where the quad at (x, y) reaches beyond it.
+// Which of pixels i .. i + kLanes - 1 of the quad at (x, y) are on the screen; a quad may extend
+// beyond it.
 HWY_INLINE IntMask on_screen(const PixelRect& window, int x, int y, std::size_t i) {
   return quad_columns(i) + x < window.x1 && quad_rows(i) + y < window.y1;
 }

@@ -1,5 +1,5 @@
-// What is seen at a tile's pixels becomes colours, distances and numbers in the framebuffer: once for each pixel, whatever was drawn
-// over whatever.
+// Resolves a tile: what is seen at its pixels becomes colours, distances and triangle numbers in
+// the framebuffer. Each pixel is shaded once, however many triangles were drawn over it.
 
 #if defined(GLASSBOX_RESOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_RESOLVE_INL_H_
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // One colour and one depth everywhere: nothing is seen, or one large triangle.
+  // Whether the whole tile has one colour and one depth: nothing is seen, or one large triangle.
   bool is_one_block() const {
     const TileBlock& first = tile_.block(0);
     if (job_.drawn_over || job_.keep_picture || !is_plain(0) || is_shaded(first)) return false;
@@ -82,7 +82,7 @@ private:
     std::fill_n(tile_.depth_rows(), tile_.side(), code_of(first));
   }
 
-  // Rows of the tile that are complete leave for the picture.
+  // Writes the tile's completed rows to the picture.
   void stream(const PixelRect& rows, std::ptrdiff_t pitch) {
     if (streams_color_) {
       stream_rows(color_.at(rows.x0, rows.y0), pitch, rows, *job_.picture);
@@ -120,7 +120,7 @@ private:
     }
   }
 
-  // One thing is seen in the block, or nothing, and all of its pixels are to be stored.
+  // Whether the block shows only one triangle, or nothing, and all of its pixels are to be stored.
   bool is_plain(std::size_t block) const {
     const TileBlock& first = tile_.block(block);
     return first.plain && plain_blocks_ &&
@@ -136,7 +136,8 @@ private:
     return job_.picture != nullptr && shows_triangle(b) &&
            !job_.large[b.reference & ~kLargeReference]->one_color;
   }
-  // The one colour of a plain block at (x, y) whose pixels do not differ: shaded for one of them, and kept for the blocks to come.
+  // Returns the one colour of a plain block at (x, y) whose pixels do not differ. One pixel is
+  // shaded, and its colour is kept for the following blocks.
   std::uint32_t color_of(const TileBlock& b, int x, int y) {
     if (job_.picture == nullptr) return 0;
     if (!shows_triangle(b)) return std::bit_cast<std::uint32_t>(job_.background);
@@ -159,7 +160,7 @@ private:
   // The depth code of a plain block whose pixels all have the same depth.
   static std::uint32_t code_of(const TileBlock& b) { return stored_code(b.nearest); }
 
-  // (What covers all samples of a pixel covers its centre, which lies between them.)
+  // (A triangle that covers all samples of a pixel covers its centre too, which is between them.)
   HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
@@ -188,7 +189,8 @@ private:
     if (mask_ != -1) lay_over(colors, x, y);
     store_colors(colors, x, y);
   }
-  // The channels that are written, and what the pixel had of the others.
+  // Takes the written channels from `color` and the others from `before`, the pixel's previous
+  // value.
   HWY_INLINE Ints over(Ints color, Ints before) const {
     return (color & mask_) | (before & ~mask_);
   }
@@ -232,7 +234,8 @@ private:
     }
   }
 
-  // A block that lies on the screen, of a picture with one sample to a pixel and nothing beside its colours.
+  // Resolves a block that is wholly on the screen, of a picture with one sample per pixel and no
+  // planes other than its colours and depths.
   HWY_NOINLINE void resolve_block(std::size_t block, int x, int y) {
     if (job_.depth != nullptr) {
       for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -253,14 +256,15 @@ private:
     store_colors(colors, x, y);
   }
 
-  // What the block's pixels have before they are drawn.
+  // Sets `colors` to the colours that the block's pixels have before they are drawn.
   HWY_INLINE void take_colors(Ints* colors, int x, int y) const {
     if (!job_.keep_picture) {
       std::fill_n(colors, kBlockVectors, Ints(std::bit_cast<std::int32_t>(job_.background)));
       return;
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
-      HWY_ALIGN std::int32_t of_quad[kQuadPixels] = {};  // g++ 14 cannot see: all is loaded
+      // g++ 14 cannot see that all entries are loaded.
+      HWY_ALIGN std::int32_t of_quad[kQuadPixels] = {};
       load_quad(of_quad, color_, tile_.window(), x + (quad % 2) * kQuadSide,
                 y + (quad / 2) * kQuadSide);
       for (std::size_t k = 0; k < kQuadVectors; ++k) {
@@ -269,7 +273,8 @@ private:
     }
   }
 
-  // (A function of its own, as that of plain blocks is: together they are more than compilers keep in registers well.)
+  // (A function of its own, like that of plain blocks: in one function compilers run out of
+  // registers.)
   HWY_NOINLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
     if (job_.depth != nullptr) store_depths(block, quad, x, y);
     const TileBlock& b = tile_.block(block);
@@ -293,14 +298,14 @@ private:
     if (job_.id != nullptr) store_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
-  // Of several samples to a pixel, which resolve_tile has shaded in all channels.
+  // Resolves several samples per pixel, which resolve_tile shades in all channels.
   HWY_INLINE void resolve_samples(std::size_t block, int x, int y) {
     if constexpr (std::is_same_v<Channels, AllChannels>) {
       SampleResolver(job_, tiles_, shader_).resolve(block, x, y, color_);
     }
   }
 
-  // Plain blocks are filled in where their depths differ.
+  // A plain block whose depths differ is filled in first.
   HWY_INLINE void store_depths(std::size_t block, int quad, int x, int y) {
     if (tile_.block(block).triangle != nullptr) make_plain_block_full(tile_, block);
     const TileBlock& b = tile_.block(block);
@@ -329,7 +334,7 @@ private:
     if (job_.id != nullptr) load_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
-  // Where in its pixel a fragment is shaded, and what becomes of it.
+  // Where in its pixel a fragment is shaded, and where the result is stored.
   struct ToPixels {
     HWY_INLINE AtCentre place(IntMask) const { return {}; }
     template <class Source>
@@ -363,8 +368,8 @@ private:
   TileBuffer& tile_;  // the first of them, or the only one
   std::int32_t mask_;
   bool has_other_planes_;
-  bool plain_blocks_;   // may be stored without a look at what their pixels have in other planes
-  bool shades_blocks_;  // whole, where their vectors have something in common
+  bool plain_blocks_;   // may be stored without reading what their pixels have in other planes
+  bool shades_blocks_;  // as a whole, if their vectors have something in common
   bool streams_color_;
   Rows color_, depth_;
   SeenShader<Channels> shader_;

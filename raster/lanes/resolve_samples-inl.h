@@ -1,4 +1,4 @@
-// Colours of a tile's pixels from those of their samples.
+// Resolves the samples of a tile's pixels to the pixels' colours.
 
 #if defined(GLASSBOX_RESOLVE_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_RESOLVE_SAMPLES_INL_H_
@@ -24,7 +24,8 @@ public:
                  SeenShader<AllChannels>& shader)
       : job_(job), tiles_(tiles), shader_(shader), mask_(bytes_of(job.mask)) {}
 
-  // A block's samples: each triangle that is seen at some of a pixel's is shaded once there.
+  // Resolves a block's samples. Each triangle that is seen at some of a pixel's samples is shaded
+  // once in that pixel.
   HWY_NOINLINE void resolve(std::size_t block, int x, int y, const Rows& rows) {
     const ListedAtSamples listed(tiles_, block);
     if (listed.count > 0) {
@@ -79,7 +80,7 @@ private:
       store_quad(means + first, rows, tiles_.front().window(), qx, qy);
     });
   }
-  // Of those that have pixels on the screen.
+  // Calls `work` for the quads that have pixels on the screen.
   template <class Work>
   HWY_INLINE void for_each_quad(int x, int y, const Work& work) const {
     const PixelRect& window = tiles_.front().window();
@@ -89,8 +90,9 @@ private:
     }
   }
 
-  // Of a quad's pixels k .. k + kLanes - 1: the first samples, and others of large triangles. Small ones wait in `further`, since few lanes
-  // have any. `background`: of samples that show nothing.
+  // Shades pixels k .. k + kLanes - 1 of a quad: the first samples, and the other samples that show
+  // large triangles. Those that show small triangles are collected in `further`, because few lanes
+  // have any. `background` is the colour of samples that show nothing.
   template <class Shared>
   HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
                                 Ints background, const Shared& shared, SampleColors& colors,
@@ -103,7 +105,7 @@ private:
       IntMask pending = is_to_be_shaded(seen[s]);
       for (std::size_t t = 0; t < s; ++t) pending = pending && seen[s] != seen[t];
       if (s > 0) {
-        const IntMask small = pending && seen[s] >= 0;  // kLargeReference is the sign
+        const IntMask small = pending && seen[s] >= 0;  // the sign bit is kLargeReference
         if (!none(small)) further.add(seen[s], small, s, pixel);
         pending = pending && !small;
       } else {
@@ -114,7 +116,8 @@ private:
       store(color, colors.at(s) + pixel);
     }
   }
-  // A vector's lanes may be of any pixels of the block at (x, y): small triangles are found lane by lane.
+  // A vector's lanes may be any pixels of the block at (x, y); the small triangle is looked up for
+  // each lane.
   template <class Shared>
   HWY_NOINLINE void shade_further(const FurtherSamples& further, int x, int y, const Shared& shared,
                                   SampleColors& colors) {
@@ -150,7 +153,8 @@ private:
       }
     }
   }
-  // What is seen at several of a pixel's samples was shaded at the first of them.
+  // A triangle seen at several of a pixel's samples was shaded at the first of them; its colour is
+  // copied to the others.
   HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
                                      SampleColors& colors) const {
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
@@ -165,7 +169,8 @@ private:
     }
   }
 
-  // For other draws to come: what was seen, and all depths. (Not often, and so pixel by pixel.)
+  // Keeps the samples' colours and all depths for later draws. (This is rare, and so done pixel by
+  // pixel.)
   void leave_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       TileBuffer& tile = tiles_[s];

@@ -1,4 +1,4 @@
-// Quads of pixels to and from the rows of planes, and rows into the picture.
+// Copies quads of pixels to and from the rows of planes, and rows into the picture.
 
 #if defined(GLASSBOX_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ROWS_INL_H_
@@ -20,11 +20,11 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// A line of the cache.
+// The size of a cache line.
 inline constexpr std::ptrdiff_t kLineBytes = 64, kLineWords = kLineBytes / 4;
 
-// Calls work(row, columns) for the quad's rows that lie on the screen. Almost all quads do so wholly, and copying a number of bytes
-// that the compiler knows is one instruction.
+// Calls work(row, columns) for the quad's rows that are on the screen. Almost all quads are wholly
+// on the screen, and copying a number of bytes that the compiler knows is one instruction.
 template <class Work>
 HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& work) {
   if (HWY_LIKELY(x + kQuadSide <= window.x1 && y + kQuadSide <= window.y1)) {
@@ -38,12 +38,12 @@ HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& 
   for (int row = 0; row < rows; ++row) work(row, columns);
 }
 
-// Rows that take the tile's pixels of a plane: the picture's own, or the tile's (tile_buffer.h), which leave for the picture as
-// whole lines of the cache.
+// The rows into which the tile's pixels of a plane are written: those of the picture, or those of
+// the tile (tile_buffer.h), which are copied to the picture as whole cache lines.
 struct Rows {
   std::uint32_t* first = nullptr;
   std::ptrdiff_t pitch = 0;  // words
-  int x0 = 0, y0 = 0;        // of the first
+  int x0 = 0, y0 = 0;        // of the first row
 
   std::uint32_t* at(int x, int y) const { return first + (y - y0) * pitch + (x - x0); }
 };
@@ -63,8 +63,9 @@ HWY_INLINE void store_quad(const From* from, const Rows& rows, const PixelRect& 
   });
 }
 
-// Rows `from`, `pitch` words apart (0: the same one again), into the picture's, past the cache: nothing of this frame reads them
-// again, and lines that are written whole need not be read.
+// Copies rows `from`, `pitch` words apart (0: the same row again), to the picture without going
+// through the cache: nothing of this frame reads them again, and lines that are written whole need
+// not be read.
 template <class Pixel>
 HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
                             const PixelRect& window, Image<Pixel>& image) {

@@ -1,5 +1,6 @@
-// The mean of a pixel's samples, over lanes: what mean_color.h has for one pixel. A second writing, because lanes look light up
-// and take the sum of doubles in halves; tests/raster/lanes holds the two together.
+// The mean of a pixel's samples, vectorised: mean_color.h has it for one pixel. It is implemented a
+// second time, because vector code looks light up in tables and sums doubles in halves.
+// tests/raster/lanes compares the two.
 
 #if defined(GLASSBOX_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SAMPLES_INL_H_
@@ -20,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Stored colours of a block's samples.
+// The stored colours of a block's samples.
 struct SampleColors {
   std::int32_t* at(std::size_t sample) { return colors + sample * kBlockPixels; }
   const std::int32_t* at(std::size_t sample) const { return colors + sample * kBlockPixels; }
@@ -33,8 +34,9 @@ HWY_INLINE Ints byte_at(Ints color) {
   return shifted_right<kShift>(color) & 255;
 }
 
-// (2 sum + count) / (2 count), of a power of two: of the colours' bytes 0 and 2 after a shift, each in its half of the lane, where 16
-// bytes and a half of them fit.
+// (2 sum + count) / (2 count), where count is a power of two. After a shift, bytes 0 and 2 of the
+// colours are each in one half of a 32-bit lane, which has room for the sum of 16 bytes and the
+// rounding.
 template <int kShift>
 HWY_INLINE Ints mean_bytes(const SampleColors& colors, std::size_t count, std::size_t k) {
   constexpr std::int32_t kTwoBytes = 0x00ff00ff;
@@ -45,7 +47,7 @@ HWY_INLINE Ints mean_bytes(const SampleColors& colors, std::size_t count, std::s
   return shifted_right(sum, int(std::bit_width(unsigned(count)) - 1)) & kTwoBytes;
 }
 
-// The sum is exact in a double, and so is its share.
+// The sum is exact in a double, and so is its quotient by `count`.
 template <int kShift>
 HWY_INLINE Ints mean_light(const SampleColors& colors, std::size_t count, std::size_t k) {
   Doubles sum = 0.0;
@@ -55,7 +57,7 @@ HWY_INLINE Ints mean_light(const SampleColors& colors, std::size_t count, std::s
   return encode_srgb(rounded(sum * (1.0 / double(count))));
 }
 
-// Of the samples of pixels k .. k + kLanes - 1. Equal colours have themselves as mean.
+// The mean of the samples of pixels k .. k + kLanes - 1. The mean of equal colours is that colour.
 HWY_INLINE Ints mean_color(Transfer transfer, const SampleColors& colors, std::size_t count,
                            std::size_t k) {
   const Ints first = load(colors.at(0) + k);

@@ -1,4 +1,5 @@
-// Shading of what is seen: which draw and which triangle the pixels' references stand for, and their colours.
+// Shades what is seen: finds the draw and the triangle of each pixel's reference, and computes
+// their colours.
 
 #if defined(GLASSBOX_SEEN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SEEN_INL_H_
@@ -17,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// References of a quad's pixels k .. k + kLanes - 1.
+// The references of a quad's pixels k .. k + kLanes - 1.
 HWY_INLINE Ints seen_in(const TileBuffer& tile, std::size_t block, int quad, std::size_t k) {
   const TileBlock& b = tile.block(block);
   if (b.plain) return std::int32_t(b.reference);
@@ -32,12 +33,12 @@ inline std::uint32_t stored_code(TileDepth depth) {
   return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
 }
 
-// A block, with its first pixel at (x, y).
+// A block whose first pixel is at (x, y).
 struct BlockOfTile {
   HWY_INLINE BlockOfTile(const TileBuffer& tile, std::size_t block, int at_x, int at_y)
       : state(tile.block(block)), list(tile.listed(block)), x(at_x), y(at_y) {}
 
-  // Small triangles came to it, no more than there are lanes for.
+  // Whether small triangles came to the block, and no more than there are lanes.
   bool shows_few() const {
     return state.listed - 1 < BlockTriangles::kMost && state.listed <= kLanes;
   }
@@ -71,13 +72,14 @@ public:
     return *draw_;
   }
 
-  // None where nobody wants colours.
+  // Empty if no colours are wanted.
   HWY_INLINE DrawTextures textures_of(const ShadeDraw& draw) const {
     return job_.picture != nullptr ? DrawTextures(draw) : DrawTextures();
   }
 
-  // Whether vectors of the block are shaded step by step: where the first corner of a quad that shows anything shows a texture. Others
-  // are better shaded one by one.
+  // Whether the block shows a texture; then its vectors are shaded step by step, otherwise one by
+  // one is better. Only the first pixel of each quad is examined, and the first one that shows
+  // anything decides.
   HWY_INLINE bool shows_texture(const TileBuffer& tile, std::size_t block) {
     const TileBlock& b = tile.block(block);
     for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -95,7 +97,7 @@ public:
 
   // ---- a vector ----
 
-  // What is seen in the `pending` lanes, shaded.
+  // Shades what is seen in the `pending` lanes.
   template <class To>
   HWY_INLINE void shade_lanes(Ints seen, IntMask pending, int x, int y, std::size_t k,
                               const To& to) {
@@ -131,7 +133,7 @@ public:
                                              std::size_t k, const To& to, IntMask lanes) {
     return {draw, reference, quad_columns(k) + x, quad_rows(k) + y, to.place(lanes)};
   }
-  // A call, so that compilers keep what vectors without textures need in registers.
+  // Not inlined, so that compilers keep what vectors without textures need in registers.
   template <class To>
   HWY_NOINLINE static void take_textured(const ShadeDraw& draw, const DrawTextures& textures,
                                          Ints reference, int x, int y, std::size_t k, const To& to,
@@ -141,14 +143,14 @@ public:
 
   // ---- a block ----
 
-  // Of vector i of the block at (x, y).
+  // The source for vector i of the block at (x, y).
   HWY_INLINE static LargeSource large_source(const LargeShape& shape, int x, int y, std::size_t i) {
     const int quad = int(i / kQuadVectors);
     return {shape, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
             i % kQuadVectors * kLanes, AtCentre()};
   }
 
-  // The colours of a block's pixels that are pending, into those that have `colors` now.
+  // Shades the block's pending pixels and writes their colours to `colors`; the others keep theirs.
   HWY_INLINE void shade_block(const BlockOfTile& block, const Ints* seen, IntMask* pending,
                               Ints* colors) {
     for (std::size_t i = 0; i < kBlockVectors; ++i) {
@@ -163,7 +165,7 @@ private:
     std::size_t vector[kBlockVectors];
     IntMask lanes[kBlockVectors];
   };
-  // Takes from the pixels that are pending, from vector `begin` on, those that belong.
+  // Moves the pending pixels that belong to the group into it, beginning with vector `begin`.
   template <class Belongs>
   HWY_INLINE static void take_group(const Ints* seen, IntMask* pending, std::size_t begin,
                                     const Belongs& belongs, Group& group) {
@@ -176,7 +178,7 @@ private:
     }
   }
 
-  // The group of the first pixel that is pending in vector `begin`.
+  // Shades the group of the first pending pixel in vector `begin`.
   HWY_INLINE void shade_group(const BlockOfTile& block, const Ints* seen, IntMask* pending,
                               std::size_t begin, Ints* colors) {
     HWY_ALIGN std::int32_t references[kLanes];
@@ -223,7 +225,8 @@ private:
 
   // ---- small triangles that a block's pixels share ----
 
-  // The draw's among those that came to the block, and which of them each vector of the group shows.
+  // The draw's triangles among those that came to the block, and which of them each vector of the
+  // group shows.
   struct Shared {
     HWY_INLINE Shared(const ShadeDraw& draw, const BlockOfTile& block, const Ints* seen,
                       const Group& group) {
@@ -239,7 +242,7 @@ private:
       }
     }
 
-    // Less the draw's first. What is left of the lanes has a triangle all the same: the draw's first.
+    // References minus the draw's first. Unused lanes get a valid triangle too: the draw's first.
     HWY_ALIGN std::int32_t references[kLanes] = {};
     Ints lanes[kBlockVectors];
   };
@@ -253,7 +256,8 @@ private:
                           AtCentre());
     };
     const DrawTextures textures(draw);
-    // (Of shorter vectors a block has more than registers hold from one step to the next.)
+    // (With shorter vectors a block has more of them than fit in registers from one step to the
+    // next.)
     if (kLanes == 16 || textures.color != nullptr || textures.emission != nullptr) {
       return shade_in_steps<Channels, SharedSource>(draw, textures, job_, group.count, source_of,
                                                     colors);
@@ -265,7 +269,7 @@ private:
 
   const ResolveJob& job_;
   std::int32_t mask_;
-  // What the pixels before were shaded with: neighbours are likely to have the same.
+  // The draw and the shape of the previous pixels: neighbours often have the same.
   const ShadeDraw* draw_ = nullptr;
   Reference shape_reference_ = kNothing;
   LargeShape shape_;

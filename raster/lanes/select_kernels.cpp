@@ -1,4 +1,5 @@
-// Which triangles may cover a pixel, and in which tiles: many at a time, before any of them is set up.
+// Selects the triangles that may cover a pixel, and finds their tiles: many at once, before any of
+// them is set up.
 
 #include <glassbox/raster/lanes/compiled_targets.h>
 
@@ -16,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// The indices of kLanes triangles from `first` on.
+// Loads the indices of kLanes triangles, beginning with triangle `first`.
 HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t first) {
   OfVertices<Ints> indices;
   hn::LoadInterleaved3(kI, reinterpret_cast<const std::int32_t*>(triples) + std::size_t(first) * 3,
@@ -24,7 +25,7 @@ HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t fir
   return indices;
 }
 
-// The words of the lanes that are kept, one after the other, and whatever beyond them.
+// Stores the words of the kept lanes one after the other; the words after them are unspecified.
 HWY_INLINE void store_kept(Ints words, IntMask keep, std::uint32_t* to) {
   hn::StoreU(first_kept(words, keep).v, kI, reinterpret_cast<std::int32_t*>(to));
 }

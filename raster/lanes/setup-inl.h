@@ -1,4 +1,5 @@
-// Small triangles, one a lane: their vertices out of the tables, and in the order of the setup.
+// Small triangles, one in each lane: reads their vertices from the tables and puts them in the
+// order of the setup.
 
 #if defined(GLASSBOX_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SETUP_INL_H_
@@ -25,7 +26,7 @@ HWY_INLINE Floats gather(const float* table, Ints at) {
   return hn::GatherIndex(kF, table, at.v);
 }
 
-// Words `at` and `at` + 1 of a table, a column each.
+// Words `at` and `at` + 1 of a table, each in a vector of its own.
 struct Pair {
   Ints first, second;
 };
@@ -34,7 +35,7 @@ HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
   return {gather(table, at), gather(table + 1, at)};
 #else
   const Places places(at);
-  // Two lanes of each block of four.
+  // Loads two lanes of each block of four.
   const auto two = [&](int first) HWY_ATTR {
     return of_blocks([&](int block) HWY_ATTR {
       const std::int32_t* at_two = places.lane + block + first;
@@ -51,7 +52,7 @@ HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
 template <class T>
 using OfVertices = std::array<T, 3>;
 
-// The indices of triangle `triangle` in each lane.
+// Returns the indices of triangle `triangle` in each lane.
 HWY_INLINE OfVertices<Ints> gather_indices(IndexTriples triples, Ints triangle) {
   const auto* from = reinterpret_cast<const std::int32_t*>(triples);
   const Ints at = triangle + triangle + triangle;
@@ -64,7 +65,8 @@ HWY_INLINE auto gather(const T* table, const OfVertices<Ints>& at) {
                                                     gather(table, at[2])};
 }
 
-// Four words from word `at` of a table on, a column each: those that nobody asks for cost nothing.
+// Four words of a table, beginning at word `at`, each in a vector of its own; unused ones cost
+// nothing.
 struct Four {
   Ints first, second, third, fourth;
 };
@@ -73,12 +75,12 @@ HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
   return {gather(table, at), gather(table + 1, at), gather(table + 2, at), gather(table + 3, at)};
 #else
   const Places places(at);
-  // One lane of each block of four.
+  // Loads one lane of each block of four.
   const auto one = [&](int first) HWY_ATTR {
     return of_blocks([&](int block)
                          HWY_ATTR { return four_words(table, places.lane[block + first]); });
   };
-  // Turned over within each block, as a matrix of 4 x 4 is.
+  // Transposed within each block, as a matrix of 4 x 4.
   const auto a = one(0), b = one(1), c = one(2), d = one(3);
   const auto ac = hn::InterleaveLower(kI, a, c), more_ac = hn::InterleaveUpper(kI, a, c);
   const auto bd = hn::InterleaveLower(kI, b, d), more_bd = hn::InterleaveUpper(kI, b, d);
@@ -87,7 +89,7 @@ HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
 #endif
 }
 
-// Columns of the screen's table, at the vertices.
+// Columns of the screen's table, at the triangles' vertices.
 struct ScreenColumns {
   OfVertices<Ints> x, y;
   OfVertices<Floats> z, inverse_w;
@@ -106,11 +108,12 @@ struct ScreenColumns {
 
 // ---- order ----
 
-// How setup_triangle() orders the vertices: clockwise, beginning with the one of smallest depth. A second writing, because
-// lanes choose where a single triangle sorts; tests/raster/lanes holds the two together.
+// The order of the vertices in setup_triangle(): clockwise, beginning with the one of smallest
+// depth. It is implemented a second time, because vector code selects where code for one triangle
+// sorts. tests/raster/lanes compares the two.
 struct Order {
-  IntMask swapped;                  // 1 and 2 have changed places
-  IntMask from_second, from_third;  // then rotated to begin there
+  IntMask swapped;                  // vertices 1 and 2 were exchanged
+  IntMask from_second, from_third;  // then rotated to begin with that vertex
 };
 
 HWY_INLINE Order order_of(Ints area, const OfVertices<Floats>& z) {
@@ -123,7 +126,7 @@ HWY_INLINE Order order_of(Ints area, const OfVertices<Floats>& z) {
   return {swapped, int_mask(second_nearer && !third_nearest), int_mask(third_nearest)};
 }
 
-// An order as a number below kReferenceStep, and back.
+// Converts an order to a number below kReferenceStep, and back.
 HWY_INLINE Ints code_of(const Order& order) {
   const Ints none = 0;
   return select(order.swapped, 1, none) |
@@ -175,7 +178,8 @@ HWY_INLINE Ints largest(const OfVertices<Ints>& v) {
   return greatest(v[0], greatest(v[1], v[2]));
 }
 
-// The largest value of an edge function that counts as outside: -1 of a top or left edge, 0 of others.
+// The largest value of an edge function that counts as outside: -1 for a top or left edge, 0 for
+// others.
 HWY_INLINE Ints outside_up_to(const EdgeSlopes<Ints>& edge) {
   return 0 - one_where(owns_its_points(edge));
 }

@@ -1,5 +1,6 @@
-// Colours of fragments: attributes, texture and light, as render/staged/fragment_color.h has them, over lanes. All fragments of a call belong to one
-// draw; each has a small triangle of its own, or all share a large one.
+// Colours of fragments: attributes, texture and light, vectorised (render/staged/fragment_color.h
+// has them for one fragment). All fragments of a call belong to one draw; each has a small triangle
+// of its own, or all share a large one.
 
 #if defined(GLASSBOX_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHADE_INL_H_
@@ -30,7 +31,8 @@ inline std::int32_t bytes_of(const ColorMask& mask) {
   return std::bit_cast<std::int32_t>(bytes);
 }
 
-// The textures of a draw, asked for before its pixels' numbers are in registers, which making one would push out.
+// The textures of a draw. They are fetched before its pixels' numbers are in registers, because
+// making a mip chain is a call that would spill the registers.
 struct DrawTextures {
   DrawTextures() = default;
   explicit DrawTextures(const ShadeDraw& draw)
@@ -41,10 +43,10 @@ struct DrawTextures {
   const MipChain* emission = nullptr;
 };
 
-// Where a texture is looked at.
+// The place at which a texture is sampled.
 struct TexturePoint {
   Float2 texcoord;
-  Floats level_of_detail;  // of samplers that do not look at the base level alone
+  Floats level_of_detail;  // set for samplers that do not use the base level alone
 };
 
 template <class Source>
@@ -66,7 +68,7 @@ HWY_INLINE typename Channels::Texels sampled(const Channels& channels, const Mip
   return sample_texture(texels, sampler, point.texcoord, point.level_of_detail);
 }
 
-// Texels of a source, which are looked up when they are asked for.
+// The texels of a source, sampled when they are used.
 template <class Channels, class Source>
 struct TexelsOfSource {
   HWY_INLINE typename Channels::Texels color() const {
@@ -83,11 +85,12 @@ struct TexelsOfSource {
   const Source& source;
 };
 
-// Material times vertex colour times texture, and the alpha of the same factors. Whoever has no use for one of them computes none.
+// Material times vertex colour times texture, and the alpha of the same factors. Unused ones are
+// optimised away.
 template <class Channels>
 struct SurfaceColor {
   ColorOf<Channels> color;
-  Floats alpha;  // of opaque surfaces nobody asks
+  Floats alpha;  // not used for opaque surfaces
 };
 
 template <class Channels, class Attributes, class Texels>
@@ -129,7 +132,7 @@ HWY_INLINE ColorOf<Channels> emission(const Channels& channels, const ShadeDraw&
   return product(own, color_of(texels.emission()));
 }
 
-// The surface in the light, and its own light with it.
+// The surface's colour after lighting, with its emission added.
 template <class Channels, class Attributes, class Texels>
 HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
                                           const ResolveJob& job, const Attributes& attributes,
@@ -150,14 +153,14 @@ HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextu
                            TexelsOfSource<Channels, Source>{channels, draw, textures, source});
 }
 
-// The colour alone, for whoever shades fewer pixels than resolving does: compiled once.
+// The colour alone, for callers that shade fewer pixels than resolving does: compiled only once.
 template <class Channels, class Source>
 HWY_NOINLINE ColorOf<Channels> shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
                                                const ResolveJob& job, const Source& source) {
   return shining<Channels>(draw, textures, job, source).color;
 }
 
-// A colour's bytes as one integer, opaque; those that are not wanted are 0.
+// Packs a colour's bytes into one integer, opaque; channels that are not wanted are 0.
 HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
   const auto byte = [&](bool wanted, Floats channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : Ints(0); };
@@ -176,7 +179,8 @@ HWY_INLINE Ints encoded(const std::array<Floats, 2>& color, const ResolveJob& jo
 
 // ---- several vectors of one draw ----
 
-// Where a fragment looks at its draw's textures, and what is there; of those that the draw has.
+// The points at which a fragment samples its draw's textures; set only for textures that the draw
+// has.
 struct TexturePoints {
   TexturePoint color, emission;
 };
@@ -210,7 +214,7 @@ HWY_INLINE void find_texels(const Channels& channels, const ShadeDraw& draw,
   }
 }
 
-// What is seen are the texels as they are, in linear bytes.
+// Whether the result is the texels themselves, in linear bytes.
 inline bool shows_texels(const ShadeDraw& draw, const DrawTextures& textures,
                          const ResolveJob& job) {
   const Rgba& base = draw.material->base_color;
@@ -219,9 +223,9 @@ inline bool shows_texels(const ShadeDraw& draw, const DrawTextures& textures,
          job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
 }
 
-// What a vector of textured pixels waits for, gathers and divisions one after the other, takes as long as all the rest of the work for
-// it, and its instructions are more than the processor looks ahead. So each step is done for some vectors in turn: while one waits, the
-// next are under way.
+// A vector of textured pixels waits for gathers and divisions, one after the other, as long as all
+// its other work takes; and it has more instructions than the processor looks ahead. So each step
+// is done for several vectors in turn: while one waits, the next ones are computed.
 template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textures,
                                const ResolveJob& job, std::size_t count, const SourceOf& source_of,
@@ -251,8 +255,8 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
   }
 }
 
-// The colours of `count` vectors, at most kBlockVectors, whose sources source_of(i) makes. Without textures there is less to wait for
-// than steps cost.
+// Computes the colours of `count` vectors, at most kBlockVectors; source_of(i) makes their sources.
+// Without textures the steps would cost more than the waiting.
 template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_vectors(const ShadeDraw& draw, const DrawTextures& textures,
                               const ResolveJob& job, std::size_t count, const SourceOf& source_of,

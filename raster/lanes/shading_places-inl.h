@@ -1,4 +1,5 @@
-// Where in its pixel a fragment is shaded: with one sample to a pixel at the centre, with several where the triangle covers it.
+// Where in its pixel a fragment is shaded: at the centre with one sample per pixel; with several,
+// at a point that the triangle covers.
 
 #if defined(GLASSBOX_SHADING_PLACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHADING_PLACES_INL_H_
@@ -22,12 +23,14 @@ struct AtCentre {
   HWY_INLINE void move(const TriangleSetup&, std::array<Doubles, 3>&) const {}
 };
 
-// With several: there too if the triangle covers it, otherwise at the first sample that it covers (shading_place() of samples.h).
+// With several samples: at the centre if the triangle covers it, otherwise at the first sample that
+// it covers (shading_place() of samples.h).
 struct AtSamples {
   std::span<const SampleOffset> points;
-  IntMask lanes;  // that show the triangle; the others may stay where they are
+  IntMask lanes;  // the lanes that show the triangle; the others need not be moved
 
-  // Of small triangles: from the edge functions at the centre to those at the place. (That of edge 0 is what is left of the area.)
+  // For small triangles: moves the edge functions from the centre to the shading point. (Edge 0 is
+  // the area minus the other two.)
   HWY_INLINE void move(const std::array<EdgeSlopes<Ints>, 3>& edges, Ints area, Ints& e1,
                        Ints& e2) const {
     const Ints above0 = outside_up_to(edges[0]), above1 = outside_up_to(edges[1]),
@@ -48,7 +51,7 @@ struct AtSamples {
     }
   }
 
-  // Of a large one.
+  // The same for a large triangle.
   HWY_INLINE void move(const TriangleSetup& setup, std::array<Doubles, 3>& e) const {
     const auto covered = [&](const SampleOffset& point) HWY_ATTR {
       IntMask all = first_lanes(kLanes);

@@ -1,5 +1,5 @@
-// Small triangles that are seen at the samples of a block, and what shading needs of them: gathered for each sample, or once for the
-// block where they are few.
+// Small triangles that are seen at the samples of a block, and the data that shading needs of them:
+// gathered for each sample, or once for the block if they are few.
 
 #if defined(GLASSBOX_SHARED_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHARED_SAMPLES_INL_H_
@@ -19,10 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Small triangles that are seen at samples of a block's pixels, one after the other, and whose colours they are: sample * kBlockPixels
-// + pixel.
+// A list of small triangles that are seen at samples of a block's pixels, each with the index of
+// the sample's colour: sample * kBlockPixels + pixel.
 struct FurtherSamples {
-  // (Room for what a vector writes beyond them.)
+  // (With room for the lanes that a vector writes beyond the end.)
   static constexpr std::size_t kMost = std::size_t(kMostSamples) * kBlockPixels + kLanes;
   HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t pixel) {
     const Ints place = hn::Iota(kI, std::int32_t(sample * kBlockPixels + pixel));
@@ -36,7 +36,8 @@ struct FurtherSamples {
   HWY_ALIGN std::int32_t places[kMost];
 };
 
-// Small triangles that came to a block at one of its samples or at several: none where they are more than there are lanes.
+// The small triangles that came to a block at any of its samples; none if they are more than there
+// are lanes.
 struct ListedAtSamples {
   HWY_INLINE ListedAtSamples(std::span<const TileBuffer> tiles, std::size_t block) {
     for (const TileBuffer& tile : tiles) {
@@ -55,7 +56,7 @@ struct ListedAtSamples {
   Ints references = std::int32_t(kNothing);
 
 private:
-  // Whether there is room for it.
+  // Adds a reference; returns false if there is no room for it.
   HWY_INLINE bool add(std::int32_t reference) {
     if (!none(references == reference)) return true;
     if (count == std::int32_t(kLanes)) return false;
@@ -64,11 +65,11 @@ private:
   }
 };
 
-// What the samples of a block show is gathered for each of them ...
+// Gathers the data of what is seen for each sample of a block ...
 struct NoneShared {
   HWY_INLINE void shade(const ResolveJob&, Ints, Ints, Ints, IntMask&, Ints&) const {}
 };
-// ... or once for the block, where all of it are a few triangles of one draw.
+// ... or once for the block, if all of it shows a few triangles of one draw.
 struct SharedAtSamples {
   HWY_INLINE SharedAtSamples(const ShadeDraw& draw, const ListedAtSamples& of_block, int x, int y)
       : begin(std::int32_t(draw.first_reference)),
@@ -76,7 +77,8 @@ struct SharedAtSamples {
         listed(of_block),
         triangles(draw, triangles_of(draw, of_block), x, y) {}
 
-  // Colours of the pending lanes that show the draw, which are not pending any more.
+  // Computes the colours of the pending lanes that show the draw, and removes these lanes from
+  // `pending`.
   HWY_INLINE void shade(const ResolveJob& job, Ints seen, Ints column, Ints row, IntMask& pending,
                         Ints& color) const {
     const IntMask same = pending && seen >= begin && seen < end;
@@ -86,7 +88,7 @@ struct SharedAtSamples {
   }
 
 private:
-  // Less the draw's first; of what is left of the lanes, the draw's first.
+  // References minus the draw's first; unused lanes get 0, the draw's first.
   HWY_INLINE static Ints triangles_of(const ShadeDraw& draw, const ListedAtSamples& listed) {
     const Ints r = listed.references, first = std::int32_t(draw.first_reference);
     return select(r >= first && r < std::int32_t(draw.end_reference), r - first, 0);

@@ -1,5 +1,6 @@
-// Where the attributes of fragments come from: a few small triangles that the pixels of a block share. What shading needs of a triangle is
-// gathered and computed once, with a triangle in every lane; then each pixel looks its own up.
+// The source of fragments' attributes if the pixels of a block share a few small triangles. What
+// shading needs of a triangle is gathered and computed once, with a triangle in every lane; then
+// each pixel looks up its own triangle.
 
 #if defined(GLASSBOX_SHARED_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHARED_SOURCE_INL_H_
@@ -14,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// An attribute at vertex 0, and what the others have more.
+// An attribute at vertex 0, and the differences of the other vertices from it.
 template <std::size_t N>
 struct AtVertices {
   std::array<Floats, N> first, more1, more2;
@@ -28,11 +29,12 @@ struct AtVertices {
   }
 };
 
-// Small triangles of a draw, one a lane, seen from the first pixel of a block. Of the attributes there are those that the draw has.
+// Small triangles of a draw, one in each lane, relative to the first pixel of a block. It has those
+// attributes that the draw has.
 struct SharedTriangles {
   const ShadeDraw* draw;
   Ints e1, e2;                        // at the pixel's centre
-  Ints right1, right2, down1, down2;  // what a step of one pixel adds
+  Ints right1, right2, down1, down2;  // the change of e1 and e2 from one pixel to the next
   Ints area;
   Floats inverse_area;
   OfVertices<Floats> inverse_w;
@@ -42,10 +44,10 @@ struct SharedTriangles {
   AtVertices<2> texcoord;
   TexturePlanesOf<Floats> texture_planes;
 
-  // Of draws that are lit where vertices are, faces have their part in what pixels show.
+  // Not for draws that are lit at the vertices, because there the faces influence what pixels show.
   static bool can_have(const ShadeDraw& draw) { return draw.light != LightAt::kVertices; }
 
-  // `reference`: less the draw's first.
+  // `reference`: the triangle's reference minus the draw's first.
   HWY_INLINE SharedTriangles(const ShadeDraw& of_draw, Ints reference, int x, int y)
       : draw(&of_draw) {
     const SmallFragments at{place_of(of_draw, reference), {}};
@@ -74,10 +76,10 @@ struct SharedTriangles {
   }
 };
 
-// What of it is needed for attributes.
+// The part of a pixel's data that its attributes need.
 struct SharedPlace {
   const SharedTriangles* triangles = nullptr;
-  Ints lane;                // of them, the pixel's
+  Ints lane;                // the lane of the pixel's triangle
   Floats weight1, weight2;  // in space, of vertices 1 and 2
 };
 template <class Self>
@@ -98,7 +100,7 @@ public:
   }
 
 protected:
-  // The pixel's of what each triangle has.
+  // Looks up the value of the pixel's own triangle.
   HWY_INLINE Ints own(Ints of_triangles) const {
     return hn::TableLookupLanes(of_triangles.v, hn::IndicesFromVec(kI, self().lane.v));
   }
@@ -157,7 +159,8 @@ public:
   }
 
 private:
-  // From what a step of one pixel adds to two of them. (The three add up to nothing.)
+  // Returns all three edges, given the changes of two of them from one pixel to the next. (The
+  // three changes sum to zero.)
   HWY_INLINE static std::array<EdgeSlopes<Ints>, 3> edges_of(Ints right1, Ints down1, Ints right2,
                                                              Ints down2) {
     const EdgeSlopes<Ints> edge1{shifted_right<kSubpixelBits>(right1),

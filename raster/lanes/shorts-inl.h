@@ -19,7 +19,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
-// There are no narrower ones in a single lane: they are computed one by one.
+// With a single lane there are no narrower vectors: the four are computed one by one.
 struct Shorts {
   std::array<std::int16_t, 4> i;
 };
@@ -51,7 +51,8 @@ HWY_INLINE Shorts shifted_right(const Shorts& a) {
 HWY_INLINE Shorts shorts_of(std::int16_t i) {
   return {{i, i, i, i}};
 }
-// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+// Packs the lane's four integers, in [0, 255], into the bytes of one integer, the first in the
+// lowest.
 HWY_INLINE Ints bytes_of(const Shorts& a) {
   return std::int32_t(unsigned(a.i[0]) | unsigned(a.i[1]) << 8 | unsigned(a.i[2]) << 16 |
                       unsigned(a.i[3]) << 24);
@@ -61,13 +62,13 @@ HWY_INLINE Shorts four_times(Ints i) {
   const auto one = std::int16_t(i.v.raw);
   return {{one, one, one, one}};
 }
-// Entry `at` of a table of four each.
+// Entry `at` of a table with four integers in each entry.
 HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
   Shorts gathered;
   std::memcpy(gathered.i.data(), table + at.v.raw, sizeof(gathered.i));
   return gathered;
 }
-// The k-th of them, which is not negative.
+// Returns integer k of each lane, which must not be negative.
 template <std::size_t k>
 HWY_INLINE Ints short_of(const Shorts& shorts) {
   return std::int32_t(shorts.i[k]);
@@ -79,7 +80,7 @@ inline constexpr DS kS;
 inline constexpr DW kW;
 inline constexpr hn::Half<DI> kHalfI;
 
-// Those of the lower half of the lanes, and those of the upper one.
+// The integers of the lower half of the lanes, and those of the upper half.
 struct Shorts {
   hn::Vec<DS> low, high;
 };
@@ -99,13 +100,14 @@ HWY_INLINE Shorts shifted_right(const Shorts& a) {
 HWY_INLINE Shorts shorts_of(std::int16_t i) {
   return {hn::Set(kS, i), hn::Set(kS, i)};
 }
-// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+// Packs the lane's four integers, in [0, 255], into the bytes of one integer, the first in the
+// lowest.
 HWY_INLINE Ints bytes_of(const Shorts& a) {
   const hn::Rebind<std::uint8_t, DS> half;
   const hn::Twice<decltype(half)> whole;
   return hn::BitCast(kI, hn::Combine(whole, hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
 }
-// What `of_words` makes of the lanes as words of 64 bits, half by half.
+// Applies `of_words` to the lanes widened to words of 64 bits, half by half.
 template <class OfWords>
 HWY_INLINE Shorts shorts_of_words(Ints i, const OfWords& of_words) {
   return {hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::LowerHalf(kHalfI, i.v)))),
@@ -114,7 +116,7 @@ HWY_INLINE Shorts shorts_of_words(Ints i, const OfWords& of_words) {
 // The lane's integer, which is in [0, 2^15), four times.
 HWY_INLINE Shorts four_times(Ints i) {
 #if HWY_TARGET == HWY_AVX3
-  // Short 2k of the lanes is lane k's.
+  // Short 2k is the lower half of lane k.
   const auto lane = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(kS, 0)));
   return {hn::Vec<DS>{_mm512_permutexvar_epi16(lane.raw, i.v.raw)},
           hn::Vec<DS>{_mm512_permutexvar_epi16(hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw,
@@ -125,10 +127,11 @@ HWY_INLINE Shorts four_times(Ints i) {
   });
 #endif
 }
-// Entry `at` of a table of four each.
+// Entry `at` of a table with four integers in each entry.
 HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
 #if HWY_TARGET == HWY_AVX3
-  // Loads are no quicker on AMD's processors that have it; on Intel's they are not measured.
+  // Single loads are no quicker on AMD's processors that have AVX-512; on Intel's this was not
+  // measured.
   const auto half = [&](auto places) HWY_ATTR {
     return hn::BitCast(kS, hn::Vec<DW>{_mm512_i32gather_epi64(places.raw, table, 8)});
   };
@@ -150,7 +153,7 @@ HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& n
   return {hn::IfVecThenElse(where.low, yes.low, no.low),
           hn::IfVecThenElse(where.high, yes.high, no.high)};
 }
-// The k-th of them, which is not negative.
+// Returns integer k of each lane, which must not be negative.
 template <std::size_t k>
 HWY_INLINE Ints short_of(const Shorts& shorts) {
   const auto low = hn::BitCast(kI, shorts.low), high = hn::BitCast(kI, shorts.high);
@@ -200,14 +203,14 @@ HWY_INLINE ShortPairs select(FloatMask condition, ShortPairs yes, ShortPairs no)
 HWY_INLINE ShortPairs two_times(Ints i) {
   return {i | shifted_left<16>(i)};
 }
-// They are not negative.
+// The integers must not be negative.
 HWY_INLINE Ints first_of(ShortPairs a) {
   return a.two & 0xffff;
 }
 HWY_INLINE Ints second_of(ShortPairs a) {
   return shifted_right<16>(a.two);
 }
-// Of entry `at` of a table of four each, those from `first` on, which is 0 or 1.
+// Two of the four integers of table entry `at`, beginning with integer `first`, which is 0 or 1.
 HWY_INLINE ShortPairs gather_short_pairs(const std::int64_t* table, Ints at, std::size_t first) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
   const auto* const from =

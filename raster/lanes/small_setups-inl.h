@@ -1,5 +1,5 @@
-// Small triangles set up, as many as there are lanes at once: their edges, depths, and which quads of a tile they may cover
-// something of.
+// Sets up small triangles, as many at once as there are lanes: their edges, their depths, and which
+// quads of a tile they may cover.
 
 #if defined(GLASSBOX_SMALL_SETUPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_SETUPS_INL_H_
@@ -20,31 +20,35 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Triangles are set up so many at a time: the tables' lines are then on their way for all of them before the first is drawn.
+// Triangles are set up in batches of this size: so the cache lines of the tables are being fetched
+// for all of them before the first one is drawn.
 inline constexpr std::size_t kSmallBatch = 64;
 
-// A batch of small triangles, set up: one column a triangle. Edges 1 and 2 are kept; edge 0 is what they leave of the area.
+// A batch of small triangles, set up: one column for each triangle. Edges 1 and 2 are stored; edge
+// 0 is the area minus the other two.
 struct SmallSetups {
   template <class T>
   using Row = T[kSmallBatch];
 
   HWY_ALIGN Row<std::int32_t> reference;
-  // What a step of 1/256 pixel adds to an edge: to the right, and downwards, as shorts; sides of 64 pixels are 2^14 steps long.
+  // The change of an edge function per 1/256 pixel to the right and downwards, as 16-bit integers.
+  // (Sides of at most 64 pixels are 2^14 such units long.)
   HWY_ALIGN Row<std::int32_t> slopes1, slopes2;
   HWY_ALIGN Row<std::int32_t> above0, above1, above2;
   HWY_ALIGN Row<std::int32_t> area;
   HWY_ALIGN Row<float> inverse_area;
-  HWY_ALIGN Row<float> depth0, depth1, depth2;           // 1 and 2 less 0
-  HWY_ALIGN Row<std::int32_t> left, top, right, bottom;  // of the box
-  HWY_ALIGN Row<std::int32_t> origin1, origin2;  // edges at the centre of the tile's first pixel
+  HWY_ALIGN Row<float> depth0, depth1, depth2;           // depth1 and depth2 minus depth0
+  HWY_ALIGN Row<std::int32_t> left, top, right, bottom;  // of the bounding box
+  // Edge functions at the centre of the tile's first pixel.
+  HWY_ALIGN Row<std::int32_t> origin1, origin2;
 
-  // Where the triangle begins, for the point of a pixel that a tile asks at.
+  // Where the triangle begins, for the sample point that the tile is for.
   HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // quads of the tile, x1 and y1 excluded
   HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
   HWY_ALIGN Row<std::int32_t> is_tiny;         // covers hardly more than one quad
 
-  // The quads that the triangle may cover something of, of a box that meets at most 4 x 4 of them: bit 4 y + x. Of which triangles the
-  // box meets more: bit t for triangle t.
+  // A mask of the quads that the triangle may cover, for boxes that touch at most 4 x 4 quads: bit
+  // 4 y + x. `wide` marks the triangles with larger boxes: bit t for triangle t.
   HWY_ALIGN Row<std::uint16_t> quads;
   std::uint64_t wide;
 };
@@ -89,7 +93,8 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& wind
   store(z[2] - z[0], to.depth2 + at);
 }
 
-// Where in a pixel a triangle is asked for: at one point, which the edges are at ...
+// The points of a pixel at which triangles are tested: one point, at which the edge functions are
+// stored ...
 struct AtOnePoint {
   SampleOffset point;
 
@@ -98,13 +103,13 @@ struct AtOnePoint {
   std::int32_t top() const { return point.y; }
   std::int32_t bottom() const { return point.y; }
   SampleOffset edges_at() const { return point; }
-  // What an edge is greater at most at another point.
+  // How much larger an edge function is at most at another point.
   template <class I>
   HWY_INLINE I rise(I, I) const {
     return 0;
   }
 };
-// ... or at several, of which these are the farthest; the edges are at the centre.
+// ... or several, whose extremes are stored here; the edge functions are stored for the centre.
 struct AtSomePoints {
   explicit AtSomePoints(std::span<const TileBuffer> tiles) {
     for (const TileBuffer& tile : tiles) {
@@ -132,7 +137,8 @@ struct AtSomePoints {
   SampleOffset least, most;
 };
 
-// An edge at the pixel of a quad where it is greatest, of kLanes triangles, less what counts as outside.
+// For kLanes triangles: an edge function at the pixel of a quad where it is largest, minus the
+// largest value that counts as outside.
 struct GreatestInQuad {
   template <class Points>
   HWY_INLINE GreatestInQuad(const Points& points, Ints at_first_pixel, Ints right_slope,
@@ -148,7 +154,8 @@ struct GreatestInQuad {
   Ints right, down, here;
 };
 
-// Which quads the `live` ones of kLanes triangles may cover something of: those at no edge of which all pixels are outside.
+// Finds the quads that the `live` ones of kLanes triangles may cover: those that have a pixel on
+// the inner side of each edge.
 template <class Points>
 HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at, IntMask live) {
   const Ints across = load(s.x1 + at) - load(s.x0 + at), high = load(s.y1 + at) - load(s.y0 + at);
@@ -185,7 +192,8 @@ HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at,
   store_shorts(quads, s.quads + at);
 }
 
-// The same of one triangle, wide or not, and of the 4 x 4 quads of its box that begin in column x, row y: one quad a lane.
+// The same for one triangle, wide or not, and the 4 x 4 quads of its box that begin at column x,
+// row y: one quad in each lane.
 template <class Points>
 HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups& s, std::size_t t,
                                          std::int32_t x, std::int32_t y) {
@@ -211,8 +219,9 @@ HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups
   return quads;
 }
 
-// Where kLanes triangles, of which some are `live`, begin in the tile whose part of the screen is `window`. (An edge at the tile's first
-// pixel may not fit 32 bits; at the triangle's own pixels it does, and sums that wrap around arrive there all the same.)
+// Computes where kLanes triangles, some of which are `live`, begin in the tile whose part of the
+// screen is `window`. (An edge function at the tile's first pixel may not fit in 32 bits. At the
+// triangle's own pixels it fits, and sums that wrap around still give the right value there.)
 template <class Points>
 HWY_INLINE void place(const PixelRect& window, const Points& points, SmallSetups& s, std::size_t at,
                       IntMask live) {

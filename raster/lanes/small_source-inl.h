@@ -1,4 +1,4 @@
-// Where the attributes of fragments come from: a small triangle in every lane.
+// The source of fragments' attributes if there is a small triangle in every lane.
 
 #if defined(GLASSBOX_SMALL_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_SOURCE_INL_H_
@@ -22,7 +22,7 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
   return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
 }
 
-// A member of 32 bits of a table's entries.
+// Gathers a 32-bit member of a table's entries.
 template <class T, class Member>
 HWY_INLINE Ints gather_member(const T* table, Ints at, Member member) {
   static_assert(std::is_same_v<Member, std::uint32_t T::*>);
@@ -30,7 +30,8 @@ HWY_INLINE Ints gather_member(const T* table, Ints at, Member member) {
   return gather(reinterpret_cast<const std::int32_t*>(&(table->*member)), at * kWords);
 }
 
-// What of it is needed for attributes, which are gathered from the draw's tables.
+// The part of a fragment's data that its attributes need; attributes are gathered from the draw's
+// tables.
 struct SmallPlace {
   const ShadeDraw* draw = nullptr;
   Ints triangle;
@@ -39,7 +40,7 @@ struct SmallPlace {
   Floats weight1, weight2;  // in space, of vertices 1 and 2
 };
 
-// Attributes, of any class that has the members of a place.
+// The attributes, for any class that has the members of SmallPlace.
 template <class Self>
 class SmallAttributes {
 public:
@@ -134,7 +135,8 @@ private:
   HWY_INLINE Float3 face_normal() const {
     return facing(gather_triple(self().draw->face_normals, face()));
   }
-  // The mean of the face's corners, summed from the first on (render/staged/corners.cpp).
+  // The mean of the face's corners, summed in order from the first (as in
+  // render/staged/corners.cpp).
   HWY_INLINE Float3 face_centre() const {
     const ShadeDraw& draw = *self().draw;
     const Ints at = face();
@@ -155,7 +157,7 @@ private:
     return {sum[0] * share, sum[1] * share, sum[2] * share};
   }
 
-  // An attribute of the three vertices, at the pixel.
+  // Interpolates an attribute of the three vertices at the pixel.
   template <std::size_t N>
   HWY_INLINE std::array<Floats, N> here(const OfVertices<std::array<Floats, N>>& a) const {
     return interpolate(a[0], a[1], a[2], self().weight1, self().weight2);
@@ -164,10 +166,11 @@ private:
     if (HWY_LIKELY(indices == self().draw->positions)) return self().vertices;
     return put_in_order(self().order, gather_indices(indices, self().triangle));
   }
-  // Seen from behind, a surface is lit as if its normals pointed the other way.
+  // A surface seen from behind is lit as if its normals pointed the other way.
   HWY_INLINE Float3 facing(const Float3& n) const {
     if (!self().draw->shows_backs) return n;
-    // Counter-clockwise on the screen is the front, and the back of what is mirrored.
+    // Triangles that are counter-clockwise on the screen show their front; if the draw is mirrored,
+    // their back.
     const FloatMask back =
         float_mask(self().draw->mirrored ? self().order.swapped : !self().order.swapped);
     return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};
@@ -177,7 +180,8 @@ private:
 };
 struct SmallFragments : SmallPlace, SmallAttributes<SmallFragments> {};
 
-// Triangles on the screen: their edges, with the values of two of them at a point of a pixel, and what perspective needs.
+// Triangles on the screen: their edges, the values of two edge functions at a point of a pixel, and
+// 1/w for perspective.
 struct SmallOnScreen {
   std::array<EdgeSlopes<Ints>, 3> edges;
   Ints e1, e2, area;
@@ -224,12 +228,12 @@ HWY_INLINE SmallPlace place_of(const ShadeDraw& draw, Ints reference) {
   return place;
 }
 
-// A triangle in every lane, at a pixel of its own.
+// A triangle in every lane, each at a pixel of its own.
 class SmallSource : public SmallPlace, public SmallAttributes<SmallSource> {
 public:
   using Fragments = SmallFragments;
 
-  // `reference`: of the lane's triangle, less the draw's first.
+  // `reference`: the reference of the lane's triangle minus the draw's first.
   template <class Place>
   HWY_INLINE SmallSource(const ShadeDraw& of_draw, Ints reference, Ints pixel_x, Ints pixel_y,
                          const Place& place)

@@ -1,5 +1,5 @@
-// Small triangles into a tile: as many as there are lanes are set up at once; then each is drawn over the quads of pixels that it
-// may cover, a quad at a time.
+// Draws small triangles into a tile. As many as there are lanes are set up at once; then each is
+// drawn quad by quad over the quads of pixels that it may cover.
 
 #if defined(GLASSBOX_SMALL_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_TRIANGLES_INL_H_
@@ -22,7 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// What drawing into a tile needs of it, held where the compiler sees that stores to pixels leave it alone.
+// The members of a tile that drawing needs. They are copied so that the compiler sees that stores
+// to pixels do not change them.
 struct TilePixels {
   HWY_INLINE explicit TilePixels(TileBuffer& t)
       : tile(t),
@@ -40,13 +41,13 @@ struct TilePixels {
   std::size_t blocks_across;
 };
 
-// Before anything of a quad is in registers, which the call would push out.
+// Called before anything of a quad is in registers, because the call would spill them.
 HWY_INLINE void come_to_block(TileBuffer& tile, TileBlock& block, std::size_t index) {
   if (HWY_UNLIKELY(block.plain)) fill_block(tile, index);
   block.nearest = kNearestTileDepth;
 }
 
-// The block's list gets the triangle, unless it is the last one there.
+// Adds the triangle to the block's list, unless it is the last entry already.
 HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference reference) {
   const std::uint32_t last = block.listed;
   const std::uint32_t at =
@@ -55,7 +56,7 @@ HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference 
   block.listed = at;
 }
 
-// Triangle t of the batch, unless it is tiny.
+// Adds triangle t of the batch. A tiny triangle is not listed; the list is then marked as too long.
 HWY_INLINE void list_triangle(const SmallSetups& setups, std::size_t t, std::size_t block,
                               const TilePixels& pixels) {
   if (setups.is_tiny[t] != 0) {
@@ -87,7 +88,8 @@ struct SmallInLanes {
   Floats inverse_area, depth0, depth1, depth2;
 };
 
-// Pixels, counted lane by lane where a mask is a vector. (8192 triangles of 289 quads with 16 samples are below 2^27.)
+// Counts pixels, in each lane separately where a mask is a vector. (8192 triangles of 289 quads
+// with 16 samples give less than 2^27.)
 struct CountInLanes {
   HWY_INLINE CountInLanes() : lanes(0) {}
   HWY_INLINE void add(IntMask pixels) {
@@ -112,7 +114,7 @@ struct SmallCounts {
   FragmentCounts others;
 };
 
-// Triangle t over the quad in column x, row y of those that its box meets.
+// Draws triangle t over the quad in column x, row y of those that its box touches.
 template <bool kRagged, class Code, class Alpha>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const Alpha& alpha, const TilePixels& pixels,
@@ -161,7 +163,8 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
   }
 }
 
-// The samples of a tile's pixels: the first one's blocks list the triangles that come to any of them.
+// The tiles for the samples of the same pixels. Only the first tile's blocks list the triangles,
+// for all samples.
 struct TileSamples {
   HWY_INLINE explicit TileSamples(std::span<TileBuffer> of) : tiles(of), front(of.front()) {
     for (std::size_t s = 0; s < tiles.size(); ++s) {
@@ -182,7 +185,8 @@ struct TileSamples {
   Sample samples[kMostSamples];
 };
 
-// The same at all samples of the quad's pixels. What an edge adds from a pixel's centre to a sample is the same for all pixels.
+// The same at all samples of the quad's pixels. The difference of an edge function between a
+// pixel's centre and a sample is the same for all pixels.
 template <class Code>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const TileSamples& pixels, SmallCounts& counts) {
@@ -228,8 +232,9 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
   }
 }
 
-// Calls draw(t, x, y) for the quads of a triangle after the other, in the order of the batch. How many quads one has, and which, cannot
-// be foreseen: those of some triangles are the bits of one word, and the only branch is for its end.
+// Calls draw(t, x, y) for the quads of one triangle after the other, in the order of the batch. The
+// processor cannot predict how many quads a triangle has, and which ones. So the quads of several
+// triangles are the bits of one word, and the only branch is at its end.
 template <class Points, class Draw>
 HWY_INLINE void for_each_quad(const SmallSetups& s, std::size_t live, const Points& points,
                               const Draw& draw) {
@@ -261,7 +266,7 @@ HWY_INLINE void for_each_quad(const SmallSetups& s, std::size_t live, const Poin
   }
 }
 
-// The triangles, as many at a time as a batch has, set up and placed; draw(setups, t, x, y) gets their quads.
+// Sets up and places the triangles batch by batch; draw(setups, t, x, y) is called for their quads.
 template <class Points, class Draw>
 HWY_INLINE void draw_batches(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                              const PixelRect& window, const Points& points, const Draw& draw) {
@@ -294,7 +299,7 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
           HWY_ATTR { draw_quad<kRagged>(setups, t, x, y, code_of, alpha, pixels, counts); });
 }
-// At several samples of each pixel.
+// The same at several samples of each pixel.
 template <class Code>
 HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                          const Code& code_of, std::span<TileBuffer> tiles, SmallCounts& counts) {
@@ -311,7 +316,8 @@ HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, 
   SmallCounts own;
   TileBuffer& tile = tiles.front();
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    // Alpha costs more than a look at the screen's edge, and so do samples: one loop serves it.
+    // The alpha test and samples cost more than testing for the screen's edge, so for them one loop
+    // serves both cases.
     if constexpr (Alpha::kKeepsAll) {
       if (tiles.size() > 1) return draw_all(job, triangles, count, code_of, tiles, own);
       if (!tile.is_ragged()) {

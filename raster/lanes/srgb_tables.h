@@ -1,4 +1,4 @@
-// The table of images/srgb.h as lanes look things up: all of a bucket in one entry.
+// The table of images/srgb.h in a form for vector look-ups: all of a bucket in one entry.
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace glassbox {
 
-// What to add to the lower half of a float's bits so that the upper half becomes its code: the code of the bucket's lowest float,
-// and as much as lets a float at or above the bucket's threshold, if it has one, carry into the next code.
+// The number to add to the lower half of a float's bits so that the upper half becomes its code. It
+// is the code of the bucket's lowest float, plus a number that makes a float at or above the
+// bucket's threshold, if there is one, carry into the next code.
 inline constexpr auto kSrgbCarry = [] {
   using namespace srgb_detail;
   static_assert(kBucketShift == 16);

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-// The targets of foreach_target.h are needed here too.
+// Defines the targets of foreach_target.h, which are needed here too.
 #include <glassbox/raster/lanes/compiled_targets.h>
 #include <hwy/highway.h>
 #include <hwy/targets.h>
@@ -18,7 +18,7 @@ namespace {
 struct Known {
   Target target;
   std::string_view name;
-  std::int64_t highway;  // its bit
+  std::int64_t highway;  // the bit of Highway's target
 };
 
 constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_SCALAR},
@@ -27,7 +27,8 @@ constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_SCALAR},
                                        {Target::kAvx512, "avx512", HWY_AVX3},
                                        {Target::kNeon, "neon", HWY_NEON}}};
 
-// Highway asks the processor anew in every call, and on virtual machines each of these instructions goes to the host.
+// Cached, because Highway queries the processor in every call, and on a virtual machine each of
+// these instructions is handled by the host.
 std::int64_t supported_targets() {
   static const std::int64_t supported = hwy::SupportedTargets() | HWY_SCALAR;
   return supported;

@@ -1,4 +1,5 @@
-// Instruction sets that the lanes can be compiled for. All of them give the same bytes.
+// The instruction sets that the vectorised code can be compiled for. All of them give the same
+// bytes.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,7 @@ namespace glassbox {
 // kScalar: plain C++, for every processor.
 enum class Target { kScalar, kSse4, kAvx2, kAvx512, kNeon };
 
-// The targets that were compiled in and that this processor has, the best one last. Never empty.
+// The targets that were compiled and that this processor supports, the best one last. Never empty.
 std::vector<Target> available_targets();
 Target best_target();
 

@@ -1,4 +1,4 @@
-// Samples from textures over lanes.
+// Samples textures for all lanes.
 
 #if defined(GLASSBOX_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_TEXTURE_INL_H_
@@ -18,10 +18,10 @@ namespace HWY_NAMESPACE {
 using Float3 = std::array<Floats, 3>;
 using Float2 = std::array<Floats, 2>;
 
-// Red, green and blue; opaque surfaces have no use for alpha.
+// Red, green and blue; opaque surfaces do not need alpha.
 using Rgb = std::array<Floats, 3>;
 
-// Stored bytes in linear light, red in the lowest (base/little_endian.h).
+// Converts stored bytes to linear light, red in the lowest byte (base/little_endian.h).
 HWY_INLINE Rgb decoded(Transfer transfer, Ints stored) {
   return {decode(transfer, stored & 255), decode(transfer, shifted_right<8>(stored) & 255),
           decode(transfer, shifted_right<16>(stored) & 255)};
@@ -37,13 +37,14 @@ HWY_INLINE ShortPairs mix(const ShortPairs& a, const ShortPairs& b, Ints f) {
   return mix_whole(a, b, two_times(f));
 }
 
-// The bytes of texels whose light is stored linearly, as encode_unorm8() of color_of() has them: a byte is 128 of kFullTexel, and what light
-// rounds to is on the same side of each half (tests/raster/texture_test.cpp asks all of them).
+// The bytes of texels whose light is stored linearly, equal to encode_unorm8() of color_of(). A
+// byte is 128 units of kFullTexel, and rounding the light keeps it on the same side of each half
+// (tests/raster/texture_test.cpp checks all values).
 HWY_INLINE Ints linear_bytes_of(const Shorts& texels) {
   return bytes_of(shifted_right<7>(texels + shorts_of(64)));
 }
 
-// A chain as the formulas ask it.
+// The interface to a mip chain that formulas/texture.h expects.
 template <class Channels>
 class TextureInLanes {
 public:
@@ -69,7 +70,8 @@ public:
   }
 
 private:
-  // A chain has hardly ever more levels than the longest vectors have lanes: then all of them are in one.
+  // A chain hardly ever has more levels than the longest vectors have lanes; then the table of all
+  // levels is one vector.
   HWY_INLINE Ints first_of(Ints level) const {
     if constexpr (kLanes == 16) {
       if (HWY_LIKELY(last_level_ < int(kLanes))) {
@@ -87,7 +89,7 @@ private:
   std::int32_t width_, height_, last_level_;
 };
 
-// sample_texture() for samplers that look at the base level alone.
+// The same as sample_texture(), for samplers that use the base level alone.
 template <class Channels>
 HWY_INLINE typename Channels::Texels sample_base(const TextureInLanes<Channels>& texels,
                                                  const Sampler& sampler,

@@ -1,13 +1,16 @@
-// A tile of the screen while it is drawn: small enough to stay in the cache of the core that draws it.
+// A tile of the screen while it is drawn: small enough to stay in the cache of the core that draws
+// it.
 //
-// It has one point of each pixel: the centre, or one of the pixel's samples, of which each has a buffer of its own.
+// It stores one point of each pixel: the centre, or one of the pixel's samples (then there is a
+// buffer for each sample).
 //
-// Pixels are kept in blocks of 8 x 8, each of four quads of 4 x 4, so that a quad's 16 pixels are one vector of the widest
-// processors and some of them a vector of the others.
+// Pixels are stored in blocks of 8 x 8, each of four quads of 4 x 4. So a quad's 16 pixels are one
+// vector on the widest processors and several vectors on the others.
 //
-// A block that one triangle covers wholly, in front of all that was there, is `plain`: it keeps the triangle's reference and
-// the range of its depths, and its pixels are filled in only when something else comes to the block. A cleared block is such a block
-// too, of the reference kNothing.
+// A block is `plain` if one triangle covers it wholly, in front of all that was there. It stores
+// the triangle's reference and the range of its depths; its pixels are filled in only when
+// something else is drawn into the block, or needs them. A cleared block is plain too, with the
+// reference kNothing.
 #pragma once
 
 #include <algorithm>
@@ -28,15 +31,17 @@ inline constexpr int kBlockSide = 8, kBlockPixels = 64, kBlockQuads = 4;
 
 // ---- what is seen at a pixel ----
 
-// Small triangles count from 1 through all draws, in steps of kReferenceStep; what is left of a step says in which order the
-// setup has the triangle's vertices (setup-inl.h), so that shading need not find it again. Large triangles have the top bit set.
+// Identifies the triangle seen at a pixel. Small triangles are numbered from 1 through all draws,
+// in steps of kReferenceStep. The remainder of a step gives the order in which the setup has the
+// triangle's vertices (setup-inl.h), so that shading need not compute it again. Large triangles
+// have the top bit set.
 using Reference = std::uint32_t;
 inline constexpr Reference kNothing = 0;
 inline constexpr Reference kReferenceStep = 8;
 inline constexpr Reference kLargeReference = 0x80000000u;
-inline constexpr Reference kInPicture = 0xffffffffu;  // the picture has its colour already
+inline constexpr Reference kInPicture = 0xffffffffu;  // the picture has the pixel's colour already
 
-// Depth codes (depth.h) as signed integers, which processors without unsigned comparisons compare as well.
+// Depth codes (depth.h) as signed integers, because some processors have no unsigned comparisons.
 using TileDepth = std::int32_t;
 inline constexpr TileDepth kNearestTileDepth = 0;
 inline constexpr TileDepth kEmptyTileDepth = std::numeric_limits<TileDepth>::max();
@@ -46,7 +51,7 @@ inline constexpr TileDepth kEmptyTileDepth = std::numeric_limits<TileDepth>::max
 template <class T>
 class AlignedArray {
 public:
-  // Versions of clang-format put other blanks around these operators.
+  // Different versions of clang-format put different spaces around these operators.
   // clang-format off
   explicit AlignedArray(std::size_t size) : data_(new(std::align_val_t{kAlignment}) T[size]) {}
   // clang-format on
@@ -56,7 +61,7 @@ public:
   const T& operator[](std::size_t i) const { return data_[i]; }
 
 private:
-  // Bytes: the longest vectors, and a line of the cache.
+  // In bytes: the size of the longest vectors, and of a cache line.
   static constexpr std::size_t kAlignment = 64;
   struct Free {
     void operator()(T* data) const { ::operator delete[](data, std::align_val_t{kAlignment}); }
@@ -68,23 +73,26 @@ struct TileBlock {
   TileDepth nearest = kEmptyTileDepth;   // no pixel of the block is nearer ...
   TileDepth farthest = kEmptyTileDepth;  // ... or farther
   bool plain = true;
-  // What covers a plain block, and the triangle that its depths come from; null where all have the same.
+  // The triangle that covers a plain block, and the setup that its depths come from; null if all
+  // pixels have the same depth.
   Reference reference = kNothing;
   const TriangleSetup* triangle = nullptr;
-  // How many small triangles came to the block, those that large ones hid since included; kTooMany also where one of them was tiny.
+  // How many small triangles came to the block, including those that large ones have hidden since.
+  // kTooMany also if one of them was tiny.
   std::uint32_t listed = 0;
 };
 
-// Which small triangles came to a block, as long as they are few.
+// The small triangles that came to a block, if they are few.
 struct BlockTriangles {
   static constexpr std::uint32_t kMost = 16, kTooMany = kMost + 1;
-  // From 1 on, in the order in which they came. 0 is none, and stays so; the last is any of those that are too many.
+  // Entries start at 1, in the order in which the triangles came. Entry 0 is always empty; the last
+  // entry is any one of those that are too many.
   Reference references[kTooMany + 1] = {};
 };
 
 class TileBuffer {
 public:
-  // `side` pixels: a power of two, at least kBlockSide.
+  // The tile has `side` x `side` pixels: a power of two, at least kBlockSide.
   explicit TileBuffer(int side)
       : side_(side),
         blocks_across_(side / kBlockSide),
@@ -97,8 +105,8 @@ public:
     std::fill_n(listed_.get(), block_count(), BlockTriangles{});
   }
 
-  // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side. Whether a pixel is covered is
-  // asked at `point`, and so is its depth.
+  // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side.
+  // Coverage and depth of a pixel are computed at `point`.
   void clear(const PixelRect& window, DepthFormat format, SampleOffset point = {}) {
     window_ = window;
     format_ = format;
@@ -111,7 +119,7 @@ public:
   int side() const { return side_; }
   DepthFormat format() const { return format_; }
   SampleOffset point() const { return point_; }
-  // Pixels of the tile lie outside of the screen.
+  // Whether pixels of the tile are outside the screen.
   bool is_ragged() const {
     return window_.x1 - window_.x0 < side_ || window_.y1 - window_.y0 < side_;
   }
@@ -120,23 +128,23 @@ public:
     return std::size_t(blocks_across_) * std::size_t(blocks_across_);
   }
 
-  // Where the block at column bx, row by of the tile is stored.
+  // The index of the block at column bx, row by of the tile.
   std::size_t block_index(int bx, int by) const {
     return std::size_t(by) * std::size_t(blocks_across_) + std::size_t(bx);
   }
-  // Where the first pixel of the quad at column qx, row qy of the tile is stored.
+  // The index of the first pixel of the quad at column qx, row qy of the tile.
   std::size_t quad_index(int qx, int qy) const {
     return block_index(qx >> 1, qy >> 1) * kBlockPixels +
            std::size_t((qy & 1) * 2 + (qx & 1)) * kQuadPixels;
   }
-  // Where the pixel (x, y) of the screen is stored.
+  // The index of the pixel (x, y) of the screen.
   std::size_t pixel_index(int x, int y) const {
     const int dx = x - window_.x0, dy = y - window_.y0;
     return quad_index(dx / kQuadSide, dy / kQuadSide) +
            std::size_t((dy % kQuadSide) * kQuadSide + dx % kQuadSide);
   }
 
-  // No pixel of the tile is farther.
+  // No pixel of the tile is farther than this.
   TileDepth farthest() const { return farthest_; }
   void lower_farthest(TileDepth depth) { farthest_ = std::min(farthest_, depth); }
 
@@ -149,7 +157,7 @@ public:
   Reference* reference() { return reference_.get(); }
   const Reference* reference() const { return reference_.get(); }
 
-  // A row of blocks as it leaves for the picture: kBlockSide rows of `side` pixels.
+  // A row of blocks in the layout of the picture: kBlockSide rows of `side` pixels.
   std::uint32_t* color_rows() { return color_rows_.get(); }
   std::uint32_t* depth_rows() { return depth_rows_.get(); }
 

@@ -1,4 +1,5 @@
-// Many vertices at a time: object space to the snapped screen, normals and positions to eye space.
+// Transforms many vertices at once: positions from object space to the snapped screen, normals and
+// positions to eye space.
 
 #include <cstring>
 #include <limits>
@@ -21,7 +22,7 @@ namespace HWY_NAMESPACE {
 
 using Float3 = std::array<Floats, 3>;
 
-// Three floats of each of `count` <= kLanes records; the lanes beyond are zero.
+// Loads three floats of each of `count` <= kLanes records; the remaining lanes are zero.
 HWY_INLINE Float3 load_triples(const float* from, std::size_t count) {
   Float3 p;
   if (count == kLanes) {
@@ -43,7 +44,7 @@ HWY_INLINE void store_triples(const Float3& p, float* to, std::size_t count) {
   for (std::size_t i = 0; i < 3 * count; ++i) to[i] = padded[i];
 }
 
-// Calls work(i, count) for runs of at most kLanes of `size` entries.
+// Calls work(i, count) for consecutive runs of at most kLanes of `size` entries.
 template <class Work>
 HWY_INLINE void in_lanes(std::size_t size, const Work& work) {
   std::size_t i = 0;
@@ -66,8 +67,8 @@ struct ClipFloats {
   Floats x, y, z, w;
 };
 
-// Inside of every plane that rendering clips by, with room to spare for the guard band. NaN and infinity are not. First all but
-// the planes of x.
+// Whether p is inside every plane that rendering clips by, with room to spare for the guard band.
+// False for NaN and infinity. This function tests all planes except those of x.
 HWY_INLINE FloatMask surely_inside_but_for_x(const VertexJob& job, const ClipFloats& p) {
   const FloatMask depth = p.z >= 0.0f && p.z <= p.w * job.far_factor;
   const FloatMask eye = p.w >= job.smallest_w && p.w <= std::numeric_limits<float>::max() / 4;
@@ -77,7 +78,7 @@ HWY_INLINE FloatMask surely_inside_in_x(const VertexJob& job, Floats x, Floats w
   return abs(x) <= w * job.band_x;
 }
 
-// Entries of the screen's table, for `count` <= kLanes vertices.
+// Stores entries of the screen's table for `count` <= kLanes vertices.
 HWY_INLINE void store_entries(Ints x, Ints y, Floats z, Floats inverse_w, SnappedEntry* entries,
                               std::size_t count) {
   auto* to = reinterpret_cast<float*>(&entries->x);
@@ -92,7 +93,7 @@ HWY_INLINE void store_entries(Ints x, Ints y, Floats z, Floats inverse_w, Snappe
 
 template <bool kTestPlanes, bool kDivide>
 HWY_INLINE void transform_vertices_with(const VertexJob& job) {
-  const Viewport port = job.viewport;  // not reloaded after each store
+  const Viewport port = job.viewport;  // a copy, so that it is not reloaded after each store
   const Float3 anchor = broadcast(job.anchor);
   in_lanes(job.positions.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Float3 p = difference(load_triples(&job.positions[i].x, count), anchor);
@@ -102,7 +103,7 @@ HWY_INLINE void transform_vertices_with(const VertexJob& job) {
                           kDivide ? transform_row(job.clip_from_anchored, 3, p) : Floats(1.0f)};
     FloatMask inside;
     if constexpr (kTestPlanes) inside = surely_inside_but_for_x(job, clip);
-    // Positions that are not inside are not used; dividing by 1 keeps them from trouble.
+    // Positions that are not inside are not used; dividing by 1 avoids invalid operations.
     Floats w = clip.w;
     if constexpr (kTestPlanes) w = select(inside, clip.w, 1.0f);
     const auto over_w = [&](Floats v) HWY_ATTR { return kDivide ? v / w : v; };

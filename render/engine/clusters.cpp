@@ -24,19 +24,19 @@ double length(const Vector3& v) {
   return std::sqrt(dot(v, v));
 }
 
-// Relative to what they are about: covers what the axis, the cosine and the normals round by.
+// A relative margin: it covers the rounding errors of the axis, the cosine and the normals.
 constexpr double kSlack = 0x1p-18;
-// With edges of length 1 a triangle's Newell vector is off by less than 2^-49, and so the normal of one that is not thinner than
-// this by less than 2^-29.
+// If a triangle's edges are of length 1, its Newell vector is off by less than 2^-49. So the normal
+// of a triangle that is not thinner than this is off by less than 2^-29.
 constexpr double kThinnest = 0x1p-20;
 constexpr double kLeastCosine = 0.125;
 
-// Lengths and directions of the Newell vectors.
+// The normals of a cluster's triangles and what is computed with them.
 struct NewellVectors {
   std::array<Vector3, kClusterTriangles> normals;
   Vector3 sum;
   double least_newell = std::numeric_limits<double>::infinity(), longest_edge = 0;
-  bool sure = true;  // every normal is right within the slack
+  bool sure = true;  // every normal is accurate to within the slack
 };
 
 NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
@@ -57,7 +57,7 @@ NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
   return vectors;
 }
 
-// Left without a cone where it is wide, or where a normal is not sure.
+// Gives the cluster its cone. There is none if it would be wide, or if a normal is not accurate.
 void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
   const NewellVectors vectors = newell_vectors_of(triangles);
   const double size = length(vectors.sum);
@@ -90,13 +90,14 @@ Cluster make_cluster(std::span<const Corners> triangles) {
     for (const Point<Object, double>& p : corners) box.include(p);
   }
   Cluster cluster;
-  cluster.low = {float(box.low.x), float(box.low.y), float(box.low.z)};  // corners are floats
+  // Exact, because corners are floats.
+  cluster.low = {float(box.low.x), float(box.low.y), float(box.low.z)};
   cluster.high = {float(box.high.x), float(box.high.y), float(box.high.z)};
   add_cone(triangles, cluster);
   return cluster;
 }
 
-// Calls visit with the number of each cluster and its part of three indices for each triangle.
+// Calls visit with the number of each cluster and its corners, three indices for each triangle.
 template <class Visit>
 void for_each_cluster(std::span<const std::uint32_t> corners, const Visit& visit) {
   constexpr std::size_t kCorners = 3 * std::size_t(kClusterTriangles);

@@ -1,5 +1,6 @@
-// The triangles of a mesh by runs of 64, each with what is needed to ask about all of it at once: its box, the cone of its
-// normals, and which vertices it has. Made once for a mesh; no view changes it.
+// Clusters: runs of 64 triangles of a mesh. Each has what is needed to decide about all its
+// triangles at once: its box, the cone of its normals, and which vertices it uses. Made once for a
+// mesh; they do not depend on the view.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,18 @@ namespace glassbox {
 
 inline constexpr std::uint32_t kClusterTriangles = 64;
 
-// Unit normals u of triangles are taken as exact: what they round by is within the slack of the cone.
+// A run of triangles. Their unit normals u count as exact: their rounding errors are within the
+// slack of the cone.
 struct Cluster {
   Point<Object> low, high;  // the box of its corners
 
-  // All u have axis . u >= cosine; 0: they look so far apart that nothing is said.
-  Vector<Object> axis;  // unit, but for rounding to float
+  // All u have axis . u >= cosine. 0: the normals point in too many directions for a cone.
+  Vector<Object> axis;  // of unit length, except for rounding to float
   float cosine = 0;
-  // With c = centre_of(): c + along_backs axis lies behind every triangle's plane or on it, c + along_fronts axis before it.
+  // With c = centre_of(): c + along_backs axis is behind every triangle's plane or on it, c +
+  // along_fronts axis is in front of every plane or on it.
   double along_backs = 0, along_fronts = 0;
-  // Of the Newell vectors, whose lengths are twice the areas; and of the edges.
+  // The shortest Newell vector (its length is twice the triangle's area), and the longest edge.
   double least_newell = 0, longest_edge = 0;
 };
 
@@ -40,7 +43,7 @@ inline Vector<Object, double> axis_of(const Cluster& c) {
   return {double(c.axis.x), double(c.axis.y), double(c.axis.z)};
 }
 
-// Which entries of a table the clusters' corners have, by blocks of 64 neighbours.
+// The entries of a table that the clusters' corners use, as blocks of 64 consecutive entries.
 inline constexpr std::uint32_t kTableBlock = 64;
 struct ClusterBlocks {
   // Cluster i has entries in blocks[starts[i]] .. blocks[starts[i + 1] - 1].
@@ -52,12 +55,15 @@ struct ClusterBlocks {
 };
 
 struct Clusters {
-  std::vector<Cluster> clusters;     // of triangles 64 i .. 64 i + 63; none for small meshes
-  ClusterBlocks positions, normals;  // in the mesh's tables
+  // Cluster i has triangles 64 i .. 64 i + 63; empty for small meshes.
+  std::vector<Cluster> clusters;
+  ClusterBlocks positions, normals;  // blocks of the mesh's tables of positions and normals
 };
 
-// `corners`: three indices into the positions for each triangle, all of them finite; `normals` likewise, or empty: the same. What is
-// beyond the mesh's normals is none. Meshes of fewer than 16 clusters have none: it is quicker to draw them than to ask.
+// `corners`: three indices into the positions for each triangle; all these positions are finite.
+// `normals`: likewise into the normals, or empty if they are equal to `corners`; an index beyond
+// the mesh's normals means that the corner has none. Meshes of fewer than 16 clusters get no
+// clusters: it is quicker to draw them than to test clusters.
 Clusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> corners,
                        std::span<const std::uint32_t> normals);
 

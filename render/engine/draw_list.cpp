@@ -12,11 +12,13 @@ namespace glassbox {
 namespace {
 
 float anchor_coordinate(double low, double high, double size) {
-  constexpr double kFar = 8;  // sizes away: closer than that, the cancellation costs at most 4 bits
+  // In sizes of the mesh: closer than that, the cancellation costs at most 4 bits.
+  constexpr double kFar = 8;
   const double nearest = low > 0 ? low : high < 0 ? -high : 0;
   if (!(nearest > kFar * size)) return 0.0f;
-  // A multiple of a power of two no smaller than the mesh: every difference is then exact and small, and the anchor
-  // itself has few bits, so that the matrix it is multiplied into stays exact where it was.
+  // The anchor is a multiple of a power of two no smaller than the mesh. Every difference is then
+  // exact and small. The anchor itself has few bits, so the product of the matrix and the anchor
+  // stays as exact as the matrix.
   int exponent = 0;
   std::frexp(std::max(std::abs(low), std::abs(high)), &exponent);
   const double spacing_of_floats = std::ldexp(1.0, exponent - 24);
@@ -48,7 +50,7 @@ void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& dr
   }
 }
 
-// What all instances of a mesh have in common.
+// Fills in what all instances of a mesh have in common.
 Draw make_draw_of_mesh(const Scene& scene, const PreparedScene& prepared, std::uint32_t mesh) {
   Draw draw;
   draw.mesh = &scene.meshes[mesh];
@@ -78,7 +80,7 @@ void place_draw(const Scene& scene, const View& view, std::uint32_t instance, Dr
   if (!box.empty()) draw.distance_of_centre = -(draw.eye_from_object * box.center()).z;
 }
 
-// Draws of another eye that shares eye_from_world.
+// Changes draws to those of another eye that shares eye_from_world.
 void see_through(const View& eye, std::span<Draw> draws) {
   for (Draw& draw : draws) {
     draw.clip_from_anchored = round_to_float(eye.clip_from_eye * eye_from_anchored_of(draw));

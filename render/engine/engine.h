@@ -1,4 +1,5 @@
-// What draws: the staged reference and the tile engine, which make the same bytes; and whoever writes a third one.
+// The interface of engines, which draw pictures. The staged reference and the tile engine make the
+// same bytes; others can be added.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +16,19 @@
 
 namespace glassbox {
 
-// What an eye sees, and where it goes.
+// The view of one eye, and where its picture is written.
 struct EyePicture {
   const View& view;
   const RenderSettings& settings;
-  Framebuffer& target;  // memory of planes that have the right size is used again
-  // target.color; or a picture of the view's size that is there already, over which this one is drawn. (Not with pictures of
-  // planes of the buffer: Show::kDepth, kId, kOverdraw.)
+  Framebuffer& target;  // planes that already have the right size keep their memory
+  // Where the colours go: target.color, or an existing picture of the view's size, over which this
+  // one is drawn. (Not for pictures of planes of the buffer: Show::kDepth, kId, kOverdraw.)
   Image<Rgba8>& color;
   Statistics& statistics;
-  Observer* observer = nullptr;  // called at every stage, by engines that have them; null: nobody
-  // Of each pixel a depth code: what is there or nearer is not drawn, and nothing where it is kEmptyDepth. Null: all is drawn. (One sample of
-  // a pixel; nothing is blended.)
+  Observer* observer = nullptr;  // called at every stage by engines that support it; null: none
+  // A depth code for each pixel: only fragments behind it are drawn, and none where it is
+  // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
+  // blending.)
   const Image<std::uint32_t>* behind = nullptr;
 
   bool draws_over() const { return &color != &target.color; }
@@ -38,28 +40,33 @@ inline std::vector<const View*> views_of(std::span<const EyePicture> eyes) {
   return views;
 }
 
-// Which triangles are submitted to the eyes of a pair at all (S0-04).
-//   kUnion   those that the frustum of one of the eyes may show: nothing is lost
-//   kCentre  those that the frustum of the camera between the eyes may show: what only a skewed frustum sees is lost (E20)
+// Which triangles of a pair are drawn at all; the others are culled before the eyes' own stages
+// (S0-04).
+//   kUnion   triangles that the frustum of either eye may show: nothing is lost
+//   kCentre  triangles that the frustum of the camera between the eyes may show: what only a
+//            skewed frustum sees is lost (E20)
 enum class StereoCulling { kUnion, kCentre };
 
-// Both eyes look from the sides of this camera.
+// How the triangles of a pair are culled. The two eyes are on either side of the camera `centre`.
 struct PairCulling {
   StereoCulling how = StereoCulling::kUnion;
   const View& centre;
 };
 
+// A picture to draw, or the two pictures of a stereo pair.
 struct PictureJob {
   const Scene& scene;
   const PreparedScene& prepared;  // made from the scene with the settings' transfer
-  // One eye, or the two of a stereo pair: then their views differ in the row of x of clip_from_eye alone, their settings in the
-  // mask. Work done once for both is counted and timed with the first.
+  // One eye, or the two of a stereo pair. The views of a pair differ only in the x row of
+  // clip_from_eye, their settings only in the mask. Work done once for both is counted and timed
+  // with the first.
   std::span<const EyePicture> eyes;
-  // Of a pair; an engine may leave kUnion out, which changes no picture.
+  // The culling of a pair; null: none. An engine may ignore kUnion, which changes no picture.
   const PairCulling* culling = nullptr;
 };
 
-// Triangles that were not submitted to the eyes of a pair; and of these, those in the frustum of an eye.
+// How many triangles of a pair were culled before its eyes, and how many of these an eye's frustum
+// shows (`lost`).
 struct NotSubmitted {
   std::uint64_t culled = 0, lost = 0;
 };
@@ -68,10 +75,11 @@ class Engine {
 public:
   virtual ~Engine() = default;
 
-  // Every picture of the job, with all its planes.
+  // Draws every picture of the job, with all its planes.
   virtual NotSubmitted draw(const PictureJob& job) = 0;
 
-  // Whether it leaves out what StereoCulling::kCentre leaves out. Pictures of one that does not are the reference's.
+  // Whether the engine culls what StereoCulling::kCentre culls. For an engine that does not, the
+  // reference draws such pictures.
   virtual bool culls_as_centre() const { return false; }
 };
 

@@ -1,5 +1,6 @@
-// What a run writes into. Planes that nobody asked for stay empty. Whatever the number of samples, depth, distance, id and
-// writes are those of pixel centres, and have the values that they have with one sample.
+// The buffers that a run writes. Planes that are not wanted stay empty. Depth, distance, id and
+// writes are always those of pixel centres: for any number of samples they have the values that
+// they have with one sample.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ struct Framebuffer {
   Image<float> distance;       // along the gaze, world units; +inf where nothing was drawn
   Image<std::uint32_t> id;  // 1 + the triangle's number in the scene; 0 where no triangle is seen
   Image<std::uint32_t> writes;  // how many fragments were written (for Show::kOverdraw)
-  SamplePlanes samples;         // while a picture of several samples is drawn, unless by tiles
+  // Used while a picture of several samples is drawn, except by the tile engine.
+  SamplePlanes samples;
 };
 
 inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettings& settings,
@@ -39,7 +41,7 @@ inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettin
   return buffer;
 }
 
-// At the end: the colours of the samples become those of the picture, and their memory is given back.
+// Called at the end of a run: resolves the samples to the picture's colours and frees their memory.
 inline void resolve_samples(const RenderSettings& settings, Framebuffer& buffer,
                             Image<Rgba8>& color) {
   if (buffer.samples.empty()) return;

@@ -15,7 +15,7 @@ namespace {
 
 using Vec3 = std::array<double, 3>;
 
-// What a mesh brings to its instances.
+// The extent of a mesh, from which the bounds of its instances are computed.
 struct MeshExtent {
   Vec3 centre{}, half{};  // of its box, object space
   Vec3 anchor{};
@@ -41,7 +41,8 @@ MeshExtent extent_of(const PreparedMesh& mesh) {
   return extent;
 }
 
-// A group of one. Every quantity is a sum of at most eight products of doubles, rounded upwards by gamma(16) of its terms' sizes.
+// Makes a group of one instance. Every quantity is a sum of at most eight products of doubles,
+// rounded upwards by gamma(16) of the sum of its terms' sizes.
 InstanceGroup group_of_one(const Transform<World, Object>& world_from_object,
                            const MeshExtent& extent) {
   constexpr double kUp = 1 + gamma<double>(16);
@@ -85,14 +86,15 @@ void include(const InstanceGroup& one, InstanceGroup& group) {
   group.far = std::max(group.far, one.far);
 }
 
-// Bit i of a coordinate to bit 3 i.
+// Moves bit i of a coordinate to bit 3 i.
 std::uint64_t spread(std::uint64_t bits) {
   std::uint64_t wide = 0;
   for (int i = 0; i < 16; ++i) wide |= ((bits >> i) & 1) << (3 * i);
   return wide;
 }
 
-// Where a point lies along the curve that visits one octant of a cube after the other (Morton 1966).
+// Returns the position of a point along the curve that visits one octant of a cube after the other
+// (Morton 1966).
 std::uint64_t place_on_curve(const Box<World>& cube, double side, const Point<World, double>& p) {
   const auto cell = [&](double x, double low) {
     return std::uint64_t(std::clamp((x - low) / side * 65535.0, 0.0, 65535.0));

@@ -1,5 +1,5 @@
-// The instances of a scene by neighbourhood, each group with what is needed to ask about all of it at once. Made once for a scene; no
-// view changes it.
+// Groups of neighbouring instances of a scene. Each has what is needed to decide about all its
+// instances at once. Made once for a scene; they do not depend on the view.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,30 @@ namespace glassbox {
 struct PreparedMesh;
 
 inline constexpr std::uint32_t kGroupInstances = 64;
-inline constexpr std::size_t kLeastGroupedInstances = 1024;  // fewer are quicker to ask one by one
+// Scenes with fewer instances are quicker to test one by one.
+inline constexpr std::size_t kLeastGroupedInstances = 1024;
 
-// Below, x is a vertex of an instance relative to the anchor of its mesh, W the columns of world_from_object, the fourth where the
-// origin is, and |.| a length.
+// Notation: x is a vertex of an instance relative to the anchor of its mesh; W0, W1, W2 are the
+// first three columns of world_from_object, whose fourth column is the origin; |.| is a length.
 struct InstanceGroup {
-  Box<World> box;          // of all vertices in the world, roundings included
-  bool all_finite = true;  // otherwise nothing is known
-  // The largest of their instances':
-  double reach =
-      0;  // |W0| |x0| + |W1| |x1| + |W2| |x2|: how far a vertex is from the anchor at most
+  Box<World> box;          // of all vertices in world space, rounding errors included
+  bool all_finite = true;  // otherwise nothing is known about the group
+  // The largest values over the group's instances:
+  // The largest distance of a vertex from the anchor: |W0| |x0| + |W1| |x1| + |W2| |x2|.
+  double reach = 0;
   double sizes = 0;   // |x0| + |x1| + |x2|
-  double column = 0;  // |W0|, |W1|, |W2|
-  double far =
-      0;  // the terms of a world coordinate without their signs, anchor and vertex taken apart
+  double column = 0;  // max(|W0|, |W1|, |W2|)
+  // The sum of the absolute values of the terms of a world coordinate, where anchor and vertex are
+  // separate terms.
+  double far = 0;
 };
 
 struct InstanceGroups {
   std::vector<InstanceGroup> groups;
-  std::vector<std::uint32_t> of_instance;  // the group of each
+  std::vector<std::uint32_t> of_instance;  // the group of each instance
 };
 
-// `meshes`: by mesh of the scene.
+// `meshes`: one for each mesh of the scene.
 InstanceGroups make_instance_groups(const Scene& scene, const std::vector<PreparedMesh>& meshes);
 
 }  // namespace glassbox

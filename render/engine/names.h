@@ -1,4 +1,4 @@
-// The names of settings: on the command line, in JSON, in reports.
+// The names of settings, as they appear on the command line, in JSON and in reports.
 #pragma once
 
 #include <cstddef>

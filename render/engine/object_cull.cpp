@@ -17,7 +17,7 @@ namespace glassbox {
 
 namespace {
 
-constexpr int kX = 0, kY = 1, kW = 3;  // the rows that the screen depends on
+constexpr int kX = 0, kY = 1, kW = 3;  // the rows that the position on the screen depends on
 
 // ---- whether there is a test at all ----
 
@@ -35,12 +35,13 @@ bool is_oblique(const View& view) {
 
 // ---- the viewer ----
 
-// The point that the rows x, y and w carry to 0: the origin, but for an eye of a stereo pair.
+// The point that the rows x, y and w map to 0: the origin, except for an eye of a stereo pair.
 Point<Eye, double> viewpoint_of(const Transform<Clip, Eye>& m) {
   return {-(m.at(kX, 3) / m.at(kX, 0)) + 0.0, -(m.at(kY, 3) / m.at(kY, 1)) + 0.0, 0.0};
 }
 
-// With the rounding of the viewpoint's two quotients in its error.
+// Returns the viewer in object space. Its error includes the rounding of the viewpoint's two
+// quotients.
 std::optional<ObjectViewer> viewer_of(const Draw& draw, const View& view) {
   const Point<Eye, double> viewpoint =
       view.perspective ? viewpoint_of(view.clip_from_eye) : Point<Eye, double>{};
@@ -81,8 +82,9 @@ Vector<Object, double> row_of(const glm::dmat4& m, int row) {
   return {m[0][row], m[1][row], m[2][row]};
 }
 
-// What the screen makes of areas is then right to 2^-29: by the determinant of the rows x, y, w, in a parallel view by the cross
-// product of the rows x and y.
+// Whether the map is so far from singular that the areas on the screen are right to 2^-29. It
+// depends on the determinant of the rows x, y, w; in a parallel view on the cross product of the
+// rows x and y.
 bool is_far_from_singular(const Draw& draw, const View& view) {
   const glm::dmat4& p = view.clip_from_eye.columns;
   const glm::dmat4& e = draw.eye_from_object.columns;
@@ -96,8 +98,9 @@ bool is_far_from_singular(const Draw& draw, const View& view) {
   return dot(area, area) > kShare * kShare * dot(size, size);
 }
 
-// The three rows. Errors: what the run's one float matrix differs by from the exact product of the two in double, and the four
-// roundings of applying it.
+// Fills in the three rows and their errors. An error covers the difference between the one float
+// matrix that the run uses and the exact product of the two matrices in double, and the four
+// rounding errors of applying it.
 void fill_rows(const Draw& draw, const View& view, ObjectCull& cull) {
   const Vector<Object>& a = draw.anchor;
   const glm::dmat4 anchored =
@@ -133,7 +136,7 @@ double error_of(const ObjectCull::Row& row, const std::array<double, 3>& farthes
          row.error[3];
 }
 
-// The largest |p - anchor| of the corners, axis by axis.
+// Returns the largest |p - anchor| of the corners, axis by axis.
 std::array<double, 3> farthest_from_anchor(const std::array<Point<Object>, 3>& triangle,
                                            const Vector<Object>& anchor) {
   std::array<double, 3> farthest{};
@@ -145,15 +148,16 @@ std::array<double, 3> farthest_from_anchor(const std::array<Point<Object>, 3>& t
   return farthest;
 }
 
-// Corners along one axis of the screen.
+// The extent of a triangle's corners along one axis of the screen.
 struct Extent {
-  double length_px = 0;  // at most: from the first corner to the last
-  // What a corner may be away from where the exact map has it, once snapped.
+  double length_px = 0;  // upper bound of the distance between the first and the last corner
+  // Upper bound of how far a snapped corner may be from its exact position.
   double displacement_px = 0;
 };
 
-// What corners within `reach` half screens of the centre may be displaced by, at a distance of `nearest` or more: the snap; three
-// roundings of divide and viewport; the float transform.
+// How far corners may be displaced on the screen if they are within `reach` half screens of its
+// centre and at a distance of `nearest` or more. It sums the snap, three roundings of divide and
+// viewport, and the error of the float transform.
 double displacement_px(double reach, double error, double error_w, double nearest,
                        double half_side_px) {
   return 0.5 / kSubpixels + gamma<float>(3) * half_side_px * (reach + 2) +
@@ -168,7 +172,7 @@ Extent extent_of(const std::array<double, 3>& over_w, double error, double error
   return {half_side_px * (high - low) + 2 * displacement, displacement};
 }
 
-// The margin of the test's value (snapping_margin).
+// Returns the margin that the test's value must exceed (snapping_margin).
 double margin_of(const ObjectCull& cull, const Extent& across, const Extent& down,
                  double largest_w) {
   const double s = std::max(across.displacement_px, down.displacement_px);
@@ -183,9 +187,11 @@ double sum_of_sizes(const Vector<Object, double>& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-// How far each triangle's plane has the viewer behind it, or with `fronts` before it, at least; for a parallel view, the cosine by
-// which the gaze comes from behind, or from before. The point along the axis stands for all planes, and (g . u) is least for a u on
-// the cone's surface, turned away from g. 2^-20 of |g| is more than the axis is off by, rounded to float.
+// Returns the smallest distance by which the viewer is behind the triangles' planes, or with
+// `fronts` in front of them; for a parallel view, the smallest cosine between the gaze and the
+// normals (or their opposites). The point along the axis is on or beyond all planes, so it
+// represents them all. (g . u) is smallest for a u on the cone's surface that is turned away from
+// g. The axis was rounded to float; 2^-20 of |g| is more than that error.
 double least_behind(const Cluster& cluster, const ObjectViewer& viewer, bool fronts) {
   const Vector<Object, double> axis = axis_of(cluster);
   Vector<Object, double> g = viewer.eye_or_gaze;
@@ -203,7 +209,8 @@ double least_behind(const Cluster& cluster, const ObjectViewer& viewer, bool fro
          sum_of_sizes(viewer.error);
 }
 
-// Over a box around `centre`, along one row: the value in the middle, and how far others may be from it.
+// A coordinate (one row) over a box around `centre`: the value in the middle, and how far other
+// values may be from it.
 struct Spread {
   double middle = 0, reach = 0;
   double largest() const { return std::abs(middle) + reach; }
@@ -215,7 +222,8 @@ Spread spread_of(const ObjectCull::Row& row, const Point<Object, double>& centre
           std::abs(m[0]) * half.x + std::abs(m[1]) * half.y + std::abs(m[2]) * half.z};
 }
 
-// (Asked four times for each cluster: std::hypot is for the squares that vanish. Those that overflow remove nothing.)
+// (Called four times for each cluster, so std::hypot is used only if the squares underflow. If they
+// overflow, nothing is removed.)
 double slope_of(const ObjectCull::Row& row) {
   const auto& m = row.exact;
   const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
@@ -228,7 +236,7 @@ ObjectCull::Judgement ObjectCull::judge(const std::array<Point<Object>, 3>& tria
   Judgement judged{test_back_face(triangle, viewer), std::numeric_limits<double>::infinity()};
   BackFaceTest test = judged.test;
   if (removes_fronts) test.value = -test.value;
-  // No margin makes up for a value of the other sign.
+  // If the value has the wrong sign, no margin can make the triangle certain to be culled.
   if (!certainly_back(test, 0)) return judged;
 
   const std::array<double, 3> farthest = farthest_from_anchor(triangle, anchor);
@@ -263,7 +271,7 @@ bool ObjectCull::removes_all(const Cluster& cluster) const {
   const double error_w = error_of(w, farthest);
   const double nearest = ws.middle - ws.reach - 2 * error_w;
   if (!(nearest > 0)) return false;
-  // An edge d moves x / w by (row x . d - (x / w) row w . d) / w.
+  // An edge d changes x / w by (row x . d - (x / w) row w . d) / w.
   const auto extent = [&](const Row& row, double half_side_px) {
     const double error = error_of(row, farthest);
     const double reach = (spread_of(row, centre, half).largest() + error) / nearest;
@@ -302,7 +310,8 @@ ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode
   cull.anchor = draw.anchor;
   cull.half_width_px = double(view.viewport.width()) / 2;
   cull.half_height_px = double(view.viewport.height()) / 2;
-  // 8 px^2 by snapping_margin's formula: corners moved by 1 px, edges of no length, w = 1.
+  // 8 px^2 is the result of snapping_margin's formula for corners moved by 1 px, edges of length 0,
+  // and w = 1.
   cull.value_per_px2 =
       snapping_margin(view.clip_from_eye * draw.eye_from_object, *viewer, view.viewport, 1, 0, 1) /
       8;

@@ -1,9 +1,12 @@
-// Culling before clipping, in object space (S4-01, S4-13): which triangles face the wrong way for certain.
+// Culling before clipping, in object space (S4-01, S4-13): finds the triangles that certainly face
+// the wrong way.
 //
-// The snapped area alone decides what a picture shows (DESIGN 2). So a triangle is removed here only where the test's value
-// exceeds all that may still turn it round: its own rounding, the viewer's, and what snapping and float move its corners by on
-// the screen (back_face.h has the proof). What is in doubt goes on, and so does what a plane cuts: the pieces of a cut may be
-// slivers that no margin of the whole triangle speaks for. The bytes are those of culling by the snapped area alone.
+// Only the snapped area decides what a picture shows. So a triangle is removed here only if the
+// test's value exceeds everything that could still change its sign: its own rounding error, the
+// error of the viewer, and how far snapping and float move its corners on the screen (back_face.h
+// has the proof). Triangles in doubt are kept. So are triangles that a plane cuts, because the
+// pieces of a cut may be slivers, for which no margin of the whole triangle holds. The bytes are
+// those of culling by the snapped area alone.
 #pragma once
 
 #include <array>
@@ -17,15 +20,14 @@
 
 namespace glassbox {
 
-// The test for one draw and one eye.
+// The culling test for one draw and one eye.
 struct ObjectCull {
   ObjectViewer viewer;
-  bool removes_fronts = false;  // otherwise backs
-  double value_per_px2 = 0;     // margin of the test's value for each px^2 of area, where w is 1
+  bool removes_fronts = false;  // otherwise it removes back faces
+  double value_per_px2 = 0;     // margin of the test's value per px^2 of area, where w is 1
 
-  // A row of clip_from_object that the screen depends on, in double, and how far the run's own
-  // coordinate may be from what the row
-  // gives for p: error . (|p - anchor|, 1).
+  // A row of clip_from_object that the screen depends on, in double. The run's own coordinate of a
+  // point p may differ from the exact one by error . (|p - anchor|, 1).
   struct Row {
     std::array<double, 4> exact{}, error{};
   };
@@ -35,29 +37,32 @@ struct ObjectCull {
 
   struct Judgement {
     BackFaceTest test;
-    // Of snapping and float; infinite where it is not asked for, and where nothing can be said.
+    // The margin that snapping and float need; infinite where it was not needed, and where no bound
+    // is known.
     double margin = 0;
     bool removed = false;
   };
-  // Three corners as modelled. What is removed has them in front of the eye; that no plane cuts it is for the caller to see.
+  // The triangle's three corners as modelled. A triangle that is removed has them in front of the
+  // eye; the caller must check that no plane cuts it.
   Judgement judge(const std::array<Point<Object>, 3>& triangle) const;
 
   bool removes(const std::array<Point<Object>, 3>& triangle) const {
     return judge(triangle).removed;
   }
 
-  // Each triangle of a cluster at once, by the cone of their normals and the box; what was said of planes holds here, too.
+  // Whether each triangle of a cluster can be removed, by the cone of their normals and the box.
+  // Here too the caller must check that no plane cuts it.
   bool removes_all(const Cluster& cluster) const;
 };
 
-// What --cull-stage object does for a draw.
+// The decision of --cull-stage object for a draw.
 struct ObjectCulling {
   std::optional<ObjectCull> test;  // absent: nothing is removed early
   const char* because = "";        // why there is a test, or none
 };
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings);
 
-// The same, asked for or not.
+// The same, independent of --cull-stage.
 ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull);
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
-// Watching a run, and taking part in it: one method for each stage, called with what went in and what came out.
+// The interface for watching a run and changing what it computes. It has one method for each stage,
+// called with the stage's input and output.
 #pragma once
 
 #include <array>
@@ -20,33 +21,37 @@ struct PrimitiveStage;
 struct FragmentStage;
 struct ReadyTriangle;
 
-// What became of a fragment.
+// The result of a fragment.
 enum class Fate : std::uint8_t {
   kHidden,     // something nearer was there already
-  kDiscarded,  // its alpha lies below the material's cutoff
-  kWritten,    // it is what the pixel shows, for the time being
-  kBlended,    // it was laid over what was there
+  kDiscarded,  // its alpha is below the material's cutoff
+  kWritten,    // it is what the pixel shows, until something is drawn over it
+  kBlended,    // it was blended over what was there
 };
 
-// What a fragment comes from that is no triangle's: an edge is that of a triangle, drawn as a line.
+// The kind of a fragment that does not come from the inside of a triangle. An edge is that of a
+// triangle, drawn as a line.
 enum class LineKind : std::uint8_t { kEdge, kLine, kPoint };
 
-// Where a fragment comes from.
+// The primitive that a fragment comes from.
 struct FragmentSource {
-  // Of the triangle, in the whole scene, and so of edges; of lines and points an index into those of their mesh.
+  // For a triangle or its edge, the triangle's number in the whole scene; for a line or a point, an
+  // index into its mesh's lines or points.
   std::uint32_t number = 0;
-  std::uint32_t piece = 0;  // of the fan that clipping left of the triangle; 0 of all else
+  std::uint32_t piece = 0;  // index in the fan that clipping left of the triangle; otherwise 0
   bool is_triangle = true;
-  LineKind line = LineKind::kEdge;  // where it is no triangle
-  std::uint8_t edge = 0;            // of edges: from this corner of the triangle to the next
+  LineKind line = LineKind::kEdge;  // used only if it is not a triangle
+  std::uint8_t edge = 0;            // for edges: from this corner of the triangle to the next
 };
 
-// Derive from it and override the stages of interest. What a stage has made comes by reference: whoever changes it has
-// replaced the stage, and the run goes on with what it finds. The defaults change nothing, so a run that is watched only
-// gives the same bytes as one that is not; a run without an observer is compiled without it (staged/watch.h).
+// To watch a run, derive from this class and override the stages of interest. A stage's output is
+// passed by reference: a method that changes it replaces the stage, and the run continues with the
+// changed value. The defaults change nothing, so a run that is only watched gives the same bytes as
+// one that is not; a run without an observer is compiled without it (staged/watch.h).
 //
-// Calls come draw by draw; within a draw all vertices first, then triangles in batches, each followed by the fragments of the
-// batch. For one triangle they come in the order in which they stand here.
+// Calls come draw by draw. Within a draw all vertices come first, then triangles in batches, each
+// followed by the fragments of the batch. For one triangle the calls come in the order of the
+// methods below.
 class Observer {
 public:
   virtual ~Observer() = default;
@@ -57,67 +62,68 @@ public:
 
   // ---- vertices ----
 
-  // Object to clip space, for entry `index` of the mesh's positions.
+  // The transform from object to clip space, for entry `index` of the mesh's positions.
   virtual void projected(const Draw& /*draw*/, std::uint32_t /*index*/, Point<Clip>& /*clip*/) {}
 
   // ---- triangles ----
 
-  // The triangle as it comes to the clipper, and what the clipper left of it.
+  // The triangle before clipping, and the polygon that the clipper left of it.
   virtual void clipped(const PrimitiveStage& /*stage*/, const Triangle& /*triangle*/,
                        const std::array<ClipVertex, 3>& /*corners*/, ClipPolygon& /*polygon*/) {}
 
   // A vertex of that polygon, divided by w.
   virtual void divided(const ClipVertex& /*clip*/, NdcVertex& /*ndc*/) {}
 
-  // The same on the screen.
+  // The same vertex on the screen.
   virtual void placed(const NdcVertex& /*ndc*/, ScreenVertex& /*screen*/) {}
 
-  // The polygon's vertices on the grid, and which of them its fan begins at.
+  // The polygon's vertices after snapping, and the vertex at which its fan begins.
   virtual void fanned(std::span<SnappedVertex> /*polygon*/, int& /*apex*/) {}
 
-  // A piece of the polygon, set up; nothing where its area is zero.
+  // The setup of one piece of the polygon; nothing where its area is zero.
   virtual void set_up(std::uint32_t /*piece*/, const std::array<ScreenVertex, 3>& /*vertices*/,
                       std::optional<TriangleSetup>& /*setup*/) {}
 
-  // Whether the piece shows its front, and is thrown away.
+  // Whether the viewer sees the piece's front, and whether it is culled.
   virtual void faced(const TriangleSetup& /*setup*/, bool /*front*/, bool& /*culled*/) {}
 
-  // The end of every triangle for which clipped() was called.
+  // Called at the end of every triangle for which clipped() was called.
   virtual void prepared(const Triangle& /*triangle*/) {}
 
   // ---- fragments ----
 
-  // A piece before its fragments, with what its vertices carry.
+  // A piece before its fragments are drawn, with the attributes of its vertices.
   virtual void ready(const ReadyTriangle& /*triangle*/) {}
 
-  // The pixel centres that it covers, in the order in which they are drawn, and its edge functions there; null: as the stage finds
-  // them. Pixels lie in the picture. Not asked where several samples are drawn.
+  // Returns the pixel centres that the piece covers, in the order in which they are drawn, with its
+  // edge functions there. Null: the stage finds them itself. The pixels must be in the picture. Not
+  // called where several samples are drawn.
   virtual const std::vector<Coverage>* covered(const FragmentSource& /*source*/) { return nullptr; }
 
-  // A covered pixel centre: depth and weights there.
+  // A covered pixel centre, with the depth and weights there.
   virtual void interpolated(const FragmentSource& /*source*/, const Coverage& /*coverage*/,
                             Fragment& /*fragment*/) {}
 
-  // The depth test: the incoming code against the stored one.
+  // The depth test: compares the incoming code with the stored one.
   virtual void compared(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
                         std::uint32_t /*code*/, std::uint32_t /*stored*/, bool& /*in_front*/) {}
 
-  // The attributes there, of a fragment that passed.
+  // The attributes at the pixel, for a fragment that passed the depth test.
   virtual void varied(const Fragment& /*fragment*/, Varyings& /*at*/) {}
 
   // The surface's own colour: material times vertex colour times texture.
   virtual void textured(const Varyings& /*at*/, Rgba& /*surface*/) {}
 
-  // The light that the surface shines with by itself; not called where the material has none.
+  // The light that the surface emits; not called where the material emits none.
   virtual void emitted(const Varyings& /*at*/, std::array<float, 3>& /*emission*/) {}
 
-  // The colour in the light, and with what was emitted, still linear.
+  // The colour after lighting and with the emission added, still linear.
   virtual void lit(const Varyings& /*at*/, const Rgba& /*surface*/, Rgba& /*color*/) {}
 
-  // What is stored, before the colour mask; `before` is what the pixel held.
+  // The bytes to be stored, before the colour mask; `before` is what the pixel held.
   virtual void encoded(const Fragment& /*fragment*/, const Rgba8& /*before*/, Rgba8& /*after*/) {}
 
-  // The end of every fragment for which compared() was called.
+  // Called at the end of every fragment for which compared() was called.
   virtual void ended(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
                      Fate /*fate*/) {}
 };

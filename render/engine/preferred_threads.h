@@ -1,12 +1,13 @@
-// What default_threads() says, told otherwise: for tests of what has no option for it.
+// Overrides default_threads(), for tests of functions that have no option for the number of
+// threads.
 #pragma once
 
 #include <optional>
 
 namespace glassbox {
 
-// From now on default_threads() is this number, at least 1; none: as many as the machine has.
-// Nothing may be drawn meanwhile.
+// From now on default_threads() returns this number, at least 1; with std::nullopt it returns the
+// machine's number again. Nothing may be drawn during the call.
 void prefer_threads(std::optional<int> threads);
 
 }  // namespace glassbox

@@ -9,7 +9,7 @@ namespace glassbox {
 
 namespace {
 
-// index_of(corner, triangle) for each corner of each triangle.
+// Collects index_of(corner, triangle) for each corner of each triangle.
 template <class IndexOf>
 std::vector<std::uint32_t> gather_indices(const Mesh& mesh, const Triangulation& triangulation,
                                           const IndexOf& index_of) {
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> gather_indices(const Mesh& mesh, const Triangulation&
   return indices;
 }
 
-// Nothing is kept that the positions say already.
+// Returns an empty list if the indices equal those of the positions, which then serve for both.
 std::vector<std::uint32_t> unless_equal(std::vector<std::uint32_t> indices,
                                         const std::vector<std::uint32_t>& positions) {
   if (indices == positions) return {};
@@ -42,7 +42,7 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
                        return c.normal != kNone ? c.normal : first_face + triangle.face;
                      }),
       indices.positions);
-  // An attribute that corners may lack.
+  // For an attribute that some corners may not have.
   using IndexOf = std::uint32_t Corner::*;
   const auto gather_optional = [&](IndexOf member, bool& has_any) {
     std::vector<std::uint32_t> found = gather_indices(
@@ -58,7 +58,8 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
   return indices;
 }
 
-// `indices` for the first of `copies` instances, each of which has `stride` entries of its own.
+// Repeats `indices` for the first `copies` instances; each instance has `stride` entries of its
+// own.
 std::vector<std::uint32_t> repeated(const std::vector<std::uint32_t>& indices, std::size_t copies,
                                     std::size_t stride) {
   std::vector<std::uint32_t> all;
@@ -87,7 +88,8 @@ CornerIndices joined_indices(const Mesh& mesh, const PreparedMesh& prepared, std
   return joined;
 }
 
-// Where many small meshes are drawn, what each draw takes by itself is what counts. Meshes that have clusters are large enough.
+// Whether instances of the mesh are joined into one draw. Where many small meshes are drawn, the
+// fixed cost of each draw dominates. Meshes that have clusters are large enough.
 bool is_joined(const Mesh& mesh, const PreparedMesh& prepared, std::size_t instances) {
   const std::size_t triangles = prepared.triangulation.triangles.size();
   return instances > 1 && triangles > 0 && triangles <= kJoinedTriangles / 2 &&

@@ -10,7 +10,8 @@ namespace glassbox {
 
 namespace {
 
-// Pictures of normals and texture coordinates are numbers, not light.
+// Returns the transfer function for averaging samples. Pictures of normals and texture coordinates
+// are numbers, not light.
 Transfer transfer_of_mean(const RenderSettings& settings) {
   const bool is_light = settings.show != Show::kNormal && settings.show != Show::kUv;
   return is_light ? settings.transfer : Transfer::kNone;

@@ -1,4 +1,4 @@
-// Colours and depths of several samples to a pixel, while they are drawn.
+// The colours and depths of several samples per pixel, kept while they are drawn.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,12 @@
 
 namespace glassbox {
 
-// Of a whole picture, or of one tile. A pixel's samples are neighbours; 8 bytes each.
+// The samples of a whole picture, or of one tile. A pixel's samples are stored next to each other,
+// 8 bytes each.
 class SamplePlanes {
 public:
-  // All samples of the pixels of `window`: empty depth, and this colour; or each the colour that its pixel has in `picture`.
+  // Clears all samples of the pixels of `window`: their depth becomes empty, their colour is
+  // `color`, or the colour that their pixel has in `picture`.
   void clear(const PixelRect& window, int count, const Rgba8& color);
   void clear(const PixelRect& window, int count, const Image<Rgba8>& picture);
 
@@ -27,10 +29,10 @@ public:
     return std::span(depth_).subspan(at(x, y), size());
   }
 
-  // The same memory, for the lanes.
+  // Access to the same memory for the vectorised code.
   SampleRows rows() { return {window_, color_.data(), depth_.data(), count_}; }
 
-  // The mean of each pixel's samples (mean_color.h), into the channels of the settings' mask.
+  // Writes the mean of each pixel's samples (mean_color.h) to the channels of the settings' mask.
   void resolve(const RenderSettings& settings, Image<Rgba8>& picture) const;
 
 private:

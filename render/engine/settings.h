@@ -1,4 +1,4 @@
-// What a run is asked for, besides the scene and the view.
+// The settings of a run, apart from the scene and the view.
 #pragma once
 
 #include <glassbox/images/image.h>
@@ -10,14 +10,16 @@ namespace glassbox {
 
 enum class Shading { kUnlit, kFlat, kGouraud, kPhong };
 
-// kColor: the picture. The others show one quantity in its place: see show.h for how each is coloured.
+// kColor: the picture. The others show one quantity instead of it: show.h says how each is
+// coloured.
 enum class Show { kColor, kDepth, kNormal, kUv, kId, kOverdraw };
 
-// kMaterial: back faces, except of double-sided materials.
+// Which faces are culled. kMaterial: back faces, except those of double-sided materials.
 enum class Cull { kMaterial, kBack, kFront, kNone };
 
-// Where faces that are turned away are found out. kScreen: by the snapped area, after clipping. kObject: before clipping, in
-// object space, where that is certain (object_cull.h), and the rest by the snapped area. The bytes are the same.
+// The stage at which faces that are turned away are found. kScreen: by the snapped area, after
+// clipping. kObject: before clipping, in object space, where that is certain (object_cull.h); the
+// others by the snapped area. The bytes are the same.
 enum class CullStage { kScreen, kObject };
 
 struct RenderSettings {
@@ -25,8 +27,8 @@ struct RenderSettings {
   Show show = Show::kColor;
   Cull cull = Cull::kMaterial;
   CullStage cull_stage = CullStage::kScreen;
-  bool wireframe = false;  // the edges of triangles instead of their insides
-  int samples = 1;         // of each pixel: 1, 2, 4, 8 or 16 (docs/pipeline.md)
+  bool wireframe = false;  // draws the edges of triangles instead of their insides
+  int samples = 1;         // per pixel: 1, 2, 4, 8 or 16 (docs/pipeline.md)
   DepthFormat depth = DepthFormat::kFloat32;
   Transfer transfer = Transfer::kSrgb;
   Rgba8 background{26, 31, 38, 255};  // stored bytes
@@ -36,14 +38,14 @@ struct RenderSettings {
   bool want_id = false;        // fill Framebuffer::id
 };
 
-// How many samples of a pixel are drawn. Pictures of planes of the buffer are those of pixel centres.
+// How many samples per pixel are drawn. Pictures of planes of the buffer use pixel centres only.
 inline int samples_drawn(const RenderSettings& settings) {
   const Show show = settings.show;
   const bool from_plane = show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
   return from_plane ? 1 : settings.samples;
 }
 
-// The same picture as its pixel centres have it.
+// The same settings with one sample per pixel, at its centre.
 inline RenderSettings at_centres(RenderSettings settings) {
   settings.samples = 1;
   return settings;

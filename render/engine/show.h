@@ -1,4 +1,4 @@
-// Quantities as pictures (render --show).
+// Shows quantities as pictures (render --show).
 #pragma once
 
 #include <glassbox/render/engine/framebuffer.h>
@@ -9,7 +9,8 @@ namespace glassbox {
 //   kDepth      grey, white at the smallest distance drawn, dark grey at the largest
 //   kId         one colour per triangle, neighbouring numbers far apart in hue
 //   kOverdraw   how many fragments were written: 1 dark blue ... 8 and more white
-// Pixels where nothing was drawn keep the background. kColor, kNormal and kUv are painted by the fragments themselves.
+// Pixels where nothing was drawn keep the background. For kColor, kNormal and kUv the fragments
+// themselves already have the colours.
 void show(Show what, Framebuffer& buffers);
 
 }  // namespace glassbox

@@ -1,4 +1,4 @@
-// What went into every stage and what came out.
+// Counts of the input and output of every stage, and times.
 #pragma once
 
 #include <cstdint>
@@ -6,34 +6,34 @@
 namespace glassbox {
 
 struct Statistics {
-  // Assembly.
+  // Counts of assembly.
   std::uint64_t instances = 0;
-  std::uint64_t triangles = 0;   // numbered: those without area included
+  std::uint64_t triangles = 0;   // those that have a number; triangles without area are included
   std::uint64_t degenerate = 0;  // without area as modelled: never drawn
-  std::uint64_t left_out =
-      0;  // of draws, and of clusters, that the plan leaves out: no stage sees them
+  // In draws and clusters that the plan leaves out: no stage processes them.
+  std::uint64_t left_out = 0;
   std::uint64_t lines = 0;  // wireframe edges are not counted here
   std::uint64_t points = 0;
 
-  // Clusters of triangles that were asked about together (render/plan/cluster_cull.h).
+  // Clusters of triangles that were tested (render/plan/cluster_cull.h).
   std::uint64_t clusters = 0, clusters_outside = 0, clusters_turned_away = 0;
-  std::uint64_t left_out_in_clusters = 0;  // triangles of the last two, among those left out
+  std::uint64_t left_out_in_clusters = 0;  // triangles of the last two; also counted in left_out
 
   // Vertex stage.
-  std::uint64_t vertices = 0;       // positions carried to clip space
-  std::uint64_t moved_in_x = 0;     // taken over from a pair's first eye, but for x
-  std::uint64_t plane_tests = 0;    // positions asked whether clipping has to look at them
-  std::uint64_t normals = 0;        // carried to eye space, of vertices and of faces
-  std::uint64_t eye_positions = 0;  // positions carried to eye space
+  std::uint64_t vertices = 0;       // positions transformed to clip space
+  std::uint64_t moved_in_x = 0;     // taken over from a pair's first eye, with a new x only
+  std::uint64_t plane_tests = 0;    // positions tested for whether they need clipping
+  std::uint64_t normals = 0;        // transformed to eye space, of vertices and of faces
+  std::uint64_t eye_positions = 0;  // positions transformed to eye space
 
-  // Culling in object space, where it was asked for.
-  std::uint64_t culled_early = 0;  // facing the wrong way for certain: not clipped
+  // Culling in object space, where it is enabled.
+  std::uint64_t culled_early = 0;  // certainly facing the wrong way: not clipped
 
   // Clipping. Triangles in = left out + culled early + rejected + clipped away + clipped + whole.
   std::uint64_t rejected = 0;      // all corners outside one plane
-  std::uint64_t clipped_away = 0;  // nothing left after clipping
-  std::uint64_t clipped = 0;       // cut, something left
-  // Triangles that go on: whole ones, and the fans of the cut ones.
+  std::uint64_t clipped_away = 0;  // nothing is left after clipping
+  std::uint64_t clipped = 0;       // cut, and something is left
+  // Triangles after clipping: whole ones, and the fans of the cut ones.
   std::uint64_t after_clipping = 0;
 
   // Setup. after_clipping = zero_area + culled + set_up.
@@ -41,7 +41,8 @@ struct Statistics {
   std::uint64_t culled = 0;     // facing the wrong way
   std::uint64_t set_up = 0;
 
-  // Fragments; with several samples to a pixel, the tile engine counts them sample by sample. covered = depth_failed + discarded + written.
+  // Fragments; with several samples per pixel, the tile engine counts each sample. covered =
+  // depth_failed + discarded + written.
   std::uint64_t covered = 0;
   std::uint64_t depth_failed = 0;
   std::uint64_t discarded = 0;  // by the alpha mask
@@ -50,9 +51,9 @@ struct Statistics {
 
   // Wall-clock time of this run, in milliseconds.
   double prepare_ms = 0;   // triangulation, matrices
-  double vertex_ms = 0;    // object -> clip
+  double vertex_ms = 0;    // object space to clip space
   double triangle_ms = 0;  // clip, divide, viewport, setup, cull
-  double fragment_ms = 0;  // coverage, depth, shading, blending; levels of textures, once
+  double fragment_ms = 0;  // coverage, depth, shading, blending; once the mip chains of textures
 };
 
 }  // namespace glassbox

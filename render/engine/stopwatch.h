@@ -1,4 +1,4 @@
-// Measuring where the time of a run goes.
+// Measures the time of parts of a run.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-// Adds the wall-clock time of its own life to a statistic.
+// Adds the wall-clock time between its construction and its destruction to a statistic.
 class Stopwatch {
 public:
   explicit Stopwatch(double& total_ms) : total_ms_(total_ms), start_(Clock::now()) {}

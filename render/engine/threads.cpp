@@ -28,12 +28,13 @@ void prefer_threads(std::optional<int> threads) {
   preferred = threads.value_or(kNobodyPrefers);
 }
 
-// oneTBB keeps to the smallest limit in force, so there is one for the whole program and not one for each arena: as many as the
-// largest arena has asked for. More would be used: of many arenas made one after the other, each wakes threads of its own.
+// oneTBB uses the smallest limit in force. So there is one limit for the whole program and not one
+// for each arena: the size of the largest arena so far. A larger limit would really start more
+// threads: if many arenas are made one after the other, each wakes threads of its own.
 void allow_threads(int threads) {
   using Control = tbb::global_control;
   static std::mutex one_at_a_time;
-  // Until the process is gone: a limit that ends at its exit wakes a thread.
+  // Never destroyed: a limit that ends when the process exits wakes a thread.
   static auto& limit = *new std::optional<Control>;
   static int allowed = tbb::info::default_concurrency();
   const std::lock_guard lock(one_at_a_time);

@@ -1,13 +1,13 @@
-// Threads beyond those that the machine has.
+// How many threads a run uses, which may be more than the machine has.
 #pragma once
 
 namespace glassbox {
 
-// As many as the machine has for this program.
+// The number of hardware threads that the machine has for this program.
 int default_threads();
 
-// To be called before an arena of that many threads is made, so that oneTBB lets them work, which by itself starts no more
-// than the machine has, and warns.
+// Must be called before an arena of this many threads is made. Otherwise oneTBB starts no more
+// threads than the machine has, and warns.
 void allow_threads(int threads);
 
 }  // namespace glassbox

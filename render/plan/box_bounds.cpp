@@ -27,12 +27,13 @@ ClipCoordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Obj
     size = std::max(
         size, std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]) + std::abs(terms[3]));
   }
-  c.error =
-      gamma<float>(5) * size + 4 * 0x1p-149;  // one more than the transform's: those in double
+  // gamma(5) is one rounding more than the transform has; it covers the rounding errors in double
+  // here.
+  c.error = gamma<float>(5) * size + 4 * 0x1p-149;
   return c;
 }
 
-// The fourth coordinate over the box, where all of it lies before the eye.
+// The fourth coordinate over a box that is wholly in front of the eye.
 struct BeforeTheEye {
   ClipCoordinate w;
   double least_w = 0;
@@ -55,7 +56,8 @@ struct Range {
   Range widened(double by) const { return {low - by, high + by}; }
 };
 
-// Of coordinate / w, which has its extremes over the box at corners, as w > 0 there: with what the transform is off by.
+// The range of coordinate / w over the box. Since w > 0, its extremes are at corners. The error of
+// the transform is included.
 Range quotients(const ClipCoordinate& coordinate, const BeforeTheEye& eye) {
   Range range;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -66,7 +68,7 @@ Range quotients(const ClipCoordinate& coordinate, const BeforeTheEye& eye) {
   return range.widened((coordinate.error + range.largest() * eye.w.error) / eye.least_w);
 }
 
-// Rounded away from the range's inside.
+// Rounded away from the inside of the range.
 float rounded_down(double x) {
   return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
 }
@@ -80,12 +82,13 @@ DepthCodes codes_of(const Range& depths, DepthFormat format) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// The first pixel and the one after the last, of those between two places of NDC; the viewport has -1 and 1 at the other two.
+// Returns the first pixel and one past the last pixel between two places of NDC; the other two
+// parameters are the pixels at -1 and 1.
 std::array<int, 2> pixels_between(const Range& ndc, float at_minus_one, float at_one,
                                   double margin_px) {
   const auto on_screen = [&](double x) {
     const double px = at_minus_one + (x + 1) / 2 * (double(at_one) - double(at_minus_one));
-    return std::clamp(px, -2 * kGuardBandPx, 2 * kGuardBandPx);  // where nothing is seen any more
+    return std::clamp(px, -2 * kGuardBandPx, 2 * kGuardBandPx);  // beyond that nothing is visible
   };
   const auto [low, high] = std::minmax({on_screen(ndc.low), on_screen(ndc.high)});
   return {int(std::floor(low - margin_px)), int(std::ceil(high + margin_px))};
@@ -98,8 +101,8 @@ DepthCodes depth_codes(const ClipCoordinate& z, const ClipCoordinate& w, const V
   const std::optional<BeforeTheEye> eye = before_the_eye(w, view);
   if (!eye) return {};
   const Range depths = quotients(z, *eye);
-  // Relative to the depth, a rounding for the divide, 8 for its interpolation (interpolate.h), and 2 for each plane that may
-  // have cut, in z and in w: below 32 in all.
+  // Relative to the depth: one rounding for the divide, 8 for its interpolation (interpolate.h),
+  // and 2 for each plane that may have cut the triangle, in z and in w: below 32 in all.
   return codes_of(depths.widened(32 * unit_roundoff<float> * depths.largest()), format);
 }
 
@@ -113,7 +116,7 @@ DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format) {
 DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format) {
   Range depths{double(*std::ranges::min_element(triangle.depth)),
                double(*std::ranges::max_element(triangle.depth))};
-  // 8u to first order, for the interpolation (interpolate.h); one more for the other orders.
+  // 8u to first order, for the interpolation (interpolate.h), and one more for the higher orders.
   depths = depths.widened(9 * unit_roundoff<float> * depths.largest());
   return codes_of(depths, format);
 }

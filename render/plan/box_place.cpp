@@ -34,7 +34,8 @@ BoxPlace place_box(const Draw& draw, const View& view, double margin_px) {
     return place;
   }
   if (may_overflow(box, draw.clip_from_anchored)) return place;
-  // How far inside of the planes all of it is. The first plane that all of it lies beyond is noted.
+  // Finds how far the whole box is inside the planes. The first plane that the whole box is beyond
+  // is recorded.
   const auto least_distance = [&](std::span<const ClipPlane> planes) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const ClipPlane& plane : planes) {

@@ -1,4 +1,5 @@
-// Which clusters of a draw an eye sees nothing of: those that lie outside, and those of which every triangle is turned away.
+// Finds the clusters of a draw that an eye does not see: those outside the view, and those whose
+// triangles are all turned away.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ enum class ClusterVerdict : std::uint8_t { kDrawn, kOutside, kTurnedAway };
 
 class ClusterCull {
 public:
-  // `uncut`: no plane that clips cuts anything of the draw.
+  // `uncut`: no clipping plane cuts anything of the draw.
   ClusterCull(const Draw& draw, const View& view, Cull cull, bool uncut);
 
   ClusterVerdict judge(const Cluster& cluster) const;

@@ -29,7 +29,7 @@ std::string in_all(const char* what, std::size_t count) {
   return fmt::format("{} {}", count, what);
 }
 
-// Whose box it was.
+// Names the owner of the box that the decision uses.
 const char* box_of(const BoxPlace& place) {
   return place.of_group ? "the box of its group of instances" : "its box";
 }
@@ -64,7 +64,7 @@ Decision whole_object(const Subject& s) {
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
 }
 
-// Of meshes that have clusters.
+// Only for meshes that have clusters.
 Decision clusters(const Subject& s) {
   constexpr const char* kStage = "triangles out of sight";
   const std::string numbers = in_all("clusters", s.draw.prepared->clusters.clusters.size());
@@ -78,7 +78,7 @@ Decision clusters(const Subject& s) {
   return needed(kStage, s.method.no_clusters_because, numbers);
 }
 
-// Of small meshes with several instances.
+// Only for small meshes with several instances.
 Decision alone(const Subject& s) {
   constexpr const char* kStage = "a draw by itself";
   if (s.method.alone_because != nullptr) return needed(kStage, s.method.alone_because);
@@ -128,7 +128,7 @@ Decision side_clipping(const Subject& s) {
   return needed(kStage, "its box may leave the guard band");
 }
 
-// Asked for by name; otherwise it goes without saying that the screen decides.
+// Only reported where --cull-stage object is set; otherwise the screen always decides.
 Decision early_culling(const Subject& s) {
   constexpr const char* kStage = "culling in object space";
   const ObjectCulling culling = object_culling(s.draw, s.eye.view, s.eye.settings);
@@ -321,7 +321,7 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
                               mask.b ? "blue" : ""));
 }
 
-// Where all are written it goes without saying that all are shaded.
+// Only reported where some channels are masked; otherwise all are shaded.
 void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
                          std::vector<Decision>& decisions) {
   constexpr const char* kStage = "light of channels";
@@ -342,7 +342,7 @@ void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
   }
 }
 
-// One sample to a pixel goes without saying.
+// Only reported for more than one sample per pixel.
 void add_samples(const RenderSettings& settings, std::vector<Decision>& decisions) {
   constexpr const char* kStage = "samples";
   if (settings.samples == 1) return;

@@ -1,4 +1,4 @@
-// The plan in words: what runs for a draw and what does not, and why that changes no byte.
+// The plan in words: which stages run for a draw and which do not, and why that changes no byte.
 #pragma once
 
 #include <string>
@@ -11,18 +11,21 @@ namespace glassbox {
 struct Decision {
   const char* stage = "";
   bool needed = true;
-  // The proof, or what stands against it; the same words for all draws that it holds for.
+  // The proof that the stage is not needed, or the reason why it is; the same words for all draws
+  // that it applies to.
   std::string because;
-  std::string numbers;  // those of this draw; empty where there are none
+  std::string numbers;  // the numbers of this draw; empty where there are none
 };
 
-// The decisions about the whole picture.
+// Returns the decisions about the whole picture.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye);
 
-// The decisions about one draw, in the order of the stages. Only the first says something where the draw is not drawn.
+// Returns the decisions about one draw, in the order of the stages. If the draw is not drawn, there
+// is only the first one.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw);
 
-// "triangles over lanes", "each triangle made ready by itself, because ...": how the draw is drawn.
+// Describes how the draw is drawn: "triangles over lanes", or "each triangle made ready by itself,
+// because ...".
 std::string way_of(const DrawMethod& method);
 
 }  // namespace glassbox

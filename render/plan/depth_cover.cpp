@@ -15,7 +15,8 @@ int cells_across(int pixels) {
   return (pixels + kCell - 1) / kCell;
 }
 
-// The triangle whose edge functions have at pixel centres what `triangle` has at a point of each pixel.
+// Returns a triangle whose edge functions have at each pixel centre the values that `triangle` has
+// at a sample point of that pixel.
 TriangleSetup seen_at(TriangleSetup triangle, const SampleOffset& point) {
   for (EdgeFunction& edge : triangle.edges) edge.c += edge.a * point.x + edge.b * point.y;
   triangle.bounds = sampled_bounds(triangle.bounds);
@@ -24,7 +25,8 @@ TriangleSetup seen_at(TriangleSetup triangle, const SampleOffset& point) {
 
 enum class CellCoverage { kNothing, kPart, kAll };
 
-// Of the pixels x0 .. x0 + 15, y0 .. y0 + 15. Edge functions are linear: over a square they are largest and smallest at corners.
+// The coverage of the pixels x0 .. x0 + 15, y0 .. y0 + 15. Edge functions are linear, so over a
+// square their largest and smallest values are at corners.
 CellCoverage cell_coverage(const TriangleSetup& triangle, int x0, int y0) {
   bool all = true;
   for (const EdgeFunction& edge : triangle.edges) {
@@ -85,7 +87,7 @@ void DepthCover::add(const TriangleSetup& triangle, std::uint32_t farthest) {
 void DepthCover::add_to_cell(const TriangleSetup& triangle, int cell_x, int cell_y,
                              std::uint32_t farthest, Cell& cell) {
   ++work_;
-  if (farthest >= cell.farthest) return;  // what is there is as near
+  if (farthest >= cell.farthest) return;  // what is there already is as near
   const int x0 = cell_x * kCell, y0 = cell_y * kCell;
   switch (cell_coverage(triangle, x0, y0)) {
     case CellCoverage::kNothing:

@@ -1,8 +1,11 @@
-// How near the picture is covered, part by part, by opaque triangles: what lies behind them is not seen.
+// Records how near the opaque triangles are that cover each part of the picture: what is behind
+// them is occluded.
 //
-// For each cell of 16 x 16 pixels a code that all of it is at least as near as, and another one in the making: which of its pixels
-// the triangles since have covered, and the farthest of their codes (after Hasselgren, Andersson and Akenine-Moeller, Masked
-// Software Occlusion Culling, 2016). Which pixels a triangle covers is asked of its edge functions, as drawing does.
+// Each cell of 16 x 16 pixels has a depth code that bounds the whole cell: all of it is covered at
+// least as near as that code. A second layer is being built: which of its pixels the later
+// triangles have covered, and the farthest of their codes (after Hasselgren, Andersson and
+// Akenine-Moeller, Masked Software Occlusion Culling, 2016). As in drawing, edge functions decide
+// which pixels a triangle covers.
 #pragma once
 
 #include <array>
@@ -21,25 +24,26 @@ class DepthCover {
 public:
   static constexpr int kCell = 16;  // pixels
 
-  // `points` of each pixel: its samples, or its centre. One triangle after the other covers all, or what it covers does not count.
+  // `points`: the sample points of each pixel, or its centre. Each point is treated separately.
   DepthCover(const PixelRect& window, std::span<const SampleOffset> points);
 
-  // All fragments of the triangle have codes of at most `farthest`.
+  // Adds a triangle. All its fragments have codes of at most `farthest`.
   void add(const TriangleSetup& triangle, std::uint32_t farthest);
 
-  // Whether something that was added is at least as near as `nearest`, at every point of the pixels that lie in the window.
+  // Whether something that was added is at least as near as `nearest`, at every sample point of
+  // `pixels` that is in the window.
   bool hides(const PixelRect& pixels, std::uint32_t nearest) const;
 
   bool covers_nothing() const { return closed_ == 0; }
 
-  // What adding has cost so far: about as much as so many triangles through the lanes.
+  // The cost of adding so far, in units of one triangle drawn by the vectorised code.
   std::size_t work() const { return work_; }
 
 private:
-  using Rows = std::array<std::uint16_t, kCell>;  // of a cell; bit i: pixel i
+  using Rows = std::array<std::uint16_t, kCell>;  // pixels of a cell; bit i: pixel i
   struct Cell {
-    std::uint32_t farthest = kEmptyDepth;  // of what covers all of it
-    std::uint32_t next = 0;                // the same of what covers all but the open pixels
+    std::uint32_t farthest = kEmptyDepth;  // of what covers the whole cell
+    std::uint32_t next = 0;                // of what covers all but the open pixels
     Rows open{};
   };
 
@@ -52,8 +56,8 @@ private:
   PixelRect window_;
   int across_ = 0, down_ = 0;
   std::vector<SampleOffset> points_;
-  std::vector<Cell> cells_;  // row by row; of the first point, of the second ...
-  std::size_t closed_ = 0;   // times that a cell was
+  std::vector<Cell> cells_;  // row by row; first those of the first point, then of the second ...
+  std::size_t closed_ = 0;   // how often a cell was closed
   std::size_t work_ = 0;
 };
 

@@ -25,7 +25,7 @@ bool depends_on_place(const EyeLight& light) {
   return light.kind != LightKind::kDirectional;
 }
 
-// w is the fourth coordinate of (0, 0, 0, 1) * position: exactly 1.
+// w is (0, 0, 0, 1) * position: exactly 1.
 bool w_is_one(const Transform<Clip, Object, float>& m) {
   return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
 }
@@ -69,8 +69,9 @@ void choose_vertex_stages(const Draw& draw, const BoxPlace& place, bool leave_ou
   method.divide = !leave_out || needs_divide(draw);
 }
 
-// What is blended lies over what came before it. The staged stages write to the framebuffer, and to move them among the others
-// would make tiles change over more often. Lines and points are left where they are, too.
+// Blended draws need the colours of what was drawn before them. The staged stages write to the
+// framebuffer; moving them among the others would make tiles change more often between the two
+// ways. Lines and points keep their place, too.
 void choose_order(const Draw& draw, DrawMethod& method) {
   method.into_framebuffer = method.staged_because != nullptr ||
                             draw.material->alpha_mode == AlphaMode::kBlend ||
@@ -105,7 +106,7 @@ DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQu
   method.keep_back = !is_culled(draw, settings.cull, false);
   method.no_clusters_because = why_no_clusters(draw, method, leave_out);
 
-  // A picture of numbers shows colours where lines and points are blended.
+  // A picture of triangle numbers shows colours where lines and points are blended.
   const bool painted = colors && (settings.show == Show::kColor || settings.show == Show::kId);
   const bool masked = draw.material->alpha_mode == AlphaMode::kMask;
   method.texture = (painted || masked) && draw.texture != nullptr;

@@ -1,4 +1,4 @@
-// Which way a draw takes through the tile engine, and what of its stages is left out.
+// How the tile engine draws a draw, and which stages are left out for it.
 #pragma once
 
 #include <glassbox/raster/lanes/tables.h>
@@ -8,57 +8,62 @@
 
 namespace glassbox {
 
-// Why something runs that a proof would leave out.
+// The reason given for a stage that runs although a proof would allow leaving it out.
 inline constexpr const char* kNoPlan = "--no-plan: it runs, needed or not";
 
+// How one draw is drawn.
 struct DrawMethod {
-  // Null: triangles run over lanes and are shaded once for each pixel where they are seen. Otherwise why every primitive takes the
-  // staged stages, tile by tile.
+  // Null: triangles are drawn by vectorised code and shaded once for each pixel where they are
+  // seen. Otherwise the reason why every primitive goes through the staged stages, tile by tile.
   const char* staged_because = nullptr;
-  // Null: triangles are set up over lanes where they are small. Otherwise why each is made ready by the staged primitives.
+  // Null: small triangles are set up by vectorised code. Otherwise the reason why each is prepared
+  // by the staged primitives.
   const char* large_because = nullptr;
 
-  // Null: the mesh's clusters are asked whether this eye sees any of them, before their vertices (cluster_cull.h). Otherwise why not.
+  // Null: the mesh's clusters are tested for whether this eye sees them, before their vertices are
+  // transformed (cluster_cull.h). Otherwise the reason why not.
   const char* no_clusters_because = nullptr;
 
-  // Null: neighbours in the order of drawing that are instances of the same mesh go through the stages with it. Otherwise why it goes
-  // by itself.
+  // Null: instances of the same mesh that are neighbours in the order of drawing go through the
+  // stages together with this draw. Otherwise the reason why it is drawn alone.
   const char* alone_because = nullptr;
 
   // ---- vertices ----
-  BoxPlace place;       // of all of them: the proof of the next two
-  bool hidden = false;  // all of it lies behind draws before it
-  bool drawn = true;    // otherwise no stage sees any of it
-  // It writes to the framebuffer, or lies over what is there: it keeps its place in the order, and planes are kept up to date for it.
+  BoxPlace place;       // of all vertices: the proof for the next two fields
+  bool hidden = false;  // all of it is behind earlier draws
+  bool drawn = true;    // otherwise no stage processes it
+  // It writes to the framebuffer, or is blended over what is there: it keeps its place in the
+  // order, and the planes are kept up to date for it.
   bool into_framebuffer = false;
-  bool test_planes = true;  // each is asked whether clipping has to look at it
+  bool test_planes = true;  // each vertex is tested for whether it needs clipping
   bool divide = true;       // by w, which may differ from 1
-  // Carried to eye space; and of faces, where some corner has none of its own.
+  // Normals of vertices are transformed to eye space; and those of faces, where some corner has no
+  // normal.
   bool normals = false;
   bool face_normals = false;
-  bool eye_positions = false;  // light asks where the surface is
+  bool eye_positions = false;  // lighting needs the position of the surface
 
   // ---- triangles ----
-  bool keep_front = true, keep_back = false;  // facing: which are drawn
+  bool keep_front = true, keep_back = false;  // which faces are drawn
 
   // ---- colours ----
   LightAt light = LightAt::kNowhere;
-  bool highlights = false;  // the material has any
+  bool highlights = false;  // the material has specular highlights
   bool texture = false;
   bool vertex_colors = false;
-  bool emission = false;  // the material has any
+  bool emission = false;  // the material emits light
   bool emission_texture = false;
 };
 
-// What is asked of a picture's draws.
+// The circumstances in which methods are chosen for a picture's draws.
 struct MethodQuestion {
   const Lighting& lighting;
   const View& view;
   const RenderSettings& settings;
-  bool colors = true;     // somebody sees them
-  bool leave_out = true;  // what the proofs allow; otherwise everything runs that can
+  bool colors = true;     // the colours are visible
+  bool leave_out = true;  // leave out what the proofs allow; otherwise all possible stages run
 };
-// `place`: of the draw, or of a group that it is in.
+// `place`: of the draw, or of its group of instances.
 DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQuestion& asked);
 
 // Whether w may differ from 1.

@@ -9,24 +9,28 @@
 
 namespace glassbox {
 
-// The proof. Let X be a vertex of an instance of the group in the world, x the same relative to the anchor of its mesh, P, E and W the
-// matrices of projection, view and instance in double, and M their product with the anchor's translation, rounded to float: what
-// vertices are multiplied by. In exact arithmetic coordinate r of clip space is q . X + q3, q = the first three of row r of P E, so over
-// the group's box it has its extremes at corners. As computed it differs by at most
+// The proof. Let X be a vertex of an instance of the group in world space and x the same vertex
+// relative to the anchor of its mesh. Let P, E and W be the matrices of projection, view and
+// instance in double, and M their product with the anchor's translation, rounded to float: vertices
+// are multiplied by M. In exact arithmetic coordinate r of clip space is q . X + q3, where q is the
+// first three entries of row r of P E. So over the group's box its extremes are at corners. The
+// computed coordinate differs from it by at most
 //
-//   gamma_4 S  the float product, S = sum |M_k| |x_k| + |M_3|             (PlaneOverBoxes of clip.h)
+//   gamma_4 S  the float product, S = sum |M_k| |x_k| + |M_3| (PlaneOverBoxes of clip.h)
 //   u S        the rounding of M
-//   D          the doubles: gamma_20 of their terms without signs
-//   tiny       4 2^-149 for products that are subnormal, and 2^-150 |x_k| for entries of M that are
+//   D          the operations in double: gamma_20 of the sum of their terms' sizes
+//   tiny       4 2^-149 for products that are subnormal, and 2^-150 |x_k| for entries of M
+//              that are subnormal
 //
-// With M_k = q . W_k and Cauchy's inequality sum |M_k| |x_k| <= |q| reach; M_3 is what the coordinate is at the anchor, which lies
-// within reach of X: |M_3| <= |coordinate at X| + |q| reach. So S <= largest coordinate over the box + 2 |q| reach.
+// M_k = q . W_k, so by Cauchy's inequality sum |M_k| |x_k| <= |q| reach. M_3 is the coordinate of
+// the anchor, whose distance from X is at most reach, so |M_3| <= |coordinate at X| + |q| reach.
+// Therefore S <= largest coordinate over the box + 2 |q| reach.
 
 namespace {
 
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
-// a x + b y + c z + d w + e over the box.
+// The range of a x + b y + c z + d w + e over the box, for a clip plane.
 struct Distances {
   double least = 0, greatest = 0;
 };
@@ -44,7 +48,7 @@ Distances over(const ClipPlane& plane, const std::array<ClipCoordinate, 4>& clip
     }
     found.least = std::min(found.least, distance);
     found.greatest = std::max(found.greatest, distance);
-    error = std::max(error, gamma<double>(8) * size);  // of this sum
+    error = std::max(error, gamma<double>(8) * size);  // the rounding error of this sum
   }
   for (std::size_t row = 0; row < 4; ++row) {
     error += std::abs(coefficients[row]) * clip[row].error * (1 + gamma<double>(8));
@@ -87,7 +91,7 @@ ClipCoordinate GroupPlaces::over(const InstanceGroup& group, const Row& row) con
   }
   const double in_double = gamma<double>(32) * (row.by_far * group.far + row.by_one);
   const double size = largest + 2 * row.length * group.reach + in_double;
-  // One rounding more than the float's five, for what rounds here.
+  // One rounding more than the five of the float product, for the rounding errors here.
   c.error = gamma<float>(6) * size + in_double + (1 + group.sizes) * (8 * 0x1p-149);
   c.largest_term = std::max(size, row.length * group.column);
   return c;
@@ -98,7 +102,7 @@ std::optional<BoxPlace> GroupPlaces::place(const InstanceGroup& group) const {
   std::array<ClipCoordinate, 4> clip;
   for (std::size_t row = 0; row < 4; ++row) {
     clip[row] = over(group, rows_[row]);
-    if (!(clip[row].largest_term < kLargestFloat / 16)) return std::nullopt;  // or NaN
+    if (!(clip[row].largest_term < kLargestFloat / 16)) return std::nullopt;  // or it is NaN
   }
   BoxPlace place;
   place.of_group = true;

@@ -1,4 +1,5 @@
-// Where a whole group of instances lies, and which depths it has: what the plan need not ask of each of them.
+// Finds where a whole group of instances is and which depths it has, so that the plan need not test
+// each instance.
 #pragma once
 
 #include <array>
@@ -13,31 +14,34 @@
 
 namespace glassbox {
 
-// Asks groups what place_box() and depth_codes() ask a draw: what they say of a group holds for each draw of it, as that is carried to
-// clip space in float.
+// Answers for groups what place_box() and depth_codes() answer for a draw. The result for a group
+// holds for each draw of it, as it is transformed to clip space in float.
 class GroupPlaces {
 public:
   explicit GroupPlaces(const View& view);
 
-  // Nothing where the group has to be opened: some of it may lie on a plane, or a number may overflow.
+  // Returns nothing if each draw has to be tested: the group may be on both sides of a plane, or a
+  // number may overflow.
   std::optional<BoxPlace> place(const InstanceGroup& group) const;
 
   DepthCodes codes(const InstanceGroup& group, DepthFormat format) const;
 
 private:
-  // Of clip space: coordinate = slope . X + offset for a point X of the world, in exact arithmetic.
+  // A row of the map to clip space: coordinate = slope . X + offset for a point X in world space,
+  // in exact arithmetic.
   struct Row {
     std::array<double, 3> slope{};
     double offset = 0;
     double length = 0;  // of the slope
-    // What the double matrices may be off by: by_far |largest coordinate| + by_one.
+    // The error bound of the matrices in double: by_far |largest coordinate| + by_one.
     double by_far = 0, by_one = 0;
   };
   ClipCoordinate over(const InstanceGroup& group, const Row& row) const;
 
   const View& view_;
   std::array<Row, 4> rows_;
-  std::vector<ClipPlane> near_eye_far_, edges_;  // of the picture, and of the guard band
+  // The near, far and eye planes; the edges of the picture and of the guard band.
+  std::vector<ClipPlane> near_eye_far_, edges_;
 };
 
 }  // namespace glassbox

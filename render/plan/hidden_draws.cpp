@@ -11,12 +11,13 @@ namespace glassbox {
 
 namespace {
 
-// Draws of the order that are looked at: those after them are drawn.
+// How many draws of the order are tested; the draws after them are always drawn.
 constexpr std::size_t kMostDraws = 4096;
 
-// Work is counted in triangles through the lanes, some 20 ns each (S5 of the benchmark: 22 ms for a million): what looking costs at most
-// for each point of a pixel, whatever the scene, and what it may cost always; and what it takes to set up a triangle by the staged
-// primitives, some 500 ns.
+// Work is counted in triangles drawn by the vectorised code, about 20 ns each (S5 of the benchmark:
+// 22 ms for a million). kMostWork is the largest cost of testing per sample point of a pixel in any
+// scene, kLeastWork the cost that is always allowed. kWorkOfTriangle is the cost of setting up a
+// triangle by the staged primitives, about 500 ns.
 constexpr std::size_t kMostWork = std::size_t{1} << 17, kLeastWork = 1024;
 constexpr std::size_t kWorkOfTriangle = 24;
 
@@ -24,7 +25,7 @@ bool is_filled(const Draw& draw) {
   return draw.mesh->lines.empty() && draw.mesh->points.empty();
 }
 
-// What samples a picture has; and pixel centres, for planes of their own.
+// The sample points of the picture, and the pixel centres, which have depth planes of their own.
 std::vector<SampleOffset> points_of(const RenderSettings& settings) {
   const std::span<const SampleOffset> samples = sample_offsets(samples_drawn(settings));
   std::vector<SampleOffset> points(samples.begin(), samples.end());
@@ -32,7 +33,7 @@ std::vector<SampleOffset> points_of(const RenderSettings& settings) {
   return points;
 }
 
-// The triangles of a draw as they will be drawn.
+// The triangles of a draw, prepared as they will be drawn.
 std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& draw) {
   const PrimitiveStage stage{.draw = draw,
                              .clip = nullptr,
@@ -53,14 +54,14 @@ std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& dr
 
 class HiddenDraws {
 public:
-  // `triangles`: of all draws.
+  // `triangles`: the number of triangles of all draws.
   HiddenDraws(const PlannedEye& eye, std::size_t triangles)
       : eye_(eye),
         window_{0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())},
         points_(points_of(eye.settings)),
         most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
 
-  // `pixels`: that the draw's box reaches, unless it reaches the eye.
+  // `pixels`: the pixels that the draw's box reaches; nothing if the box reaches the eye.
   bool hides(const Draw& draw, const DepthCodes& codes,
              const std::optional<PixelRect>& pixels) const {
     return cover_ && !cover_->covers_nothing() && is_filled(draw) && pixels &&
@@ -85,7 +86,7 @@ public:
 private:
   std::size_t work() const { return work_ + (cover_ ? cover_->work() : 0); }
 
-  // That something within `pixels` may cover.
+  // The largest number of cells that something within `pixels` may cover.
   std::size_t most_cells(const PixelRect& pixels) const {
     const PixelRect seen = intersect(pixels, window_);
     if (seen.empty()) return 0;
@@ -97,7 +98,7 @@ private:
   PixelRect window_;
   std::vector<SampleOffset> points_;
   std::optional<DepthCover> cover_;  // made when something may hide something
-  std::size_t work_ = 0;             // of setting up
+  std::size_t work_ = 0;             // of setting up triangles
   std::size_t most_work_;
 };
 
@@ -112,7 +113,7 @@ std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double ma
   HiddenDraws found(eye, triangles);
   for (std::size_t at = 0; at < std::min(plan.order.size(), kMostDraws); ++at) {
     const std::uint32_t i = plan.order[at];
-    // Of lines it draws, not of surfaces.
+    // A staged draw may draw lines (wireframe) instead of surfaces.
     if (plan.methods[i].staged_because != nullptr) break;
     const std::optional<PixelRect> pixels = pixels_of_box(draws[i], eye.view, margin_px);
     hidden[i] = found.hides(draws[i], plan.codes[i], pixels);

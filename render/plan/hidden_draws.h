@@ -1,4 +1,4 @@
-// Draws that others hide, found before anything is drawn.
+// Finds draws that others hide, before anything is drawn.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,16 @@
 
 namespace glassbox {
 
-// By draw: whether all of it lies behind what comes before it in the plan's order.
+// Returns for each draw whether all of it is behind earlier draws in the plan's order.
 //
-// A fragment is seen only if its depth code is smaller than the one that is there, and codes that are there only become smaller. So a
-// draw may be left out if at each point of each pixel that its box reaches an opaque triangle of a draw before it has a code no
-// greater than the least of its own; what is masked, blended or drawn in between does not matter, nor what comes after.
+// A fragment is seen only if its depth code is smaller than the stored one, and stored codes only
+// become smaller. So a draw may be left out if, at each sample point of each pixel that its box
+// reaches, an opaque triangle of an earlier draw has a code no greater than the smallest code of
+// the draw. Masked, blended or other draws in between do not matter, nor do later ones.
 //
-// Only draws of few and large triangles hide others here, and only until looking has cost a quarter of what it would save if all were
-// hidden (docs/plan.md has the numbers). The plan has the codes of its draws, and their order. `margin_px`: as for place_box.
+// Only draws of few and large triangles are used to hide others here, and the search stops when it
+// has cost a quarter of what it would save if all draws were hidden (docs/plan.md has the numbers).
+// The plan must have the codes of its draws, and their order. `margin_px`: as for place_box.
 std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan,
                               double margin_px = kOutsideMarginPx);
 

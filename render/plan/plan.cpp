@@ -15,24 +15,27 @@ bool is_empty(const ColorMask& mask) {
   return !mask.r && !mask.g && !mask.b && !mask.a;
 }
 
-// Lines and points have no number: where one is seen a picture of numbers keeps its colour, and if it is blended those behind it.
+// Whether a picture of triangle numbers needs this draw's colours. Lines and points have no number:
+// where one is seen such a picture keeps its colour, and if it is blended also the colours behind
+// it.
 bool keeps_colors(const Draw& draw) {
   return draw.material->alpha_mode == AlphaMode::kBlend &&
          !(draw.mesh->lines.empty() && draw.mesh->points.empty());
 }
 
-// Pictures of depth and of numbers are painted from other planes, after the run.
+// Whether the colours of fragments are visible. Pictures of depth and of triangle numbers are made
+// from other planes, after the run.
 bool sees_colors(const PlannedEye& eye) {
   if (is_empty(eye.settings.mask) || eye.settings.show == Show::kDepth) return false;
   return eye.settings.show != Show::kId || std::ranges::any_of(eye.list.draws, keeps_colors);
 }
 
-// What holds for all draws of a group, once it is known.
+// The part of the plan that is the same for all draws of a group, once it has been computed.
 struct GroupPlan {
   bool asked = false;
-  std::optional<BoxPlace> place;  // none: each draw is asked
+  std::optional<BoxPlace> place;  // none: each draw has to be tested
   std::optional<DepthCodes> codes;
-  const Mesh* mesh = nullptr;  // of the method
+  const Mesh* mesh = nullptr;  // the mesh that `method` is for
   DrawMethod method;
 };
 
@@ -44,7 +47,7 @@ public:
         places_(eye.view),
         plans_(eye.list.groups != nullptr ? eye.list.groups->groups.size() : 0) {}
 
-  // Null: the draw has to be asked itself.
+  // Null: the draw has to be tested by itself.
   const DrawMethod* method_of(const Draw& draw, const MethodQuestion& asked) {
     if (plans_.empty()) return nullptr;
     GroupPlan& plan = plan_of(draw);
@@ -55,7 +58,8 @@ public:
       plan.mesh = draw.mesh;
       plan.method = choose_method(draw, *plan.place, asked);
     }
-    // The matrix of each draw has a say in that: of a perspective one w is never known to be 1.
+    // Whether w is 1 also depends on the matrix of each draw; in a perspective view it is never
+    // known to be 1.
     plan.method.divide = asked.view.perspective || needs_divide(draw);
     return &plan.method;
   }
@@ -106,7 +110,7 @@ Plan plan_draws(const PlannedEye& eye, bool leave_out) {
   return plan;
 }
 
-// What is computed for one eye is computed for all.
+// Makes the plans of all eyes agree: what is computed for one eye is computed for all.
 void make_agree(std::span<Plan> plans) {
   for (std::size_t draw = 0; draw < plans.front().methods.size(); ++draw) {
     DrawMethod any = plans.front().methods[draw];
@@ -127,7 +131,7 @@ void make_agree(std::span<Plan> plans) {
   }
 }
 
-// The same for both eyes of a pair: their z and w are.
+// Gives the same order for both eyes of a pair, because their z and w are equal.
 void order_draws(Plan& plan) {
   plan.order.reserve(plan.methods.size());
   for (std::uint32_t i = 0; i < plan.methods.size(); ++i) {
@@ -143,12 +147,13 @@ void order_draws(Plan& plan) {
   }
 }
 
-// What one of the eyes sees is drawn for all.
+// Leaves out the draws that are hidden from all eyes: a draw that one of the eyes sees is drawn for
+// all.
 void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     if (!plans[i].leaves_out || eyes[i].sees_through) return;
     const std::vector<bool> hidden = find_hidden(eyes[i], plans[i]);
-    if (std::ranges::find(hidden, true) == hidden.end()) return;  // this eye sees all that it may
+    if (std::ranges::find(hidden, true) == hidden.end()) return;  // this eye sees all of its draws
     for (std::size_t draw = 0; draw < hidden.size(); ++draw) {
       plans[i].methods[draw].hidden = hidden[draw];
     }

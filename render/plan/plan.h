@@ -1,7 +1,8 @@
-// What of a picture's work can be left out, and in which order the rest is done, from cheap proofs: boxes, matrices, materials,
-// and what was asked for (DESIGN 4). The bytes are those of the staged reference, with a plan or without.
+// Plans which of a picture's work can be left out, and the order of the rest. It uses cheap proofs:
+// boxes, matrices, materials, and the wanted planes. The bytes are those of the staged reference,
+// with or without a plan.
 //
-// The engine reads the flags; decisions.h says the same in words, each with its proof.
+// The engine reads the flags; decisions.h puts the same into words, each decision with its proof.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +18,33 @@
 
 namespace glassbox {
 
-// One eye's picture.
+// The inputs of one eye's picture.
 struct PlannedEye {
   const DrawList& list;
   const View& view;
   const RenderSettings& settings;
-  bool sees_through = false;  // EyePicture::behind: what is in front hides nothing
+  bool sees_through = false;  // EyePicture::behind is set: what is in front hides nothing
 };
 
 struct Plan {
   bool leaves_out = true;
   std::vector<DrawMethod> methods;   // by draw
-  std::vector<std::uint32_t> order;  // of drawing: those draws that are drawn
-  // By draw, of those within the view: its own, or those of a group that it is in. Empty where there is nothing to order.
+  std::vector<std::uint32_t> order;  // the order of drawing, of the draws that are drawn
+  // The depth codes of each draw within the view, or those of its group of instances. Empty where
+  // there is nothing to order.
   std::vector<DepthCodes> codes;
-  std::size_t moved = 0;  // that many of them before others which the list has earlier
+  std::size_t moved = 0;  // how many draws were moved before earlier draws of the list
 
-  bool colors = true;       // somebody sees them
-  ColorMask channels;       // that are encoded
-  bool read_back = false;   // the picture's pixels are read before they are written, needed or not
-  bool keep_depth = false;  // in a plane of the framebuffer, for somebody who asked
+  bool colors = true;  // the colours are visible
+  ColorMask channels;  // the channels that are encoded
+  // The picture's pixels are read before they are written, even if they are not needed.
+  bool read_back = false;
+  bool keep_depth = false;  // in a plane of the framebuffer, because it is wanted
 };
 
-// One for each eye of a picture: one eye, or the two of a pair, whose views differ in x alone. They agree in the order, and in
-// what is computed for both. `leave_out` = false: everything runs that a proof would leave out.
+// Makes one plan for each eye of a picture: one eye, or the two of a pair, whose views differ in x
+// alone. The plans agree in the order, and in what is computed for both eyes. `leave_out` = false:
+// everything runs that a proof would leave out.
 using Planner = std::vector<Plan> (*)(std::span<const PlannedEye> eyes, bool leave_out);
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out);
 

@@ -1,4 +1,4 @@
-// The draws of a picture's eyes, and what is planned for them.
+// The draws of a picture's eyes, and the plans for them.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace glassbox {
 
-// By eye. The eyes refer to the lists; memory is used again for the next picture.
+// One entry for each eye. `eyes` refers to `lists`; the memory is used again for the next picture.
 struct PlannedPicture {
   std::vector<DrawList> lists;
   std::vector<PlannedEye> eyes;

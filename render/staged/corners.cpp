@@ -151,8 +151,8 @@ const std::array<Varyings, 3>& attributes_of(const PrimitiveStage& stage, const 
 
 Varyings attributes_at(const std::array<Varyings, 3>& corners,
                        const std::array<double, 3>& weights) {
-  // Most vertices are corners that clipping has left alone: weighing would give back what they have, but for the sign of
-  // a zero, which nothing further on reads.
+  // Most vertices are corners that clipping did not change. The weighted sum would give back their
+  // attributes, except for the sign of a zero, which no later stage uses.
   if (weights[1] == 0 && weights[2] == 0) return corners[0];
   if (weights[2] == 0 && weights[0] == 0) return corners[1];
   if (weights[0] == 0 && weights[1] == 0) return corners[2];

@@ -1,4 +1,4 @@
-// The corners of triangles in clip space, and what they bring with them: outcodes, facing, attributes.
+// The corners of triangles in clip space, and their outcodes, facing and attributes.
 #pragma once
 
 #include <array>
@@ -14,32 +14,35 @@ std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Trian
 std::array<Outcode, 3> outcodes_of(const PrimitiveStage& stage, const Triangle& triangle,
                                    const std::array<ClipVertex, 3>& corners);
 
-// What the view's planes leave of a triangle; most are left whole, or nothing of them.
+// Clips a triangle to the view's planes. Most triangles are kept whole or rejected.
 ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners,
                          ClipVerdict verdict);
 
 // ---- facing ----
 
-// Turned away for certain, which is known before anything is clipped. What a plane cuts is left to the snapped area.
+// Whether the triangle is certainly turned away; this is known before anything is clipped. For
+// triangles that a plane cuts, the snapped area decides later.
 bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle, ClipVerdict verdict);
 
-// Counter-clockwise in the world is counter-clockwise on the screen: the eye sees what a person there would see. A
-// mirroring model matrix turns the winding round, and the outside with it.
+// A triangle that is counter-clockwise in the world is counter-clockwise on the screen: the eye
+// sees what a person there would see. A mirroring model matrix reverses the winding, and so
+// exchanges front and back.
 inline bool shows_front(const Draw& draw, const TriangleSetup& setup) {
   return setup.clockwise == draw.mirrored;
 }
 
 // ---- attributes ----
 
-// Everything but the lighting.
+// All attributes except the results of lighting.
 Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner);
 
-// The three corners as the fragments will interpolate them, lit where the shading is per face or per vertex. Seen from
-// behind, a surface is lit as if its normals pointed the other way.
+// The attributes of the three corners as the fragments will interpolate them, lit where the shading
+// is per face or per vertex. A surface seen from behind is lit as if its normals pointed the other
+// way.
 const std::array<Varyings, 3>& attributes_of(const PrimitiveStage& stage, const Triangle& triangle,
                                              bool front, TriangleAttributes& attributes);
 
-// The attributes at a vertex that clipping made, from the corners of the primitive as it came.
+// The attributes at a vertex that clipping made, from the corners of the original primitive.
 Varyings attributes_at(const std::array<Varyings, 3>& corners,
                        const std::array<double, 3>& weights);
 

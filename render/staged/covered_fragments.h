@@ -1,5 +1,6 @@
-// Which fragments a triangle has, and which of them are in front: at pixel centres, or at several samples to a pixel. Depth is
-// tested and stored for each sample; light is computed once for each pixel and triangle.
+// The fragments of a triangle, and which of them are in front: at pixel centres, or at several
+// samples per pixel. Depth is tested and stored for each sample; light is computed once for each
+// pixel and triangle.
 #pragma once
 
 #include <array>
@@ -15,13 +16,13 @@
 
 namespace glassbox {
 
-// What a triangle covers of one pixel.
+// The part of one pixel that a triangle covers.
 struct CoveredFragment {
-  Fragment place;  // where it is shaded; at the centre, if that is covered
+  Fragment place;  // where it is shaded: at the centre, if that is covered
   bool centre = false;
   std::uint32_t centre_code = 0;
   std::uint32_t samples = 0;                      // bit s: sample s
-  std::array<std::uint32_t, kMostSamples> codes;  // of those samples
+  std::array<std::uint32_t, kMostSamples> codes;  // the depth codes of those samples
 
   bool is_empty() const { return !centre && samples == 0; }
 };
@@ -39,7 +40,7 @@ void interpolate_at(const Coverage& coverage, const FragmentStage& stage, const 
   fragment.centre_code = depth_code(stage.settings.depth, fragment.place.depth);
 }
 
-// Those at pixel centres.
+// Visits the fragments at pixel centres.
 template <class Watch, class Visit>
 void for_each_centre(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
                      const Surface& surface, const Visit& visit) {
@@ -56,7 +57,8 @@ void for_each_centre(const FragmentStage& stage, const Watch& watch, const Trian
   }
 }
 
-// Those at samples; at pixel centres too, where the surface writes to the planes that belong to them.
+// Visits the fragments at samples, and also at pixel centres if the surface writes to the planes of
+// pixel centres.
 template <class Watch, class Visit>
 void for_each_sampled_pixel(const FragmentStage& stage, const Watch& watch,
                             const TriangleSetup& setup, const Surface& surface,
@@ -86,12 +88,13 @@ void for_each_fragment(const FragmentStage& stage, const Watch& watch, const Tri
   }
 }
 
-// What is hidden although nothing is in front of it. (kEmptyDepth is the greatest code.)
+// Whether the fragment is discarded although nothing is in front of it, because it is not behind
+// the given depth. (kEmptyDepth is the largest code.)
 inline bool is_hidden(const FragmentStage& stage, const Fragment& place, std::uint32_t code) {
   return stage.behind != nullptr && code <= stage.behind->at(place.x, place.y);
 }
 
-// Leaves of the fragment what is in front of what is there.
+// Keeps of the fragment only what is in front of the stored depths.
 template <class Watch>
 void test_depth(const FragmentStage& stage, const Watch& watch, const FragmentSource& source,
                 CoveredFragment& fragment) {

@@ -15,16 +15,19 @@ bool unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcod
   return unseen_by_both(codes);
 }
 
-// How far beside the picture a line may be and still reach into it: it colours samples at most half a pixel beside it, and these lie in
-// the picture. Half a pixel more is far more than what follows rounds.
+// How far outside the picture a line may be and still reach into it: a line colours samples at most
+// half a pixel away from it, and these are in the picture. The other half pixel is far more than
+// the following rounding errors.
 //
-// What is culled has x > s w, say, at all its corners, with w > 0 (outcode_within) and s = 1 + 2 px/W. A crossing has x and w between
-// those of its ends, rounded to float; as all terms are positive, x/w loses 2^-23 of itself at each of at most 7 planes. The divide rounds
-// twice, the viewport a product and a sum, by 2^-24 each, and the snap moves by 1/512 px. With W = 16384 that is at most
+// A culled primitive has, for example, x > s w at all its corners, with w > 0 (outcode_within) and
+// s = 1 + 2 px/W. Where it crosses a plane, x and w are between those of its ends, rounded to
+// float. All terms are positive, so x/w loses at most 2^-23 of itself at each of at most 7 planes.
+// The divide rounds twice, the viewport rounds a product and a sum, by 2^-24 each, and the snap
+// moves by 1/512 px. With W = 16384 the sum is at most
 //   17 * 2^-24 * 8193 + 2^-24 * 16385 + 1/512 < 0.012 px.
 constexpr double kLineMarginPx = 1;
 
-// How much farther out than the edge of the picture something ends of which lines are drawn.
+// How far from the centre the margin for lines ends, relative to the edge of the picture.
 double margin_share(float side_px) {
   return 1 + 2 * kLineMarginPx / std::abs(double(side_px));
 }
@@ -61,7 +64,7 @@ Outcode CullingList::outcode_within(StereoClipPoint point) const {
   for (float* x : {&point.left_x, &point.right_x}) *x = float(double(*x) / share_x_);
   point.y = float(double(point.y) / share_y_);
   const Outcode code = stereo_outcode(point, centre_);
-  // Behind the eye, sides of the picture say little of where a line is that a plane cuts.
+  // Behind the eye, the sides of the picture say little about where a line is that a plane cuts.
   return as_lines && !(point.w > 0) ? code & ~kStereoSides : code;
 }
 

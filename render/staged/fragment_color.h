@@ -1,4 +1,5 @@
-// The colour of a fragment: texture, light, alpha, blend. In a header so that it becomes part of the loop over the pixels.
+// The colour of a fragment: texture, light, alpha, blend. It is in a header so that it is inlined
+// into the loop over the pixels.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +17,13 @@ namespace glassbox {
 
 // ---- the surface's own colour ----
 
-// What a primitive brings for each of its fragments.
+// The data that a primitive provides for each of its fragments.
 struct Surface {
   std::array<Varyings, 3> vertices;      // interpolated with Fragment::weights
-  std::optional<TexturePlanes> texture;  // of textured triangles, be it in their emission
+  std::optional<TexturePlanes> texture;  // set if the base colour or the emission is textured
   FragmentSource source;
-  std::uint32_t id = 0;  // what Framebuffer::id gets
-  // Where samples are drawn it writes to the planes of pixel centres, too.
+  std::uint32_t id = 0;  // the value for Framebuffer::id
+  // With several samples per pixel it also writes to the planes of pixel centres.
   bool has_centres = false;
 };
 
@@ -40,7 +41,7 @@ inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& trian
   return surface;
 }
 
-// Base-2 level of the mip chain that suits the fragment; 0 for lines and points.
+// The level of the mip chain that suits the fragment; 0 for lines and points.
 inline float detail_at(const MipChain& texture, const Surface& surface, const Varyings& at,
                        const Fragment& fragment) {
   if (!surface.texture) return 0.0f;
@@ -63,12 +64,13 @@ inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, co
   return color;
 }
 
-// Its alpha lies below the material's cutoff.
+// Whether the fragment's alpha is below the material's cutoff.
 inline bool is_discarded(const Material& material, const Rgba& surface) {
   return material.alpha_mode == AlphaMode::kMask && !(surface.a >= material.alpha_cutoff);
 }
 
-// It is laid over what is there. (Pictures of normals and texture coordinates are opaque.)
+// Whether the fragment is blended over what is there. (Pictures of normals and texture coordinates
+// are opaque.)
 inline bool is_blended(const FragmentStage& stage) {
   return stage.draw.material->alpha_mode == AlphaMode::kBlend &&
          stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
@@ -89,7 +91,7 @@ inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at
   return {r, g, b, base.a};
 }
 
-// What the surface shines with by itself: its emission times the texture of that.
+// The light that the surface emits: its emission times the emission texture.
 inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surface& surface,
                                         const Varyings& at, const Fragment& fragment) {
   const std::array<float, 3>& emission = stage.draw.emission;
@@ -100,7 +102,7 @@ inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surfac
   return {emission[0] * texel.r, emission[1] * texel.g, emission[2] * texel.b};
 }
 
-// The surface in the light, and its own light with it.
+// The surface's colour after lighting, with its emission added.
 template <class Watch>
 Rgba shining(const FragmentStage& stage, const Watch& watch, const Surface& surface,
              const Varyings& at, const Fragment& fragment, const Rgba& base) {
@@ -112,7 +114,7 @@ Rgba shining(const FragmentStage& stage, const Watch& watch, const Surface& surf
   return color;
 }
 
-// A direction as a colour: each component from [-1, 1] to [0, 255].
+// A direction as a colour: each component is mapped from [-1, 1] to [0, 255].
 inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
   const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
   const float scale = squared > 0.0f ? 0.5f / std::sqrt(squared) : 0.0f;
@@ -125,7 +127,7 @@ inline Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
   return {encode_unorm8(t[0] - std::floor(t[0])), encode_unorm8(t[1] - std::floor(t[1])), 0, 255};
 }
 
-// What a fragment brings to wherever it is written: its light, or the quantity asked for in its place, as bytes.
+// The colour that a fragment writes: its light, or, as bytes, the quantity that is shown instead.
 struct FragmentColor {
   Rgba light;
   std::optional<Rgba8> quantity;
@@ -143,7 +145,7 @@ FragmentColor fragment_color(const FragmentStage& stage, const Watch& watch, con
   return {color, {}};
 }
 
-// What is stored over `before`.
+// Returns the bytes to store where `before` was stored.
 inline Rgba8 encoded(const FragmentStage& stage, const FragmentColor& color, const Rgba8& before) {
   if (color.quantity) return *color.quantity;
   if (stage.draw.material->alpha_mode == AlphaMode::kBlend) {

@@ -1,4 +1,4 @@
-// What a fragment leaves behind: its colour, at the pixel or at its samples; and what belongs to the pixel's centre.
+// Writes a fragment: its colour, at the pixel or at its samples, and the planes of pixel centres.
 #pragma once
 
 #include <glassbox/raster/blend.h>
@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// With several samples they have the colour, and the pixel gets their mean at the end.
+// With several samples, the samples have the colour, and the pixel gets their mean at the end.
 inline bool shows_color(const FragmentStage& stage, const CoveredFragment& fragment) {
   return stage.samples == nullptr || fragment.samples != 0;
 }
@@ -40,7 +40,7 @@ void write_color(const FragmentStage& stage, const Watch& watch, const CoveredFr
   write_over(stage, watch, fragment, color, stage.color.at(fragment.place.x, fragment.place.y));
 }
 
-// The planes of the framebuffer that belong to pixel centres: everything but the colours.
+// Writes the planes of the framebuffer that belong to pixel centres: all except the colours.
 inline void write_planes(const FragmentStage& stage, const CoveredFragment& fragment,
                          std::uint32_t id, bool writes_depth) {
   Framebuffer& target = stage.target;

@@ -1,5 +1,6 @@
-// Lines and points become fragments: at pixel centres, and with several samples to those of a rectangle one pixel wide around
-// the line, with square ends, and of the unit square around the point. Which pixel centres they have does not depend on
+// Lines and points become fragments at pixel centres. With several samples per pixel they also
+// cover samples: a line those in a rectangle around it, one pixel wide with square ends, and a
+// point those in the unit square around it. The pixel centres do not depend on the number of
 // samples.
 #pragma once
 
@@ -31,7 +32,7 @@ inline ScreenVertex moved(const ScreenVertex& vertex, double x, double y) {
   return at;
 }
 
-// A quadrilateral, whose corners run around it, as two triangles that share a diagonal.
+// Draws a quadrilateral as two triangles that share a diagonal. The corners are in order around it.
 template <class Watch>
 void rasterise_quad(const FragmentStage& stage, const Watch& watch,
                     const std::array<ScreenVertex, 4>& corners,
@@ -49,7 +50,8 @@ void rasterise_quad(const FragmentStage& stage, const Watch& watch,
   }
 }
 
-// Both halves of the rectangle have the ends' depth and 1/w at the ends, so that nothing changes across the line.
+// At the line's ends both triangles of the rectangle have the ends' depth and 1/w, so that nothing
+// changes across the line.
 template <class Watch>
 void rasterise_samples(const FragmentStage& stage, const Watch& watch, const ReadyLine& line) {
   const auto& [a, b] = line.ends;
@@ -57,7 +59,7 @@ void rasterise_samples(const FragmentStage& stage, const Watch& watch, const Rea
   const double dy = double(b.position.y) - double(a.position.y);
   const double length = std::sqrt(dx * dx + dy * dy);
   if (length == 0) return;
-  const double x = -dy / length / 2, y = dx / length / 2;  // half a pixel across
+  const double x = -dy / length / 2, y = dx / length / 2;  // half a pixel to each side
   const Varyings &at_a = line.vertices[0], &at_b = line.vertices[1];
   rasterise_quad(stage, watch, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)},
                  {&at_a, &at_a, &at_b, &at_b}, line.source);

@@ -1,4 +1,5 @@
-// What one draw's primitives need on their way through the stages, and what they are halfway: ready to be rasterised.
+// The data that one draw's primitives need in the stages, and primitives that are ready to be
+// rasterised.
 #pragma once
 
 #include <array>
@@ -17,14 +18,14 @@ namespace glassbox {
 struct ReadyTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;  // in the order of the setup
-  std::uint32_t number = 0;          // in the whole scene
-  std::uint32_t piece = 0;           // of the fan that clipping left of the triangle
+  std::uint32_t number = 0;          // number in the whole scene
+  std::uint32_t piece = 0;           // index in the fan that clipping left of the triangle
 };
 
 struct ReadyLine {
   std::array<ScreenVertex, 2> ends;
   std::array<Varyings, 2> vertices;
-  std::uint32_t id = 0;  // what Framebuffer::id gets
+  std::uint32_t id = 0;  // the value for Framebuffer::id
   FragmentSource source;
 };
 
@@ -34,39 +35,40 @@ struct ReadyPoint {
   FragmentSource source;
 };
 
-// The attributes of a triangle's corners, front and back, gathered when the first visible piece asks for them: lit once,
-// however many eyes look at the triangle.
+// The attributes of a triangle's corners, for its front and its back. They are computed when the
+// first visible piece needs them: lit once, even if both eyes of a pair see the triangle.
 struct TriangleAttributes {
   std::optional<std::array<Varyings, 3>> front, back;
 };
 
-// From the corners to the screen, for one eye.
+// The data of the stages from the corners to the screen, for one eye.
 struct PrimitiveStage {
   const Draw& draw;
-  const ClipTable* clip;  // null: vertices are projected as triangles ask for them
+  const ClipTable* clip;  // null: vertices are projected when triangles need them
   EyeSpace eye_space;
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
-  std::optional<ObjectCull> object_cull;  // of what no plane cuts; absent: nothing is culled early
+  // For triangles that no plane cuts; absent: nothing is culled early.
+  std::optional<ObjectCull> object_cull;
 };
 
-// From the screen to the pixels.
+// The data of the stages from the screen to the pixels.
 struct FragmentStage {
   const Draw& draw;
-  ColorMask channels;  // that are shaded: shaded_channels(draw, settings)
+  ColorMask channels;  // the shaded channels: shaded_channels(draw, settings)
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
-  Framebuffer& target;    // every plane but the colours
-  Image<Rgba8>& color;    // the target's own, or that which the eyes of an anaglyph share
+  Framebuffer& target;    // every plane except the colours
+  Image<Rgba8>& color;    // the target's own, or the one that the eyes of an anaglyph share
   PixelRect window;       // the part of the picture that is drawn
   SamplePlanes* samples;  // null: one sample, at the pixel's centre, straight into `color`
-  const Image<std::uint32_t>* behind = nullptr;  // as EyePicture has it
+  const Image<std::uint32_t>* behind = nullptr;  // see EyePicture::behind
 };
 
-// Those that are written, and alpha where the material asks for it.
+// The channels that are written, and alpha if the material needs it.
 inline ColorMask shaded_channels(const Draw& draw, const RenderSettings& settings) {
   ColorMask channels = settings.mask;
   channels.a = channels.a || draw.material->alpha_mode != AlphaMode::kOpaque;

@@ -1,4 +1,5 @@
-// Vertices on the screen; and lines, points and the edges of triangles, ready to be rasterised.
+// Computes vertices on the screen, and lines, points and the edges of triangles that are ready to
+// be rasterised.
 #pragma once
 
 #include <vector>
@@ -33,7 +34,8 @@ void ready_segment(const PrimitiveStage& stage, const Watch& watch,
                    source});
 }
 
-// Those of a triangle, clipped one by one: a clipped triangle has edges that are not its own.
+// Prepares the edges of a triangle, each clipped separately: a clipped triangle has edges that are
+// not its own.
 template <class Watch>
 void ready_edges(const PrimitiveStage& stage, const Watch& watch,
                  const std::array<ClipVertex, 3>& corners,

@@ -1,6 +1,7 @@
-// The reference: a triangle's way through every stage, in order. From its corners to pieces on the screen, and from there to the
-// pixels; in two steps because the eyes of a pair take turns between them, and the tile engine sorts there. `watch` is one of
-// watch.h, and is shown what each stage has made.
+// The reference: takes a triangle through every stage, in order. First from its corners to pieces
+// on the screen, and then to the pixels. There are two steps because the eyes of a pair alternate
+// between them, and the tile engine sorts there. `watch` is one of the types of watch.h; it is
+// called with each stage's result.
 #pragma once
 
 #include <vector>
@@ -17,9 +18,10 @@
 
 namespace glassbox {
 
-// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
-// RenderSettings::wireframe its edges are appended to `lines` instead. `attributes` belongs to the triangle: empty before
-// the first eye, the same for the next one.
+// Appends what is left of a triangle of the mesh: nothing, the triangle itself, or the fan of its
+// clipped polygon. With RenderSettings::wireframe its edges are appended to `lines` instead.
+// `attributes` belongs to the triangle: empty before the first eye, and used again for the next
+// one.
 template <class Watch>
 void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
                     TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
@@ -70,7 +72,8 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   watch.prepared(triangle);
 }
 
-// A fragment from the depth test to the pixel; with several samples, to those that it covers.
+// Takes a fragment from the depth test to the pixel, or with several samples to the samples that it
+// covers.
 template <class Watch>
 Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
                    CoveredFragment& fragment) {

@@ -36,7 +36,8 @@ void count_input(const Draw& draw, Statistics& statistics) {
 
 // ---- vertices ----
 
-// Of one draw. Work done for all eyes at once is counted and timed with the first.
+// Transforms the vertices of one draw. Work done for all eyes at once is counted and timed with the
+// first.
 template <class Watch>
 DrawTables transform_draw(std::size_t index, const std::vector<EyeRun<Watch>>& eyes) {
   const EyeRun<Watch>& first = eyes.front();
@@ -62,7 +63,7 @@ DrawTables transform_draw(std::size_t index, const std::vector<EyeRun<Watch>>& e
 
 // ---- primitives ----
 
-// The stages of one draw for one eye, and what is on its way between them.
+// The stages of one draw for one eye, and the primitives between them.
 template <class Watch>
 struct EyeStages {
   PrimitiveStage primitives;
@@ -74,7 +75,8 @@ struct EyeStages {
   std::vector<ReadyPoint> points;
 };
 
-// Whoever watches sees every triangle in all stages; the bytes are the same.
+// An observer is called for every triangle in all stages, so nothing is culled early for it; the
+// bytes are the same.
 std::optional<ObjectCull> early_culling(const Counting&, const Draw& draw, const EyePicture& eye) {
   return object_culling(draw, eye.view, eye.settings).test;
 }
@@ -140,7 +142,8 @@ void ready_batch(std::vector<EyeStages<Watch>>& eyes, std::span<const Triangle> 
   }
 }
 
-// The stages after the vertices: for some of the draw's triangles, in the order of the mesh, and for all its lines and points.
+// Runs the stages after the vertex stage for some of the draw's triangles, in the order of the
+// mesh, and for all its lines and points.
 template <class Watch>
 void draw_primitives(std::vector<EyeStages<Watch>>& eyes, std::span<const Triangle> triangles,
                      const Mesh& mesh) {
@@ -161,7 +164,7 @@ void draw_primitives(std::vector<EyeStages<Watch>>& eyes, std::span<const Triang
 
 // ---- the run ----
 
-// A run draws over a picture that is there; its own is empty.
+// Clears the framebuffer. If a run draws over an existing picture, it has no colours of its own.
 void clear(const EyePicture& eye) {
   const Viewport& viewport = eye.view.viewport;
   eye.target = cleared_framebuffer(int(viewport.width()), int(viewport.height()), eye.settings,

@@ -1,5 +1,5 @@
-// The staged reference: every stage in order (reference.h), one primitive at a time. The picture it makes is the definition of the
-// right picture.
+// The staged reference: every stage in order (reference.h), one primitive after the other. The
+// picture it makes is the correct one by definition.
 #pragma once
 
 #include <glassbox/mesh/scene.h>
@@ -8,11 +8,12 @@
 
 namespace glassbox {
 
-// Triangles are carried through the stages in batches, each followed by its fragments, so that each stage can be timed and
-// memory stays small.
+// Triangles pass through the stages in batches, each followed by its fragments, so that each stage
+// can be timed and memory stays small.
 inline constexpr std::size_t kTriangleBatch = 1024;
 
-// The eyes of a pair take turns, triangle by triangle, and share what is the same for both (S0-03).
+// Draws pictures by the staged reference. The eyes of a pair alternate, triangle by triangle, and
+// share what is the same for both (S0-03).
 class StagedEngine : public Engine {
 public:
   NotSubmitted draw(const PictureJob& job) override;
@@ -24,9 +25,9 @@ struct Rendering {
   Statistics statistics;
 };
 
-// An image of the viewport's size. The view comes from make_view (which checks the camera), with
-// DepthRange::kReversed if and only if the settings' depth format is reversed. `observer` (none: nullptr) is called at every
-// stage.
+// Renders a picture of the viewport's size. The view comes from make_view (which checks the
+// camera), with DepthRange::kReversed if and only if the settings' depth format is reversed.
+// `observer` (none: nullptr) is called at every stage.
 Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
                         Observer* observer = nullptr);
 

@@ -1,4 +1,5 @@
-// Object space to clip space, once for each entry of the mesh's tables; and what lighting needs in eye space.
+// The transform from object space to clip space, once for each entry of the mesh's tables, and the
+// tables in eye space that lighting needs.
 #pragma once
 
 #include <span>
@@ -13,13 +14,13 @@
 
 namespace glassbox {
 
-// What one eye sees of the mesh's positions, by position.
+// The mesh's positions in the clip space of one eye, by index of the position.
 struct ClipTable {
   std::vector<Point<Clip>> positions;
   std::vector<Outcode> outcodes;  // with respect to render_planes of the eye's view
 };
 
-// Entry `index` of the mesh's positions.
+// Transforms entry `index` of the mesh's positions to clip space; project_x() computes only x.
 Point<Clip> project_vertex(const Draw& draw, std::uint32_t index);
 float project_x(const Draw& draw, std::uint32_t index);
 
@@ -39,8 +40,8 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
   return table;
 }
 
-// The same for a stereo pair's other eye, from what the first one sees. The skew moves x alone (S0-03): y, z and w are
-// taken over, and equal what projecting anew would give.
+// The same for a stereo pair's other eye, from the first eye's table. The skew moves x alone
+// (S0-03): y, z and w are copied, and equal the result of projecting again.
 template <class Watch = Nobody>
 ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
                             const ClipTable& first_eye, const Watch& watch = {}) {
@@ -55,15 +56,15 @@ ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
   return table;
 }
 
-// What lighting needs, the same for both eyes of a pair. Empty where nothing is lit.
+// The tables that lighting needs, the same for both eyes of a pair. Empty where nothing is lit.
 struct EyeSpaceTables {
-  std::vector<Point<Eye>> positions;  // by position
-  std::vector<Normal<Eye>> normals;   // by normal, unit length
-  // By face, unit length; empty where every corner has its own.
+  std::vector<Point<Eye>> positions;  // by index of the position
+  std::vector<Normal<Eye>> normals;   // by index of the normal, unit length
+  // By index of the face, unit length; empty where every corner has its own normal.
   std::vector<Normal<Eye>> face_normals;
 };
 
-// The same without saying where the tables are kept; entries of tables that nobody needs may be missing.
+// The same tables, stored anywhere. Entries that are not needed may be missing.
 struct EyeSpace {
   bool lit = false;
   std::span<const Point<Eye>> positions;
@@ -77,22 +78,24 @@ struct EyeSpace {
         face_normals(tables.face_normals) {}
 };
 
-// What the vertex stage makes of a draw.
+// The results of the vertex stage for a draw.
 struct DrawTables {
   std::vector<ClipTable> clip;  // by eye
-  EyeSpaceTables eye_space;     // of all eyes
+  EyeSpaceTables eye_space;     // for all eyes
 };
 
-// True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
+// Whether the draw's colour depends on normals: lit shading of a lit material, or a picture of the
+// normals.
 bool needs_normals(const Draw& draw, const RenderSettings& settings);
 
-// True where the picture shows light: what the surface reflects, and what it emits.
+// Whether the picture shows light: what the surface reflects, and what it emits.
 bool shows_light(const Draw& draw, const RenderSettings& settings);
 
-// True where light is computed with the normals of faces: flat shading, and corners without a normal of their own.
+// Whether light is computed with the normals of faces: flat shading, or corners that have no
+// normal.
 bool needs_face_normals(const Draw& draw, const RenderSettings& settings);
 
-// Unit normals in eye space of all faces of the mesh, appended.
+// Appends the unit normals in eye space of all faces of the mesh.
 void append_face_normals(const Draw& draw, std::vector<Normal<Eye>>& normals);
 
 EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& settings);

@@ -1,5 +1,6 @@
-// Who watches a run of the staged stages, as a type: nobody, somebody who counts, or somebody who counts and tells an observer.
-// What nobody does costs nothing. The methods are Observer's, in the order of the stages.
+// The types that watch a run of the staged stages: one does nothing, one counts, and one counts and
+// calls an observer. Methods that do nothing cost nothing. They are Observer's methods, in the
+// order of the stages.
 #pragma once
 
 #include <span>
@@ -36,7 +37,7 @@ struct Nobody {
   void ended(const FragmentSource&, const Fragment&, Fate) const {}
 };
 
-// Counts what comes out of the stages.
+// Counts the results of the stages.
 struct Counting : Nobody {
   Statistics& statistics;
 
@@ -83,7 +84,8 @@ struct Counting : Nobody {
   }
 };
 
-// Counts, and tells an observer, who may change what a stage has made: what is counted is what goes on.
+// Counts, and calls an observer, which may change what a stage has made; the changed value is
+// counted.
 struct Observed : Counting {
   Observer& observer;
 

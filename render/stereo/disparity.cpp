@@ -9,15 +9,16 @@
 namespace glassbox {
 namespace {
 
-constexpr double kFinestBin = 1e-3;  // px; below it the distances' rounding to float shows
+constexpr double kFinestBin = 1e-3;  // px; finer bins would show the rounding of distances to float
 
 std::int64_t bin_of(double px, double bin_px) {
   return std::int64_t(std::floor(px / bin_px));
 }
 
-// 0.001, 0.002, 0.005, 0.01 ...
+// Returns a bin width from the series 0.001, 0.002, 0.005, 0.01 ...
 double bin_width(double least, double greatest, int most_bins) {
-  // A million bins from the window on: floats hardly tell more apart, and bins have numbers.
+  // At most a million bins on each side of the window: floats can hardly distinguish more, and bins
+  // have integer numbers.
   const double finest = std::max({kFinestBin, std::abs(least) * 1e-6, std::abs(greatest) * 1e-6});
   for (double decade = kFinestBin;; decade *= 10) {
     for (const double width : {decade, 2 * decade, 5 * decade}) {
@@ -42,7 +43,8 @@ Image<float> disparity_map(const View& centre, const StereoPair& pair,
 }
 
 DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& budget) {
-  // Rounded as the disparities are: what keeps the budget before rounding keeps it afterwards.
+  // The budget is rounded as the disparities are, so that a disparity within the budget stays
+  // within it.
   const float in_front = float(budget.in_front_px), behind = float(budget.behind_px);
   DisparitySummary found;
   for (const float pixel : disparity.pixels) {

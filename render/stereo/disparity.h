@@ -1,4 +1,5 @@
-// Ground-truth disparity: how far apart the eyes see what each pixel shows.
+// Ground-truth disparity: the distance between the two eyes' images of the point that each pixel
+// shows.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +12,20 @@
 
 namespace glassbox {
 
-// parallax_at of every pixel's distance, in px, right minus left: negative in front of the window, NaN where nothing
-// was drawn. `distances` is a framebuffer's distance plane, of either eye or of the camera between them: the distance along
-// the gaze, and so the disparity, is the same for all three. Off by the parallax of the distance's rounding to float.
+// The disparity of every pixel: parallax_at() of its distance, in px, right minus left. Negative in
+// front of the window, NaN where nothing was drawn. `distances` is a framebuffer's distance plane,
+// of either eye or of the camera between them: the distance along the gaze, and so the disparity,
+// is the same for all three. The error is the parallax that corresponds to the rounding of the
+// distance to float.
 Image<float> disparity_map(const View& centre, const StereoPair& pair,
                            const Image<float>& distances);
 
-// Of the pixels that have a disparity.
+// A summary of the pixels that have a disparity.
 struct DisparitySummary {
   std::uint64_t drawn = 0;
-  double least_px = 0;     // what stands out most, or is least far behind; 0 where nothing is drawn
-  double greatest_px = 0;  // the other end
-  // Beyond the budget, in front of the window and behind it.
+  double least_px = 0;     // nearest to the viewer; 0 where nothing is drawn
+  double greatest_px = 0;  // farthest from the viewer
+  // Pixels outside the budget, in front of the window and behind it.
   std::uint64_t too_near = 0, too_far = 0;
 
   double share_beyond() const {
@@ -31,15 +34,17 @@ struct DisparitySummary {
 };
 DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& budget);
 
-// Bin i holds the disparities from first_px + i bin_px up to, not including, the next bin's. The window is at the edge
-// of a bin, so none has both what is in front and what is behind.
+// A histogram of disparities. Bin i contains those from first_px + i bin_px up to, but not
+// including, the next bin's. The window is at the edge of a bin, so no bin contains both
+// disparities in front of it and behind it.
 struct DisparityHistogram {
   double first_px = 0;
   double bin_px = 1;
   std::vector<std::uint64_t> counts;  // empty where nothing is drawn
 };
-// Bins 1, 2 or 5 times a power of ten wide, at least 0.001 px and a millionth of the largest disparity, the finest of
-// which there are at most `most_bins` (>= 2).
+// The width of the bins is 1, 2 or 5 times a power of ten, at least 0.001 px and at least a
+// millionth of the largest disparity. It is the smallest width that gives at most `most_bins` (>=
+// 2) bins.
 DisparityHistogram histogram_of(const Image<float>& disparity, int most_bins = 64);
 
 }  // namespace glassbox

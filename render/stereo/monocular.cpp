@@ -8,13 +8,14 @@ namespace {
 
 constexpr double kSame = 0.5;  // px
 
-// `shift` leads from a pixel of this eye to the other's: 1 from left to right, -1 from right to left.
+// `shift` is the direction from a pixel of this eye to the other eye's: 1 from left to right, -1
+// from right to left.
 OtherEye seen_by_other(const Image<float>& other, int x, int y, double disparity, int shift) {
   if (!std::isfinite(disparity)) return OtherEye::kNothingDrawn;
   const double place = std::floor(x + 0.5 + shift * disparity);
   if (place < 0 || place >= other.width) return OtherEye::kBesideIt;
   const int at = int(place);
-  const double found = double(other.at(at, y));  // NaN is never nearer
+  const double found = double(other.at(at, y));  // a NaN is never nearer
   if (found < disparity - kSame) return OtherEye::kHidden;
   for (int i = std::max(at - 1, 0); i <= std::min(at + 1, other.width - 1); ++i) {
     if (std::abs(double(other.at(i, y)) - disparity) <= kSame) return OtherEye::kSeesIt;

@@ -1,4 +1,4 @@
-// What only one of the two eyes sees (C-73).
+// Finds what only one of the two eyes sees (C-73).
 #pragma once
 
 #include <cstdint>
@@ -7,28 +7,32 @@
 
 namespace glassbox {
 
-// What the other eye has of a pixel's point.
+// Whether the other eye sees the point that a pixel shows.
 enum class OtherEye : std::uint8_t {
   kNothingDrawn,  // there is no point
   kSeesIt,
-  kBesideIt,  // the point lies beside the other eye's picture
-  kHidden,    // something nearer stands before it
+  kBesideIt,  // the point is outside the other eye's picture
+  kHidden,    // something nearer is in front of it
   kMissing,   // the other picture shows something farther there, or nothing
 };
 
-// Of the left eye's pixels and of the right eye's.
+// For the left eye's pixels and for the right eye's.
 struct MonocularMaps {
   Image<OtherEye> left, right;
 };
 
-// The disparity of every pixel (disparity.h) says where the other eye has the point. There the other picture's own
-// disparity, of the pixel nearest to that place, is compared. Half a pixel either way counts as the same: the pixel's
-// centre is up to half a pixel away, and disparity changes by less than a pixel a pixel on a surface that the other eye
-// sees at least half as wide. A step in depth that hides less than half a column is not found then. kMissing looks at
-// the two pixels beside that one as well, because at outlines the eyes' pixel centres fall differently; what is left are
-// surfaces that face away from the other eye, and things thinner than a pixel.
+// Finds for each pixel of both eyes whether the other eye sees its point.
 //
-// Both maps are of one size.
+// The disparity of a pixel (disparity.h) gives the place of its point in the other picture. It is
+// compared with the other picture's own disparity at the pixel nearest to that place. Differences
+// up to half a pixel count as equal: the pixel's centre is up to half a pixel away, and disparity
+// changes by less than one pixel per pixel on a surface that the other eye sees at least half as
+// wide. So a step in depth that hides less than half a column is not found. For kMissing the two
+// neighbouring pixels are examined too, because at outlines the eyes' pixel centres fall
+// differently; what remains are surfaces that face away from the other eye, and things thinner than
+// a pixel.
+//
+// Both maps have the same size.
 MonocularMaps monocular_maps(const Image<float>& left_disparity,
                              const Image<float>& right_disparity);
 

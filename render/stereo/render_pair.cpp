@@ -10,7 +10,8 @@ namespace glassbox {
 
 namespace {
 
-// Pictures of a plane of the buffer are coloured after the run, all channels at once.
+// Whether the fragments themselves have the shown colours. Pictures of a plane of the buffer are
+// coloured after the run, all channels at once.
 bool painted_by_fragments(Show what) {
   return what == Show::kColor || what == Show::kNormal || what == Show::kUv;
 }
@@ -20,12 +21,13 @@ RenderSettings with_mask(RenderSettings settings, const ColorMask& mask) {
   return settings;
 }
 
-// Of channels that both masks have, the picture has the right eye's: what the left one wrote there would be blended under it.
+// Removes the channels that both masks have. There the picture has the right eye's values; what the
+// left eye wrote would be blended under them.
 ColorMask without(const ColorMask& mask, const ColorMask& others) {
   return {mask.r && !others.r, mask.g && !others.g, mask.b && !others.b, mask.a && !others.a};
 }
 
-// Puts the channels of the right eye's mask into the left eye's picture.
+// Copies the channels of the right eye's mask into the left eye's picture.
 void merge_channels(const ColorMask& mask, StereoRendering& both) {
   for (std::size_t i = 0; i < both.left.color.pixels.size(); ++i) {
     write_masked(mask, both.right.color.pixels[i], both.left.color.pixels[i]);
@@ -33,7 +35,7 @@ void merge_channels(const ColorMask& mask, StereoRendering& both) {
   both.right.color = {};
 }
 
-// A pair of eyes in a scene, and who draws what they see.
+// A pair of eyes in a scene, and the engine that draws what they see.
 class Pair {
 public:
   Pair(Engine& engine, const Scene& scene, const PreparedScene& prepared, const View& centre,
@@ -46,7 +48,7 @@ public:
         right_view_(eye_view(centre, pair, Side::kRight)),
         observers_(observers) {}
 
-  // Zero separation: the eyes stand in one place, and one pass serves both.
+  // Zero separation: the eyes are at the same place, and one pass serves both.
   void draw_once(const RenderSettings& settings, StereoRendering& into) {
     into.passes = 1;
     into.right = {};
@@ -57,8 +59,8 @@ public:
     engine_.draw({scene_, prepared_, {&eye, 1}});
   }
 
-  // Both eyes' pictures, which differ in the settings' masks at most. With one colour buffer it is the left eye's; then the
-  // fragments themselves paint what is shown.
+  // Draws both eyes' pictures; their settings differ at most in the masks. With one colour buffer
+  // both use the left eye's; then what is shown must be coloured by the fragments themselves.
   void draw_eyes(const RenderSettings& left, const RenderSettings& right, bool one_color_buffer,
                  StereoRendering& into) {
     into.passes = 2;
@@ -72,7 +74,7 @@ public:
   }
 
 private:
-  // What may lose triangles is the reference's where the engine does not lose them.
+  // Culling that may lose triangles is done by the reference if the engine does not do it.
   Engine& engine_for_culling() {
     if (culling_.how == StereoCulling::kUnion || engine_.culls_as_centre()) return engine_;
     return reference_;

@@ -1,8 +1,9 @@
-// Both eyes' pictures from one run: one display list, submitted twice (S0-03).
+// Draws both eyes' pictures in one run: one display list, submitted twice (S0-03).
 //
-// The draw list, the textures' mip chains, y, z and w of every vertex, eye space and the light on corners are computed once;
-// from the clipper on, each eye goes its own way, triangle by triangle. Each eye's picture has the same bytes as
-// render_staged with eye_view(centre, pair, side).
+// The draw list, the textures' mip chains, y, z and w of every vertex, eye space and the light at
+// corners are computed once. From the clipper on, each eye is processed separately, triangle by
+// triangle. Each eye's picture has the same bytes as render_staged with eye_view(centre, pair,
+// side).
 #pragma once
 
 #include <cstdint>
@@ -15,48 +16,51 @@
 namespace glassbox {
 
 struct StereoSettings {
-  RenderSettings render;  // of each eye; an anaglyph's masks take the place of render.mask
+  RenderSettings render;  // of each eye; an anaglyph's masks replace render.mask
   StereoCulling culling = StereoCulling::kUnion;
 };
 
-// Called as render_staged calls its observer; the eyes take turns. Null: none.
+// The observers of the two eyes, called in the same way as by render_staged; the eyes alternate.
+// Null: none.
 struct StereoObservers {
   Observer* left = nullptr;
   Observer* right = nullptr;
 };
 
 struct StereoRendering {
-  // Of one pass that both eyes share where the separation is zero: left and right are then copies.
+  // If the separation is zero, both eyes share one pass: left and right are then copies.
   Framebuffer left, right;
   // Work done once for both eyes is counted and timed with the left one.
   Statistics left_statistics, right_statistics;
   int passes = 2;
-  std::uint64_t culled = 0;  // triangles that were not submitted
-  std::uint64_t lost = 0;    // of these, triangles in the frustum of an eye: 0 with kUnion
+  std::uint64_t culled = 0;  // triangles that were not drawn
+  std::uint64_t lost = 0;    // those among them in the frustum of an eye: 0 with kUnion
 };
 
-// The channels that each eye may write into the one picture. One that both may write is the right eye's, and so is alpha: 1, but for a
-// translucent background, which is seen through what is blended as that eye sees it.
+// The channels that each eye may write into the one picture. A channel that both may write is the
+// right eye's, and so is alpha. Alpha is 1 except for a translucent background, which is seen
+// through blended surfaces as that eye sees it.
 struct AnaglyphMasks {
   ColorMask left{true, false, false, false};
   ColorMask right{false, true, true, true};
 };
 
-// By any engine. `prepared` was made from the scene with the settings' transfer; the pair counts as checked (check_pair).
-// Memory of `into` is used again.
+// Draws with any engine. `prepared` was made from the scene with the settings' transfer; the pair
+// must have been checked (check_pair). The memory of `into` is used again.
 void render_pair(Engine& engine, const Scene& scene, const PreparedScene& prepared,
                  const View& centre, const StereoPair& pair, const StereoSettings& settings,
                  StereoRendering& into, const StereoObservers& observers = {});
 
-// An anaglyph the deck's way (S0-05): one colour buffer, which is left.color of the result; right.color is empty. Each eye
-// has its own depth, which is what clearing it between two passes amounts to. The picture has the bytes of the two pictures
-// of render_pair with the channels of each eye put together (S0-02).
+// Draws an anaglyph as in deck S0 (S0-05): with one colour buffer, which is left.color of the
+// result; right.color is empty. Each eye has its own depth, which is equivalent to clearing the
+// depth between two passes. The picture has the bytes of the two pictures of render_pair with the
+// channels of each eye combined (S0-02).
 void render_masked_anaglyph(Engine& engine, const Scene& scene, const PreparedScene& prepared,
                             const View& centre, const StereoPair& pair,
                             const StereoSettings& settings, const AnaglyphMasks& masks,
                             StereoRendering& into, const StereoObservers& observers = {});
 
-// By the staged reference, with everything made for it alone.
+// Draws with the staged reference; everything is made for this picture alone.
 StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
                             const StereoSettings& settings, const StereoObservers& observers = {});
 StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,

@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// The number after each instance's last triangle.
+// Returns for each instance the number after its last triangle.
 std::vector<std::uint64_t> ends_of_instances(const Scene& scene) {
   std::vector<std::uint64_t> of_mesh;
   for (const Mesh& mesh : scene.meshes) {
@@ -33,7 +33,7 @@ public:
         limit_px_(limit_px),
         marks_(eye.disparity.width, eye.disparity.height, 0) {}
 
-  // The pieces that touch the edges, one after the other.
+  // Finds the pieces that touch the edges, one after the other.
   std::vector<WindowViolation> find() {
     std::vector<WindowViolation> found;
     const int last = marks_.width - 1;
@@ -49,7 +49,7 @@ public:
 
 private:
   bool stands_out(int x, int y) const {
-    return double(eye_.disparity.at(x, y)) < -limit_px_;  // NaN does not
+    return double(eye_.disparity.at(x, y)) < -limit_px_;  // false for NaN
   }
 
   void visit(int x, int y) {

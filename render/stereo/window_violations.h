@@ -1,5 +1,5 @@
-// Things in front of the stereo window that the edge of a picture cuts off (S0-13): the eyes see them nearer than the
-// frame, which hides them all the same.
+// Finds window violations: things in front of the stereo window that the edge of a picture cuts off
+// (S0-13). The eyes see them nearer than the frame, but the frame occludes them.
 #pragma once
 
 #include <cstdint>
@@ -12,37 +12,39 @@
 
 namespace glassbox {
 
-// What of the scene is cut.
+// An instance of the scene that is cut.
 struct CutInstance {
   std::uint32_t instance = 0;  // index into Scene::instances
-  int rows = 0;                // of the picture's two outermost columns
-  double least_px = 0;         // its disparity where it stands out most there
+  int rows = 0;                // pixels in the picture's two outermost columns
+  double least_px = 0;         // its smallest disparity there
 };
 
-// A connected piece (by sides of pixels) of one eye's picture whose pixels all stand out of the window and of which
-// some touch the picture's left or right edge. Bottom and top are left out: a cut there does not contradict the eyes.
+// A connected piece of one eye's picture (neighbours share a side). All its pixels are in front of
+// the window, and some touch the picture's left or right edge. The bottom and top edges do not
+// count: a cut there does not contradict the eyes.
 struct WindowViolation {
   Side eye = Side::kLeft;
   bool left_edge = false, right_edge = false;
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // its box, x0 <= x < x1
   std::uint64_t pixels = 0;
   int rows = 0;                        // pixels in the picture's two outermost columns
-  double least_px = 0;                 // the disparity there that stands out most
-  double nearest = 0;                  // and its distance along the gaze, world units
-  std::vector<CutInstance> instances;  // most rows first; without lines and points
+  double least_px = 0;                 // the smallest disparity there
+  double nearest = 0;                  // the distance of that point along the gaze, world units
+  std::vector<CutInstance> instances;  // those with most rows first; without lines and points
 };
 
 struct WindowViolations {
-  std::vector<WindowViolation> found;  // most rows first
+  std::vector<WindowViolation> found;  // those with most rows first
   Image<std::uint8_t> left, right;     // 1 for their pixels
 };
 
 struct EyeBuffers {
-  const Framebuffer& buffers;     // with distance and id
+  const Framebuffer& buffers;     // must include distance and id
   const Image<float>& disparity;  // px, of the same picture
 };
 
-// Less than `limit_px` in front of the window counts as in it: half a pixel is within the sampling.
+// A disparity of less than `limit_px` in front of the window counts as in the window: half a pixel
+// is within the sampling error.
 WindowViolations window_violations(const Scene& scene, const EyeBuffers& left,
                                    const EyeBuffers& right, double limit_px = 0.5);
 

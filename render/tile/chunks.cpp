@@ -20,7 +20,8 @@ PixelRect tiles_between(TilePlace first, TilePlace last) {
   return {int(first & 0xffff), int(first >> 16), int(last & 0xffff) + 1, int(last >> 16) + 1};
 }
 
-// Neighbours in a mesh are likely to be neighbours on the screen: most runs are longer than one.
+// Finds runs of entries that go to the same tiles. Neighbours in a mesh are often neighbours on the
+// screen, so most runs are longer than one.
 void find_runs(const Unsorted& from, std::vector<BinRun>& runs) {
   runs.clear();
   for (std::size_t end = 0; end < from.count;) {
@@ -31,7 +32,7 @@ void find_runs(const Unsorted& from, std::vector<BinRun>& runs) {
   }
 }
 
-// Sorts entries into the chunk's bins by counting; within a bin they keep their order.
+// Sorts entries into the chunk's bins by counting sort; within a bin they keep their order.
 void sort_into_bins(const Unsorted& from, Chunk& chunk) {
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
@@ -55,7 +56,7 @@ void sort_into_bins(const Unsorted& from, Chunk& chunk) {
       }
     }
   };
-  // Counted one bin further on, so that after the sums starts[i] is where bin i begins ...
+  // The counts are stored one bin later, so that after summing starts[i] is where bin i begins ...
   chunk.tiles = tiles;
   chunk.starts.assign(width * std::size_t(tiles.y1 - tiles.y0) + 2, 0);
   for (const BinRun& run : chunk.runs) {
@@ -75,7 +76,7 @@ void sort_into_bins(const Unsorted& from, Chunk& chunk) {
   }
 }
 
-// Into the bins of the pixels of a box, where any is on the screen.
+// Adds an entry to the bins of the tiles that a box touches, if any of it is on the screen.
 void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
   const PixelRect seen{std::max(box.x0, run.window.x0), std::max(box.y0, run.window.y0),
                        std::min(box.x1, run.window.x1), std::min(box.y1, run.window.y1)};
@@ -85,7 +86,7 @@ void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Ch
                      tile(seen.x1 - 1) | tile(seen.y1 - 1) << 16);
 }
 
-// Pixels of which the triangle may cover something.
+// The pixels of which the triangle may cover something.
 PixelRect reach(const TileRun& run, const ReadyTriangle& triangle) {
   const PixelRect& bounds = triangle.setup.bounds;
   return samples_drawn(run.settings) > 1 ? sampled_bounds(bounds) : bounds;
@@ -112,8 +113,9 @@ PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot) {
 
 // ---- triangles over lanes ----
 
-// Nothing on the triangle changes from pixel to pixel: an attribute that is equal at the vertices is exactly that everywhere
-// (interpolate.h), and neither textures nor the surface's place have a say.
+// Whether all pixels of the triangle have the same colour. An attribute that is equal at the
+// vertices has exactly that value everywhere (interpolate.h), and the colour depends neither on
+// textures nor on the surface's place.
 bool has_one_color(const DrawMethod& method, const std::array<Varyings, 3>& vertices) {
   const auto equal = [&](auto member) {
     return vertices[0].*member == vertices[1].*member && vertices[0].*member == vertices[2].*member;
@@ -143,8 +145,9 @@ LargeTriangle large_triangle(const DrawMethod& method, std::uint32_t shade,
   return large;
 }
 
-// Which of `count` triangles go on to be selected: all but those that are turned away for certain. Those that are made ready one by
-// one are asked there: all of a draw that says so, and those that clipping has to look at.
+// Marks which of `count` triangles go on to be selected: all except those that are certainly turned
+// away. Triangles that are prepared one by one are tested there: all of a draw that needs it, and
+// those that may need clipping.
 const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot,
                                std::uint32_t first, std::uint32_t count, Chunk& chunk) {
   if (!stage.object_cull) return nullptr;
@@ -161,7 +164,8 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
   return keep;
 }
 
-// The triangles of the clusters that are drawn, where the draw has any.
+// Calls visit for the triangles of the clusters that are drawn, or for all if the draw has no
+// clusters.
 template <class Visit>
 void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit) {
   const auto is_drawn = [&](std::size_t cluster) {
@@ -171,7 +175,8 @@ void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit
   for_each_run(chunk.first, chunk.count, kClusterTriangles, is_drawn, visit);
 }
 
-// The entries of the bins: the small triangles, and in their places what came of the large ones.
+// Returns the entries for the bins: the small triangles, and in the places of large ones what the
+// stages made of them.
 const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                                 Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
@@ -187,7 +192,8 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
   job.margin = samples_drawn(run.settings) > 1 ? 1 : 0;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
-  // Of the draw that a triangle belongs to: the first, until another one is asked about.
+  // The stage of the draw that a triangle belongs to: the first draw's, until a triangle of another
+  // one needs it.
   std::optional<PrimitiveStage> stage(primitive_stage(run, slot));
   SelectCounts counts;
   Unsorted& found = chunk.selected;

@@ -1,5 +1,5 @@
-// Some of the draws on their way to the screen together: the tables that their vertices fill, and the triangles of each, sorted
-// into tiles.
+// A round: some of the draws, which go through the stages together. It has the tables of their
+// vertices, and the triangles of each draw sorted into tiles.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace glassbox {
 
-// What a run is about.
+// The inputs of a run.
 struct TileRun {
   const View& view;
   const RenderSettings& settings;
@@ -34,49 +34,50 @@ struct TileRun {
   }
 };
 
-// Grows, and never gives memory back: the next picture is likely to need as much.
+// Grows the memory if needed and never shrinks it: the next picture probably needs as much.
 template <class Memory>
 auto* at_least(Memory& memory, std::size_t size) {
   if (memory.size() < size) memory.resize(size);
   return memory.data();
 }
 
-// The vertices of a round's draws.
+// The transformed vertices of a round's draws.
 struct VertexTables {
   LineVector<SnappedEntry> screen;
   LineVector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
   LineVector<Point<Eye>> eye_positions;
 };
 
-// Where the entries of a draw begin in the tables; or those of several draws of one mesh that go together, one after the other.
+// The part of the tables that belongs to a draw, or to several draws of one mesh that go through
+// the stages together; then their entries are stored one draw after the other.
 struct DrawSlot {
-  std::uint32_t draw = 0;                  // the first
+  std::uint32_t draw = 0;                  // the first draw
   std::span<const std::uint32_t> draws;    // all of them: a part of the plan's order
-  const CornerIndices* indices = nullptr;  // of all their triangles, into these tables
+  const CornerIndices* indices = nullptr;  // indices of all their triangles into these tables
   std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
   std::size_t positions = 0, normals = 0, eye_positions = 0;  // entries of each draw
   Reference first_reference = kReferenceStep;
   SnappedEntry* screen = nullptr;
   EyeSpace eye_space;  // of the first draw
 
-  std::span<ClusterVerdict> verdicts;  // of the mesh's clusters; empty: all are drawn
-  // Of the blocks of the mesh's tables: 0 where no eye draws anything of one. Empty: all are needed.
+  std::span<ClusterVerdict> verdicts;  // for the mesh's clusters; empty: all are drawn
+  // For each block of the mesh's tables, 0 if no eye needs any of it. Empty: all blocks are needed.
   std::span<const std::uint8_t> needed_positions, needed_normals;
 };
 
-// The slot of one of its draws.
+// Returns the slot of draw `k` of the slot's draws.
 DrawSlot slot_of_draw(const DrawSlot& slot, std::size_t k);
 
-// Some clusters of one draw.
+// A task of testing some clusters of one draw.
 struct ClusterTask {
-  std::uint32_t slot = 0, cull = 0;  // indices into the round's
+  std::uint32_t slot = 0, cull = 0;  // indices into the round's slots and cluster_culls
   std::size_t first = 0, count = 0;
 };
 
 // ---- bins ----
 
-// An entry of a bin: the index of a small triangle in its slot, or, with the bit that is kLarge before, of one of the chunk's
-// primitives.
+// An entry of a bin is the index of a small triangle in its slot. With this bit set (before, it
+// meant kLarge) it is the index of one of the chunk's primitives.
 inline constexpr std::uint32_t kOfChunk = kLarge;
 
 // Entries and the tiles that they go to, in the order of the draw.
@@ -85,7 +86,7 @@ struct Unsorted {
   std::vector<TilePlace> first, last;
   std::size_t count = 0;
 
-  // Columns with room for `size` of them.
+  // Returns columns with room for `size` entries.
   BinColumns columns(std::size_t size) {
     return {at_least(entries, size), at_least(first, size), at_least(last, size)};
   }
@@ -98,7 +99,7 @@ struct Unsorted {
   }
 };
 
-// Neighbours that go to the same tiles.
+// A run of neighbouring entries that go to the same tiles.
 struct BinRun {
   std::size_t begin = 0, end = 0;
 };
@@ -110,18 +111,19 @@ struct Chunk {
   std::uint32_t slot = 0;              // index into the round's slots
   std::uint32_t first = 0, count = 0;  // triangles
 
-  std::vector<std::int32_t> keep;  // kLanes, where faces are culled in object space
-  Unsorted selected;               // kLanes
+  std::vector<std::int32_t> keep;  // for kLanes, if faces are culled in object space
+  Unsorted selected;               // for kLanes
   std::vector<LargeTriangle> large;
-  std::vector<ReadyTriangle> triangles;  // the other kinds
+  std::vector<ReadyTriangle> triangles;  // for the other kinds
   std::vector<ReadyLine> lines;
   std::vector<ReadyPoint> points;
-  std::uint32_t first_large = 0;  // of `large`, in the whole round
+  std::uint32_t first_large = 0;  // index of the first of `large` in the whole round
 
   Unsorted unsorted;
   std::vector<BinRun> runs;
 
-  // Tiles x0 <= x < x1, y0 <= y < y1 have bins; bin i is entries[starts[i]] .. entries[starts[i + 1] - 1].
+  // Tiles x0 <= x < x1, y0 <= y < y1 have bins; bin i is entries[starts[i]] .. entries[starts[i +
+  // 1] - 1].
   PixelRect tiles;
   std::vector<std::uint32_t> starts, entries;
 
@@ -139,30 +141,31 @@ struct Chunk {
 struct Round {
   VertexTables tables;
   std::vector<DrawSlot> slots;
-  std::vector<ClusterCull> cluster_culls;  // of the slots that have verdicts
+  std::vector<ClusterCull> cluster_culls;  // for the slots that have verdicts
   std::vector<ClusterTask> cluster_tasks;
   std::vector<ClusterVerdict> verdicts;
   std::vector<std::uint8_t> needed;
   std::vector<Chunk> chunks;
-  std::size_t chunk_count = 0;              // those in use
-  std::vector<const LargeTriangle*> large;  // by Chunk::first_large and index
-  // By TileRun::tile_index: the chunks that have something in the tile, in their order.
+  std::size_t chunk_count = 0;              // how many of the chunks are in use
+  std::vector<const LargeTriangle*> large;  // indexed by Chunk::first_large + index
+  // Indexed by TileRun::tile_index: the chunks that have something in the tile, in order.
   std::vector<std::vector<std::uint32_t>> chunks_of_tile;
 };
 
 // ---- the work, in the order in which it is done ----
 
-// The slots of the draws from order[first] on, as many as a round takes: `round_size` vertices or triangles, or one draw. Returns the
-// index of the draw after the last. The tables have no memory yet; then they get it.
+// Makes the slots of the draws beginning with order[first], as many as a round takes: up to
+// `round_size` vertices or triangles, or one draw. Returns the index after the last draw. The
+// tables have no memory yet; set_eye_space() is called when they have.
 std::size_t make_slots(const TileRun& run, std::span<const std::uint32_t> order, std::size_t first,
                        std::size_t round_size, std::vector<DrawSlot>& slots);
 void set_eye_space(const TileRun& run, VertexTables& tables, DrawSlot& slot);
 
-// Lists the clusters of the round that are asked about, by one eye.
+// Lists the clusters of the round that have to be tested, for one eye.
 void begin_clusters(const TileRun& run, Round& round);
 void judge_clusters(const TileRun& run, const Round& round, const ClusterTask& task);
 void count_clusters(const TileRun& run, const Round& round, Statistics& statistics);
-// Which vertices some eye needs: in the first one's slots.
+// Finds the vertices that some eye needs and marks them in the first eye's slots.
 void find_needed_vertices(const TileRun& run, std::span<Round> rounds);
 
 // The second eye of a pair.
@@ -171,8 +174,8 @@ struct OtherEye {
   const DrawSlot& slot;
 };
 
-// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw, where they are needed. `other` is null
-// for one eye; for two, what they share is computed once.
+// Fills the tables for positions first .. first + count - 1 of one draw (and for normals likewise),
+// where they are needed. `other` is null for one eye; for two, what they share is computed once.
 void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                          const OtherEye* other, VertexTables& tables, std::size_t first,
                          std::size_t count);
@@ -180,7 +183,7 @@ void transform_normals(const TileRun& run, const Kernels& kernels, const DrawSlo
                        VertexTables& tables, std::size_t first, std::size_t count);
 void transform_face_normals(const TileRun& run, const DrawSlot& slot, VertexTables& tables);
 
-// Selects, makes ready and sorts the chunk's primitives.
+// Selects, prepares and sorts the chunk's primitives.
 void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, Chunk& chunk);
 
 }  // namespace glassbox

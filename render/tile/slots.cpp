@@ -10,12 +10,13 @@ std::size_t triangles_of(const Draw& draw) {
   return draw.triangulation->triangles.size();
 }
 
-// Bounds the memory that a draw takes in a round.
+// A measure of the memory that a draw takes in a round.
 std::size_t size_of(const Draw& draw) {
   return std::max(draw.mesh->positions.size(), triangles_of(draw));
 }
 
-// Whether a draw goes through the stages with the one before it in the order. What else the plan says of the two follows from their mesh.
+// Whether a draw goes through the stages with the one before it in the order. All other decisions
+// of the plan are the same for both, because they have the same mesh.
 bool joins(const TileRun& run, const DrawSlot& slot, std::uint32_t next) {
   const Draw &draw = run.list.draws[slot.draw], &other = run.list.draws[next];
   const DrawMethod &method = run.methods[slot.draw], &method_of_other = run.methods[next];
@@ -25,7 +26,7 @@ bool joins(const TileRun& run, const DrawSlot& slot, std::uint32_t next) {
          (slot.draws.size() + 1) * triangles_of(draw) <= kJoinedTriangles;
 }
 
-// What all draws of the slot have of the tables.
+// Sets how many entries of the tables each draw of the slot has.
 void set_strides(const TileRun& run, DrawSlot& slot) {
   const Mesh& mesh = *run.list.draws[slot.draw].mesh;
   const DrawMethod& method = run.methods[slot.draw];
@@ -40,7 +41,7 @@ void set_strides(const TileRun& run, DrawSlot& slot) {
 std::size_t make_slots(const TileRun& run, std::span<const std::uint32_t> order, std::size_t first,
                        std::size_t round_size, std::vector<DrawSlot>& slots) {
   slots.clear();
-  DrawSlot next;  // begins behind the last
+  DrawSlot next;  // begins after the last slot
   std::size_t size = 0, end = first;
   for (; end < order.size(); ++end) {
     const Draw& draw = run.list.draws[order[end]];

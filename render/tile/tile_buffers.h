@@ -1,4 +1,4 @@
-// What the lanes draw a tile into: its pixel centres, its samples, or both.
+// The buffers into which a tile is drawn: its pixel centres, its samples, or both.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,10 @@
 
 namespace glassbox {
 
-// With one sample to a pixel, it is at the centre. With several they have the colours, and centres what other planes there are.
+// With one sample per pixel, the sample is the centre. With several, the samples have the colours,
+// and the centres have the other planes.
 struct TileBuffers {
-  TileBuffer* centres = nullptr;  // null: nobody looks at them
+  TileBuffer* centres = nullptr;  // null: they are not needed
   std::span<TileBuffer> samples;
 
   template <class Visit>
@@ -23,14 +24,14 @@ struct TileBuffers {
   }
 };
 
-// Of the thread's memory, cleared.
+// Returns cleared buffers from the thread's memory.
 TileBuffers begin_buffers(const TilePass& pass, const PixelRect& window, TileMemory& memory);
 
-// What the buffer shows is in the picture from now on. Its depths stay.
+// Marks what the buffer shows as being in the picture already. Its depths stay.
 void mark_as_in_picture(TileBuffer& tile);
 
-// The same, and every pixel gets the depth code that code_of(x, y) has for it. (Beyond the screen's edge nothing is shown, but whole
-// quads are read.)
+// The same, and sets the depth of every pixel to the code code_of(x, y). (Outside the screen
+// nothing is shown, but whole quads are read.)
 template <class CodeOf>
 void load_tile(TileBuffer& tile, const CodeOf& code_of) {
   for (std::size_t i = 0; i < tile.block_count(); ++i) {

@@ -21,7 +21,7 @@ namespace glassbox {
 
 namespace {
 
-// Entries that one task of the vertex stage takes, and triangles of one chunk.
+// The number of entries for one task of the vertex stage, and of triangles for one chunk.
 constexpr std::size_t kVertexBatch = 4096;
 constexpr std::uint32_t kChunkTriangles = 8192;
 
@@ -41,13 +41,14 @@ void add(const Statistics& part, Statistics& sum) {
   sum.blended += part.blended;
 }
 
-// Part of the vertex stage's work: some entries of one draw, or all of some draws that go together.
+// A task of the vertex stage: some entries of one draw, or all entries of some draws that go
+// together.
 struct VertexTask {
   enum class Kind { kPositions, kNormals, kFaceNormals };
   Kind kind = Kind::kPositions;
   std::uint32_t slot = 0;
   std::size_t first_draw = 0, draws = 1;
-  std::size_t first = 0, count = 0;  // entries of each
+  std::size_t first = 0, count = 0;  // entries of each draw
 };
 
 constexpr std::size_t kMostEyes = 2;
@@ -55,7 +56,7 @@ constexpr std::size_t kMostEyes = 2;
 }  // namespace
 
 struct TileEngine::State {
-  // Of one eye or two. (In place: a picture is not moved.)
+  // The pictures of one eye or two. (A deque, because a picture cannot be moved.)
   using Pictures = std::deque<TilePicture>;
 
   explicit State(const TileOptions& o)
@@ -76,7 +77,7 @@ struct TileEngine::State {
       const Stopwatch watch(at_work.local().*stage);
       work(i);
     };
-    // Thousands of small pieces of work are taken some at a time.
+    // If there are thousands of small pieces of work, a task takes several.
     const std::size_t together = 1 + count / 4096;
     const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) timed(i);
@@ -87,7 +88,8 @@ struct TileEngine::State {
 
   // ---- a round ----
 
-  // Slots for draws from `first` on, as many as a round takes; returns the one after the last.
+  // Makes slots for the draws from `first` on, as many as a round takes; returns the index after
+  // the last draw.
   std::size_t begin_round(const Pictures& pictures, std::size_t first);
   void cull_clusters(const Pictures& pictures);
   void transform_vertices(const Pictures& pictures);
@@ -97,13 +99,14 @@ struct TileEngine::State {
   TileOptions options;
   const Kernels& kernels;
   int threads;
-  // More threads than the machine has, if that is what was asked for. (Of several, oneTBB takes the least.)
+  // Allows more threads than the machine has, if the options ask for that. (Of several limits,
+  // oneTBB takes the smallest.)
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileMemory> memories;
   PlannedPicture planned;
-  std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's
+  std::array<Round, kMostEyes> rounds;  // by eye; what both share is in the first one
   std::vector<VertexTask> vertex_tasks;
-  TileReport* report = nullptr;  // of the picture being drawn, if somebody wants one
+  TileReport* report = nullptr;  // of the picture being drawn; null if none is wanted
   tbb::enumerable_thread_specific<TileReport::Thread> at_work;
 };
 
@@ -146,11 +149,12 @@ void TileEngine::State::cull_clusters(const Pictures& pictures) {
 
 namespace {
 
-// How many entries of a table are carried over.
+// How many entries of a table are transformed.
 std::size_t count_needed(std::span<const std::uint8_t> needed, std::size_t table_size) {
   if (needed.empty()) return table_size;
   const auto blocks = std::size_t(std::ranges::count(needed, std::uint8_t(1)));
-  const std::size_t beyond = needed.size() * kTableBlock - table_size;  // of the last block
+  // Entries of the last block that are beyond the table's end.
+  const std::size_t beyond = needed.size() * kTableBlock - table_size;
   return blocks * kTableBlock - (needed.back() != 0 ? beyond : 0);
 }
 
@@ -217,7 +221,7 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
 
 namespace {
 
-// Chunks that are to be filled.
+// Makes the chunks that are to be filled.
 void begin_chunks(const TileRun& run, Round& round) {
   round.chunk_count = 0;
   const auto add_chunk = [&](Chunk::Kind kind, std::uint32_t slot, std::uint32_t first,
@@ -253,7 +257,8 @@ void list_large_triangles(Round& round) {
   }
 }
 
-// A tile of a scene of many draws looks at few of their chunks.
+// Lists the chunks of each tile, because in a scene of many draws a tile has something of few of
+// them.
 void list_chunks_of_tiles(const TileRun& run, Round& round) {
   for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();
   round.chunks_of_tile.resize(run.tile_count());
@@ -269,7 +274,8 @@ void list_chunks_of_tiles(const TileRun& run, Round& round) {
 
 }  // namespace
 
-// The eyes of a pair have the same chunks, and take turns: what they read is in the cache for the second one.
+// The eyes of a pair have the same chunks and alternate: then the data that they read is in the
+// cache for the second one.
 void TileEngine::State::fill_chunks(const Pictures& pictures) {
   const std::size_t eyes = pictures.size();
   for (std::size_t eye = 0; eye < eyes; ++eye) begin_chunks(pictures[eye].run(), rounds[eye]);
@@ -288,7 +294,9 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
 
 namespace {
 
-// The second eye draws over the first one's colours, and nothing but what is seen in a tile at the end reads or writes them.
+// Whether a tile's colours can be kept from the first eye to the second: the second eye draws over
+// the first one's colours, and they are read and written only at the end, when the tile is
+// resolved.
 bool share_colors(std::span<const TilePass> passes) {
   return passes.size() > 1 && passes.front().resolve.drawn_over &&
          !passes.front().resolve.keep_picture && passes.back().resolve.picture != nullptr &&
@@ -297,7 +305,8 @@ bool share_colors(std::span<const TilePass> passes) {
 
 }  // namespace
 
-// A tile of the one eye, then the same tile of the other, which may draw into the same picture.
+// Draws a tile of the one eye, then the same tile of the other, which may draw into the same
+// picture.
 void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const TilePass> passes) {
   const TileRun& run = pictures.front().run();
   const int across = run.tiles_across();
@@ -323,7 +332,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
 
 namespace {
 
-// What a round adds to the report.
+// Adds a round's numbers to the report.
 void count_round(const Round& round, TileReport& report) {
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
     report.triangles += round.chunks[i].count;

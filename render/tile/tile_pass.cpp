@@ -10,7 +10,8 @@ namespace glassbox {
 
 namespace {
 
-// By the staged fragments, into the framebuffer; colours into the samples, if there are any.
+// Draws primitives by the staged fragments into the framebuffer; their colours go to the samples,
+// if there are any.
 void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
                             std::span<const std::uint32_t> bin, const PixelRect& window,
                             SamplePlanes* samples, Statistics& statistics) {
@@ -41,11 +42,12 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
   }
 }
 
-// A tile being drawn: by the lanes, in its own buffers, or by the staged fragments, in the framebuffer. Primitives of one kind
-// after those of the other make it change over.
+// A tile being drawn, either by the vectorised code in the tile's own buffers or by the staged
+// fragments in the framebuffer. When primitives of one kind follow those of the other, the tile's
+// contents are moved.
 class TileDrawing {
 public:
-  // `overwrite`: the planes' pixels, instead of adding to what they hold.
+  // `overwrite`: replace the planes' pixels instead of adding to what they hold.
   TileDrawing(const TilePass& pass, const PixelRect& window, bool overwrite, TileMemory& memory,
               std::uint32_t* both_eyes, Statistics& statistics)
       : pass_(pass),
@@ -109,7 +111,7 @@ private:
     }
   }
 
-  // What is blended is laid over what was seen before it, which has to be in the picture for that. Depths stay.
+  // A blended draw needs the colours of what was seen before in the picture. Depths stay.
   void begin_lanes(const Chunk& chunk) {
     if (alpha_mode(pass_.round.slots[chunk.slot]) != AlphaMode::kBlend) {
       colors_left_ = false;
@@ -173,7 +175,8 @@ private:
     return pass_.resolve.draws[std::size_t(&slot - pass_.round.slots.data())];
   }
 
-  // Where a fragment is shaded is one place, whichever of its samples asks; for its centre, that.
+  // All samples of a pixel share one place where a fragment is shaded. For the pixel's centre, that
+  // place is the centre.
   std::span<const SampleOffset> points_of(const TileBuffer& tile) const {
     if (&tile == buffers_.centres) return {};
     return sample_offsets(pass_.run.settings.samples);
@@ -212,14 +215,14 @@ private:
     draw_staged_primitives(pass_, chunk, bin, window_, planes_, statistics_);
   }
 
-  // From now on samples have a place of their own.
+  // From now on the samples have memory of their own.
   void use_planes() {
     if (planes_ != nullptr) return;
     planes_ = &own_planes_;
     planes_->clear(window_, pass_.run.settings.samples, pass_.color);
   }
 
-  // From the buffers to the framebuffer.
+  // Copies from the buffers to the framebuffer.
   void leave_buffers(bool with_depth) {
     if (buffers_.centres != nullptr) {
       ResolveJob resolve = centre_planes_;
@@ -236,7 +239,7 @@ private:
     pass_.kernels.resolve_tile(resolve, buffers_.samples);
   }
 
-  // From the framebuffer to the buffers.
+  // Copies from the framebuffer to the buffers.
   void load() {
     if (buffers_.centres != nullptr) {
       load_tile(*buffers_.centres, [&](int x, int y) { return pass_.target.depth.at(x, y); });
@@ -249,22 +252,24 @@ private:
   const TilePass& pass_;
   PixelRect window_;
   TileBuffers buffers_;
-  // Where samples are while staged draws need them: those of the whole picture, where it is drawn in several rounds; the tile's
-  // own, once such a draw comes; otherwise nowhere.
+  // The memory of samples that staged draws need: that of the whole picture, if it is drawn in
+  // several rounds; the tile's own, once such a draw comes; otherwise null.
   SamplePlanes& own_planes_;
   SamplePlanes* planes_ = nullptr;
-  ResolveJob centre_planes_, sample_colors_;  // what of the pass's job is asked of whom
+  // The parts of the pass's job for the centres and for the samples.
+  ResolveJob centre_planes_, sample_colors_;
   Statistics& statistics_;
   FragmentCounts counts_;
   bool in_framebuffer_ = false;
-  bool colors_left_ = false;  // all that is seen is in the picture, or in the planes
+  bool colors_left_ = false;  // all that is seen is in the picture or in the planes
 };
 
 }  // namespace
 
 namespace {
 
-// The staged fragments write there, and what is blended lies over what is there.
+// Whether a chunk needs the framebuffer: staged fragments write there, and blended ones need what
+// is there.
 bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t> chunks) {
   return std::ranges::any_of(chunks, [&](std::uint32_t i) {
     const Chunk& chunk = pass.round.chunks[i];

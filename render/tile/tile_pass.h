@@ -1,4 +1,5 @@
-// One tile: what the round's chunks have for it, in order, into the framebuffer.
+// Draws one tile: the primitives that the round's chunks have for it, in order, into the
+// framebuffer.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace glassbox {
 
-// What all tiles of a round share.
+// The data that all tiles of a round share.
 struct TilePass {
   const TileRun& run;
   const Kernels& kernels;
@@ -19,24 +20,24 @@ struct TilePass {
   ResolveJob resolve;
   Framebuffer& target;
   Image<Rgba8>& color;  // target.color, or the picture that this one is drawn over
-  // All the same, a tile may overwrite what its planes hold if nothing is drawn into them there.
+  // Even so, a tile in which nothing is drawn into the planes may overwrite what they hold.
   bool overwrite_untouched = false;
-  // Depth lives in target.depth between rounds, and while staged primitives are drawn.
+  // Depths are stored in target.depth between rounds, and while staged primitives are drawn.
   bool load_depth = false, store_depth = false;
-  const Image<std::uint32_t>* behind = nullptr;  // as EyePicture has it
+  const Image<std::uint32_t>* behind = nullptr;  // see EyePicture::behind
 };
 
-// What a thread keeps of the tile that it draws, and uses again for the next one.
+// The memory of a thread for the tile that it draws; it is used again for the next tile.
 struct TileMemory {
   explicit TileMemory(int side) : centres(side) {}
   TileBuffer centres;
-  std::vector<TileBuffer> samples;   // where a pixel has several: a buffer for each
-  SamplePlanes planes;               // and where staged draws come among the others
+  std::vector<TileBuffer> samples;   // a buffer for each sample, if a pixel has several
+  SamplePlanes planes;               // used if there are also staged draws
   LineVector<std::uint32_t> colors;  // of a pair's first eye, which the second one draws over
 };
 
-// Draws tile (x, y). `statistics` counts fragments. `both_eyes`: where the tile's colours are until the second eye of a pair has drawn, or
-// null.
+// Draws tile (x, y). `statistics` counts fragments. `both_eyes`: memory for the tile's colours
+// until the second eye of a pair has drawn, or null.
 void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint32_t* both_eyes,
                Statistics& statistics);
 

@@ -15,7 +15,7 @@ TileRun make_run(const EyePicture& eye, const DrawList& list, const Plan& plan, 
   return run;
 }
 
-// Shading of the small triangles of a draw, and of the large ones.
+// Makes the data for shading the small and the large triangles of a draw.
 ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
@@ -69,7 +69,8 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   return shade;
 }
 
-// A plane of the picture's size, or none. Where `clear` does not say so, all of it is overwritten anyway.
+// Prepares a plane of the picture's size, or an empty one. It is cleared only if `clear` is set;
+// otherwise all of it is overwritten later.
 template <class Pixel>
 void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty,
                    Image<Pixel>& plane) {
@@ -102,7 +103,7 @@ void TilePicture::count_input() const {
   }
 }
 
-// Some draws write to the framebuffer themselves: staged ones, and those that are laid over what is there.
+// Whether some draws write to the framebuffer themselves: staged ones, and blended ones.
 bool TilePicture::draws_into_framebuffer() const {
   return std::ranges::any_of(plan_.order,
                              [&](std::uint32_t i) { return run_.methods[i].into_framebuffer; });
@@ -112,7 +113,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
   const int samples = samples_drawn(s);
-  // Depths and colours are read back from it.
+  // Depths and colours are read back from the framebuffer.
   const bool through_framebuffer = !one_round || draws_into_framebuffer();
   const bool keep_always = !one_round || !plan_.colors || plan_.read_back || eye_.draws_over();
   keep_picture_ = through_framebuffer || keep_always;
@@ -129,7 +130,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
   prepare(s.show == Show::kOverdraw, std::uint32_t{0}, target.writes);
-  std::ranges::fill(target.writes.pixels, 0u);  // which only staged fragments count up
+  std::ranges::fill(target.writes.pixels, 0u);  // only staged fragments increase these
   if (samples > 1 && !one_round) target.samples.clear(run_.window, samples, eye_.color);
 }
 

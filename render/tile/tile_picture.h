@@ -1,4 +1,5 @@
-// A picture of the tile engine, from the draw list to the planes of the framebuffer: what its rounds have in common.
+// A picture of the tile engine, from the draw list to the planes of the framebuffer: the data that
+// its rounds share.
 #pragma once
 
 #include <vector>
@@ -23,13 +24,14 @@ public:
 
   void count_input() const;
 
-  // Before the first round. `one_round`: it is the last one too.
+  // Called before the first round. `one_round`: it is also the last one.
   void prepare_framebuffer(bool one_round);
 
-  // What the tiles of a round need to be drawn. The pass refers to the picture and the round.
+  // Returns what the tiles of a round need to be drawn. The pass refers to the picture and the
+  // round.
   TilePass pass(const Kernels& kernels, const Round& round, bool first_round);
 
-  // After the last one.
+  // Called after the last round.
   void finish() const;
 
 private:
@@ -39,10 +41,10 @@ private:
   const DrawList& list_;
   const Plan& plan_;
   const TileRun run_;
-  bool keep_picture_ = false;         // pixels where nothing is seen have their values already
-  bool overwrite_untouched_ = false;  // but for tiles that read nothing back
+  bool keep_picture_ = false;         // pixels where nothing is seen already have their values
+  bool overwrite_untouched_ = false;  // except in tiles that read nothing back
   bool store_depth_ = false;
-  // Of the round, for its pass.
+  // The data of the current round, for its pass.
   std::vector<ShadeDraw> shades_;  // by slot
   std::vector<std::uint32_t> by_reference_;
 };

@@ -7,7 +7,8 @@ namespace glassbox {
 
 namespace {
 
-// How many half screens from the centre a vertex may lie to be surely within the guard band, whatever rounds: half the way.
+// How far from the centre, in half screens, a vertex may be so that it is certainly within the
+// guard band in spite of rounding: half of the guard band.
 float surely_in_band(float screen_side) {
   return float(kGuardBandPx / double(screen_side));
 }
@@ -48,7 +49,7 @@ void transform_neighbours(const TileRun& run, const Kernels& kernels, const Draw
   }
 }
 
-// `needed`: of blocks of the table; empty: all are.
+// `needed`: one entry for each block of the table; empty: all blocks are needed.
 template <class Visit>
 void for_each_needed(std::span<const std::uint8_t> needed, std::size_t first, std::size_t count,
                      const Visit& visit) {

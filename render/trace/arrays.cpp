@@ -30,7 +30,7 @@ void fill_draw(Table& table, const TracedDraw& draw, const DrawBounds& bounds) {
   each_field(draw, bounds, table);
 }
 
-// Where a triangle's rows begin in the tables that have several.
+// Where a triangle's rows begin in the tables that have several rows for a triangle.
 struct Beginnings {
   std::size_t cut = 0, vertex = 0, piece = 0;
 };

@@ -1,6 +1,7 @@
-// A run as arrays: every number of its records, record beside record, for programs that think in arrays (docs/trace.md lists
-// them). What belongs to a triangle but comes in varying numbers (the vertices that clipping left, the pieces) has a table of
-// its own, and the triangle the first of its rows there and their count.
+// The numbers of a run's records as arrays: one array for each number, one row for each record, for
+// programs that work with arrays (docs/trace.md lists them). What a triangle has in varying numbers
+// (the vertices that clipping left, the pieces) is in a table of its own; the triangle's row has
+// the index of its first row there, and their count.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ struct TraceCounts {
                 fragments = 0;
 };
 
-// Counts, and keeps the draws only.
+// Counts records, and keeps only those of draws.
 class TraceCounter : public TraceSink {
 public:
   const TraceCounts& counts() const { return counts_; }
@@ -43,18 +44,18 @@ public:
   void draw(const TracedDraw& draw) override;
   void triangle(const TracedTriangle& triangle) override;
   void fragment(const TracedFragment& fragment) override;
-  // After the last record.
+  // Must be called after the last record.
   void finish();
 
-  // The names in `wanted` that name nothing.
+  // Returns the names in `wanted` that do not exist.
   std::vector<std::string> unknown() const { return unknown_; }
-  // The bytes of all wanted arrays of a run with these counts.
+  // Returns the number of bytes that all wanted arrays have for a run with these counts.
   std::uint64_t bytes_for(const TraceCounts& counts) const;
-  // Takes that much memory at once, and no more later.
+  // Reserves that much memory at once, so that no more is needed later.
   void reserve(const TraceCounts& counts);
   const RoundTrips& round_trips() const { return round_trips_; }
 
-  // In the order of the stages.
+  // The tables in the order of the stages.
   std::span<const Table> tables() const { return tables_; }
   std::span<Table> tables() { return tables_; }
 

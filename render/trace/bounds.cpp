@@ -21,7 +21,8 @@ bool is_power_of_two(double x) {
   return std::abs(std::frexp(x, &exponent)) == 0.5;
 }
 
-// Bound 1 for a matrix with last row 0 0 0 1 in double. A row with a single product by a power of two rounds nothing.
+// Bound 1 for a matrix in double with last row 0 0 0 1. A row with a single product, by a power of
+// two, has no rounding error.
 glm::dvec3 affine_bound(const glm::dmat4& m, const glm::dvec3& point,
                         const glm::dvec3& point_bound) {
   const glm::dvec4 x(point, 1);
@@ -44,7 +45,7 @@ glm::vec4 anchored(const Point<Object>& object, const TracedDraw& draw) {
   return {object.x - draw.anchor.x, object.y - draw.anchor.y, object.z - draw.anchor.z, 1.0f};
 }
 
-// What the subtraction of the anchor lost: nothing, if the anchor is well chosen.
+// The rounding error of subtracting the anchor: zero, if the anchor is well chosen.
 glm::dvec4 anchoring_bound(const Point<Object>& object, const TracedDraw& draw) {
   const glm::vec4 rounded = anchored(object, draw);
   return {std::abs(double(object.x) - double(draw.anchor.x) - double(rounded.x)),
@@ -92,7 +93,7 @@ std::vector<ClipVertexBound> after_step(const ClipPlane& plane, const ClipPolygo
   return after;
 }
 
-// The polygon that is left has the vertices of the last step, in order, without repetitions.
+// The clipped polygon has the vertices of the last step, in order, without repetitions.
 std::vector<ClipVertexBound> without_repetitions(const std::vector<TracedVertex>& polygon,
                                                  const ClipPolygon& last,
                                                  const std::vector<ClipVertexBound>& bounds) {
@@ -130,7 +131,7 @@ double largest_displacement(const TracedPiece& piece, const std::vector<VertexBo
   return largest + kSnap;
 }
 
-// The condition of the divide, known for the triangle's own corners.
+// Sets the condition number of the divide; it is known only for the triangle's own corners.
 void add_conditions(const TracedTriangle& triangle, TriangleBounds& bounds) {
   for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -170,7 +171,7 @@ double snapped_bound(const TracedVertex& vertex, const VertexBounds& bounds) {
 }
 
 DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
-  // The products of make_draw (draw_list.cpp), in its order.
+  // The products of make_draw (draw_list.cpp), in the same order.
   const Transform<Eye, Object> eye_from_object = view.eye_from_world * draw.world_from_object;
   const Vector<Object, double> anchor{draw.anchor.x, draw.anchor.y, draw.anchor.z};
   const glm::dmat4 from_anchored = translate<Object, Object>(anchor).columns;
@@ -252,7 +253,7 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
     latest_.clear();
     earlier_.clear();
   }
-  // Where no fragments come for long, nothing piles up.
+  // If no fragments come for a long time, this limits the memory.
   if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
   const auto& [draw, draw_bounds] = of_instance(triangle.instance);
   Kept& kept = latest_[triangle.number];

@@ -19,10 +19,13 @@ using Bounded3 = std::array<Bounded, 3>;
 
 // ---- at fragments ----
 
-// Of weights 1 and 2. Bounds 5 charge every weight with the worst of the three 1/w; a corner next to the eye has a bad one and
-// hardly any weight elsewhere. With w_k the weights by the 1/w as given, and exact ones (1 + e_k) times these, |e_k| <= r_k:
+// Weights 1 and 2 with their bounds. Bound 5 assumes for every weight the worst of the three 1/w;
+// but a corner next to the eye has a large error in 1/w and hardly any weight elsewhere. Let w_k be
+// the exact weights for the computed 1/w, whose exact values are (1 + e_k) times these, |e_k| <=
+// r_k:
 //   |w_k (1 + e_k)/(1 + sum w_j e_j) - w_k| <= w_k (r_k + s)/(1 - s),   s = sum w_j r_j
-// and the run's w_k have 10 u of their own (formulas/interpolate.h), 4 u where perspective changes nothing.
+// The run's weights have an error of 10 u of their own (formulas/interpolate.h), 4 u where
+// perspective changes nothing.
 std::array<Bounded, 2> weights_of(const TriangleSetup& setup, const SetupBounds& vertices,
                                   const Fragment& place, const FragmentBounds& bounds) {
   constexpr double kOwn = 10 * 0x1p-24 * (1 + 0x1p-18);
@@ -126,7 +129,7 @@ void PieceColors::make_planes() {
   planes_ = texture_planes(setup_, values);
   bounded_planes_ = bounded::planes_over_w(slopes, texcoords, false);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Where the three w are equal the run says 0; the exact ones may not be.
+    // If the three computed w are equal, the run uses 0; the exact ones may differ.
     bounded_planes_.inverse_w[axis] =
         standing_for(planes_.inverse_w[axis], bounded_planes_.inverse_w[axis]);
   }

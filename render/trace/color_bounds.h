@@ -1,8 +1,10 @@
-// Running error bounds of what fragments are coloured with: attributes, texture samples, light (SPEC C, generic bound 5
-// and beyond). The stages' own formulas, with numbers that know how far they may be off (base/bounded.h).
+// Running error bounds of the colours of fragments: attributes, texture samples, light (SPEC C,
+// bound 5 and beyond). They are computed by the stages' own formulas, with numbers that carry a
+// bound on their own error (base/bounded.h).
 //
-// Besides what bounds.h takes for exact, so are here: normals, colours and texture coordinates as modelled, materials, the bytes
-// of images, and the lights in eye space, as the run has them.
+// In addition to the inputs of bounds.h, these count as exact: normals, colours and texture
+// coordinates as modelled, materials, the bytes of images, and the lights in eye space as computed
+// by the run.
 #pragma once
 
 #include <array>
@@ -16,28 +18,29 @@
 
 namespace glassbox {
 
-// The run's numbers, with bounds.
+// The run's numbers with their bounds.
 struct ColorBounds {
   BoundedVaryings at;
-  // Of a sample of the texture, in light; none where the surface has no texture.
+  // The bound of a texture sample, in linear light; none where the surface has no texture.
   std::optional<double> sample;
   std::array<bounded::Bounded, 4> surface;  // linear, with alpha
   std::array<bounded::Bounded, 3> light;    // linear
 };
 
-// One piece of a triangle, or a line or point.
+// The colours of one piece of a triangle, or of a line or point.
 class PieceColors {
 public:
-  // Pointers lead into the draw, the lighting and what is `known`, which must stay.
+  // The arguments `draw`, `lighting`, `settings` and `known` must outlive the object.
   PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
               const RenderSettings& settings, const BoundsOfRun::Known& known, std::uint32_t piece);
 
-  // Of a line or point: a triangle whose vertex 0 has no weight (raster/interpolate.h), without slopes, at level 0 of its textures.
+  // For a line or point: it is treated as a triangle whose vertex 0 has weight 0
+  // (raster/interpolate.h), without slopes, at level 0 of its textures.
   PieceColors(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
               const TriangleSetup& setup, const SetupBounds& setup_bounds,
               const std::array<BoundedVaryings, 3>& vertices);
 
-  // Of a fragment of the piece that passed the depth test.
+  // Returns the bounds for a fragment of the piece that passed the depth test.
   ColorBounds at(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
 private:

@@ -1,6 +1,6 @@
 #include <glassbox/render/trace/column_pack.h>
 
-#include <glassbox/base/little_endian.h>  // columns are stored as they lie in memory
+#include <glassbox/base/little_endian.h>  // columns are stored with the byte order of memory
 
 namespace glassbox {
 

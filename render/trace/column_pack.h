@@ -1,4 +1,4 @@
-// Columns of numbers as bytes that compress well: the binary form of a trace, for pages.
+// Stores columns of numbers as bytes that compress well: the binary form of a trace for HTML pages.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,10 @@ struct ColumnEntry {
   std::size_t count = 0;
 };
 
-// Columns one after the other. Numbers of up to 32 bits are stored, by their bits, as differences from the one before,
-// modulo 2^bits: what a run makes one after the other is alike. Then come the lowest bytes of all numbers of the column,
-// then the next ones, and so on. Doubles are only taken apart into bytes. app/inspect/columns.js is the way back.
+// Stores columns one after the other. Numbers of up to 32 bits are stored, by their bits, as
+// differences from the previous number, modulo 2^bits, because consecutive numbers of a run are
+// similar. First come the lowest bytes of all numbers of the column, then the next ones, and so on.
+// Doubles are only split into bytes. app/inspect/columns.js decodes them.
 class ColumnPack {
 public:
   template <class T>

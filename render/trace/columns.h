@@ -1,5 +1,6 @@
-// A run in little space: of every triangle what became of it, of every fragment where it came from and what it wrote.
-// Everything between can be computed again from the scene's positions and the matrices, to the bit.
+// A compact record of a run: for every triangle its result, for every fragment its source and the
+// bytes that it wrote. Everything in between can be recomputed bit for bit from the scene's
+// positions and the matrices.
 #pragma once
 
 #include <array>
@@ -13,17 +14,19 @@
 
 namespace glassbox {
 
-// What became of a triangle, as bits: the pieces of a cut one may go different ways.
+// The result of a triangle, as bits, because the pieces of a cut triangle may have different
+// results.
 enum TriangleMark : std::uint8_t {
   kMarkRejected = 1,     // all corners outside one plane
-  kMarkClippedAway = 2,  // nothing left after clipping
+  kMarkClippedAway = 2,  // nothing is left after clipping
   kMarkCut = 4,          // a polygon is left
   kMarkZeroArea = 8,     // a piece has no area after snapping
   kMarkCulled = 16,      // a piece faces the wrong way
   kMarkSetUp = 32,       // a piece went on to be rasterised
 };
 
-// Triangles that came to the clipper, in drawing order: those of a draw follow each other.
+// The triangles that reached the clipper, in drawing order; the triangles of a draw are
+// consecutive.
 struct TriangleColumns {
   std::vector<std::uint32_t> number;                   // in the whole scene
   std::vector<std::uint32_t> face;                     // index into Mesh::faces
@@ -31,7 +34,7 @@ struct TriangleColumns {
   std::vector<std::uint8_t> marks;                     // TriangleMark
 };
 
-// What clipping left of a triangle that it cut.
+// The polygon that clipping left of a triangle that it cut.
 struct CutTriangle {
   std::uint32_t number = 0;
   ClipPolygon polygon;
@@ -39,7 +42,7 @@ struct CutTriangle {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-// Fragments in the order in which they came.
+// The fragments in the order in which they came.
 struct FragmentColumns {
   // The number of its triangle in the whole scene; kNoTriangle for lines and points.
   std::vector<std::uint32_t> triangle;
@@ -48,30 +51,33 @@ struct FragmentColumns {
   std::vector<std::uint8_t> fate;  // Fate
   // r, g, b, a: the pixel after each fragment written or blended.
   std::array<std::vector<std::uint8_t>, 4> written;
-  std::vector<std::uint32_t> code;  // depth, of fragments of lines and points
+  std::vector<std::uint32_t> code;  // depth code; only for fragments of lines and points
 };
 
 struct ColumnFilter {
-  // Only fragments of these pixels, and triangles with a piece whose box on the screen reaches into them.
+  // Records only fragments of these pixels, and triangles with a piece whose box on the screen
+  // reaches into them.
   std::optional<PixelRect> pixels;
   std::uint64_t max_triangles = 1'000'000;
   std::uint64_t max_fragments = 4'000'000;
 };
 
 struct ColumnRun {
-  Rendering rendering;  // the same bytes as those of a run that nobody watches
+  Rendering rendering;  // the same bytes as those of a run without an observer
   std::array<ClipPlane, kMaxClipPlanes> planes{};
   std::vector<TracedDraw> draws;
-  std::vector<std::uint32_t> triangles_of_draw;  // how many of the triangles below, by draw
+  // For each draw, how many of the triangles below are its own.
+  std::vector<std::uint32_t> triangles_of_draw;
   TriangleColumns triangles;
   std::vector<CutTriangle> cut;
   FragmentColumns fragments;
-  // How many there were to record; more than the columns hold where the filter's limits were met.
+  // How many there were to record; more than the columns contain if the filter's limits were
+  // reached.
   std::uint64_t triangle_count = 0;
   std::uint64_t fragment_count = 0;
 };
 
-// `stages`: who takes part in the run; null: nobody.
+// `stages`: an observer that takes part in the run; null: none.
 ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
                          const ColumnFilter& filter, Observer* stages = nullptr);
 

@@ -46,9 +46,11 @@ double largest_entry(const glm::dmat3& m) {
   return largest;
 }
 
-// Of the entries of Draw::eye_normal_from_object. eye_from_object is a product of doubles, one of them a rotation: its entries
-// are right to 12 * 2^-53 of the largest one. A cofactor is a difference of two products of such entries, 51 * 2^-53 of the
-// square of the largest; the scale makes the largest cofactor at most 1, and the rest is one rounding to float.
+// Bounds the entries of Draw::eye_normal_from_object. eye_from_object is a product of matrices in
+// double, one of them a rotation: its entries are accurate to 12 * 2^-53 of the largest one. A
+// cofactor is a difference of two products of such entries, accurate to 51 * 2^-53 of the square of
+// the largest. The scale makes the largest cofactor at most 1, and the rest is one rounding to
+// float.
 glm::dmat3 normal_matrix_bound(const Draw& draw) {
   const glm::dmat3 linear(draw.eye_from_object.columns);
   const double largest = largest_entry(linear);
@@ -81,7 +83,8 @@ Bounded3 eye_normal(const Draw& draw, const Bounded3& object) {
   return bounded::unit_normal(eye);
 }
 
-// Newell's vector is a sum of products of differences, in double: gamma_(N+3) of what it adds up.
+// Newell's vector is a sum of products of differences, in double. Its error is gamma_(N+3) of the
+// sum of the products' sizes.
 Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
   const std::optional<Normal<Object>> normal = face_normal(*draw.mesh, face);
   if (!normal) return {};
@@ -117,7 +120,7 @@ void light(const Draw& draw, const Lighting& lighting, const Bounded3& position,
   vertex.specular = reflection.specular;
 }
 
-// What needs no face.
+// The attributes that do not depend on a face.
 BoundedVaryings as_modelled(const CornerStage& stage, const Corner& corner) {
   const Mesh& mesh = *stage.draw.mesh;
   BoundedVaryings at;

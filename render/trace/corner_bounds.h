@@ -1,5 +1,5 @@
-// What the corners of a mesh bring to their triangles, lines and points, with bounds of their errors: places and normals in eye space,
-// light at the vertices, and what clipping makes of them.
+// The attributes of a mesh's corners with bounds on their errors: positions and normals in eye
+// space, light at the vertices, and the attributes at vertices that clipping makes.
 #pragma once
 
 #include <array>
@@ -25,12 +25,12 @@ struct CornerStage {
   const RenderSettings& settings;
 };
 
-// `front`: of the side that is seen.
+// `front`: whether the front of the face is seen.
 BoundedVaryings corner_of_face(const CornerStage& stage, const Face& face, const Corner& corner,
                                bool front);
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner);
 
-// A vertex of what clipping has left of three corners.
+// Returns the attributes at a vertex of the polygon that clipping has left of three corners.
 BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
                           const ClipVertexBound& bound);
 

@@ -1,4 +1,4 @@
-// Where triangles end: in the picture, or at the stage that took them out.
+// Where triangles end: in the picture, or at the stage that removed them.
 #pragma once
 
 #include <cstddef>
@@ -6,29 +6,29 @@
 
 namespace glassbox {
 
-// In the order of the stages.
+// The possible ends, in the order of the stages.
 enum class End : std::uint8_t {
-  kNoArea,          // assembly: none as modelled
+  kNoArea,          // assembly: no area as modelled
   kNotFinite,       // vertices: a corner overflows on the way to clip space
   kBehindEye,       // clip: every w is 0 or less
-  kOutsidePlane,    // clip: all corners lie outside one plane
+  kOutsidePlane,    // clip: all corners are outside one plane
   kClippedAway,     // clip: several planes together leave nothing
-  kNoScreenArea,    // setup: none after snapping
+  kNoScreenArea,    // setup: no area after snapping
   kTurnedAway,      // cull
-  kOutsidePicture,  // coverage: beside the picture, within the guard band
+  kOutsidePicture,  // coverage: outside the picture, within the guard band
   kBetweenCentres,  // coverage: no pixel's centre is covered
   kHidden,          // depth test: no fragment passes
   kDiscarded,       // alpha below the material's cutoff
   kMasked,          // the colour mask lets nothing through
   kOverwritten,     // written, then written over
-  kUnchanged,       // what survives leaves the bytes as they were
-  kPartlyVisible,   // some fragments survive
-  kVisible,         // all fragments survive
+  kUnchanged,       // the visible fragments leave the bytes as they were
+  kPartlyVisible,   // some fragments are visible
+  kVisible,         // all fragments are visible
   kLines,           // the run draws edges, not insides
 };
 inline constexpr std::size_t kEnds = std::size_t(End::kLines) + 1;
 
-// The stage that decides: "clip".
+// The name of the stage that decides, such as "clip".
 constexpr const char* stage_of(End end) {
   constexpr const char* kStages[kEnds] = {
       "assembly", "vertices", "clip",     "clip",       "clip",       "setup",
@@ -37,7 +37,7 @@ constexpr const char* stage_of(End end) {
   return kStages[std::size_t(end)];
 }
 
-// For programs: stable.
+// A stable name for programs.
 constexpr const char* name_of(End end) {
   constexpr const char* kNames[kEnds] = {
       "no-area",        "not-finite",  "behind-eye",      "outside-plane",   "clipped-away",
@@ -47,7 +47,7 @@ constexpr const char* name_of(End end) {
   return kNames[std::size_t(end)];
 }
 
-// Whether something of it is seen (of lines, may be seen).
+// Whether something of it is seen (for lines: may be seen).
 constexpr bool is_seen(End end) {
   return end >= End::kPartlyVisible;
 }

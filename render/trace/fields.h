@@ -1,6 +1,7 @@
-// The numbers of a trace's records and their bounds, each by its name: what arrays (arrays.h) and JSON (app/trace/json.h) have
-// in common. `field` is called with every name and number in turn, always in this order. A number is arithmetic, or an array,
-// a vector or a matrix of such; an optional one may have no value.
+// The numbers of a trace's records and their bounds, each with its name, as used by arrays
+// (arrays.h) and JSON (app/trace/json.h). `field` is called with every name and number, always in
+// the same order. A number is arithmetic, or an array, a vector or a matrix of such numbers; an
+// optional one may have no value.
 #pragma once
 
 #include <array>

@@ -33,9 +33,9 @@ struct SeenPoint {
   bool counter_clockwise = true;  // the triangle's corners, as seen on the screen there
 };
 
-// The point of the triangle, as it came to the clipper, that is seen through the pixel's centre, in front of the eye:
-// the combination of its corners with non-negative weights that is a multiple of (x, y, ., 1) (Olano and Greer 1997).
-// Nothing where the triangle does not lie there.
+// Finds the point of the unclipped triangle that is seen through the pixel's centre, in front of
+// the eye: the combination of its corners with non-negative weights that is a multiple of (x, y, .,
+// 1) (Olano and Greer 1997). Nothing if the triangle does not cover that centre.
 std::optional<SeenPoint> seen_through(const TracedTriangle& triangle, const Viewport& window, int x,
                                       int y) {
   const std::array<double, 3> centre{
@@ -95,13 +95,14 @@ bool was_cut(const TracedTriangle& triangle) {
   return triangle.pieces.empty() || !triangle.clipping.empty();
 }
 
-// What a triangle did to the pixel without a fragment.
+// Returns the effect of a triangle that has no fragment at the pixel: a piece that covers the pixel
+// was culled, or a clipping plane cut off the part that would cover it.
 std::optional<PixelEvent> event_without_fragment(const TracedTriangle& triangle, const Trace& trace,
                                                  int x, int y) {
   for (std::uint32_t i = 0; i < triangle.pieces.size(); ++i) {
     const TracedPiece& piece = triangle.pieces[i];
     if (!piece.setup || miss_at(*piece.setup, x, y)) continue;
-    if (!piece.culled) return std::nullopt;  // a fragment it is
+    if (!piece.culled) return std::nullopt;  // it has a fragment
     PixelEvent event;
     event.touch = Touch::kTurnedAway;
     event.source.piece = i;
@@ -117,7 +118,8 @@ bool reaches(const TracedPiece& piece, int x, int y) {
   return contains(pixels_touched(piece.vertices), x, y);
 }
 
-// The smallest miss of its pieces; nothing where one of them covers the pixel, or none comes near.
+// Returns the smallest miss of the triangle's pieces; nothing if one of them covers the pixel, or
+// none comes near.
 std::optional<Miss> miss_of(const TracedTriangle& triangle, int x, int y) {
   std::optional<Miss> nearest;
   for (const TracedPiece& piece : triangle.pieces) {
@@ -170,7 +172,8 @@ PixelEvent fragment_event(const Scene& scene, const Trace& trace, const TracedFr
 
 // ---- in order ----
 
-// Where in the run it came: the draw, the triangle, the piece. Lines and points come after the triangles of their draw.
+// The place of an event in the run: the draw, the triangle, the piece. Lines and points come after
+// the triangles of their draw.
 using Place = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
 std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> placed) {
@@ -181,7 +184,8 @@ std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> place
   return events;
 }
 
-// Who wrote the depth that a fragment met, and who wrote over whom.
+// Finds which event wrote the depth that a fragment was compared with, and which event overwrote
+// which.
 void connect(std::vector<PixelEvent>& events) {
   std::optional<std::size_t> nearest;
   std::vector<std::size_t> showing;
@@ -219,7 +223,8 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   const Show show = trace.settings.show;
   history.shows_bytes = show == Show::kColor || show == Show::kNormal || show == Show::kUv;
 
-  std::vector<std::size_t> turn(scene.instances.size());  // of each instance among the draws
+  // The place of each instance among the draws.
+  std::vector<std::size_t> turn(scene.instances.size());
   for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
 
   std::vector<std::pair<Place, PixelEvent>> placed;

@@ -1,4 +1,5 @@
-// What became of every triangle of a run, counted; of one of them, at whose hands.
+// Counts the results of every triangle of a run. For one of them it also records which other
+// triangles were the cause.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@
 
 namespace glassbox {
 
-// Where a triangle ends that has no fragments: it, its pieces and the planes as a trace records them.
+// Returns where a triangle ends that has no fragments, given the triangle, its pieces and the
+// planes as a trace records them.
 End end_before_fragments(const TracedTriangle& triangle, std::span<const ClipPlane> planes,
                          const RenderSettings& settings, const PixelRect& picture);
 
@@ -29,21 +31,22 @@ struct FragmentTally {
   std::uint32_t discarded = 0;    // alpha below the cutoff
   std::uint32_t masked = 0;       // no channel may be written
   std::uint32_t overwritten = 0;  // by something opaque that came later
-  std::uint32_t visible = 0;      // part of what the picture shows in the end
-  std::uint32_t unchanged = 0;    // of the visible ones: left the bytes as they were
-  std::uint32_t veiled = 0;       // of the visible ones: something translucent lies over them
+  std::uint32_t visible = 0;      // part of the final picture
+  std::uint32_t unchanged = 0;    // those visible ones that left the bytes as they were
+  std::uint32_t veiled = 0;       // those visible ones that have something translucent over them
 };
 
-// Where a triangle with such fragments ends; `before` if it has none.
+// Returns where a triangle with these fragments ends; `before` if it has none.
 End end_of(const FragmentTally& fragments, End before);
 
-// Another triangle that was in the way, and at how many pixels; no number for lines and points.
+// Another triangle that hid or overwrote this one, and at how many pixels; no number for lines and
+// points.
 struct Rival {
   std::optional<std::uint32_t> number;
   std::uint32_t pixels = 0;
 };
 
-// What became of one triangle's fragments, and at whose hands.
+// The results of one triangle's fragments, and which triangles were the cause.
 struct FragmentDetails {
   std::vector<Rival> hidden_by, overwritten_by;  // those with the most pixels first
 
@@ -73,14 +76,14 @@ struct FragmentDetails {
   std::optional<Unchanged> unchanged;
 
   std::optional<std::array<int, 2>> overwritten_at;  // one of the pixels
-  PixelRect visible_box;                             // of its visible pixels
+  PixelRect visible_box;                             // the bounding box of its visible pixels
   std::optional<std::array<int, 2>> example;  // the visible pixel nearest to the middle of the box
 };
 
 class Ledger : public Observer {
 public:
-  // The details are those of triangle `subject`. Memory: 12 bytes for each pixel and for each write that still shows, 36
-  // for each triangle.
+  // `subject` is the triangle that details() describes. Memory: 12 bytes for each pixel and for
+  // each write that is still visible, and 36 for each triangle.
   Ledger(const View& view, const RenderSettings& settings, std::optional<std::uint32_t> subject);
 
   void draw(const Draw& draw) override;
@@ -96,7 +99,7 @@ public:
   void encoded(const Fragment& fragment, const Rgba8& before, Rgba8& after) override;
   void ended(const FragmentSource& source, const Fragment& fragment, Fate fate) override;
 
-  // After the run, once: counts what is visible.
+  // Must be called once after the run: counts what is visible.
   void finish();
 
   struct Entry {
@@ -108,10 +111,10 @@ public:
   const FragmentDetails& details() const { return details_; }
 
 private:
-  // What a write left in a pixel, as long as nothing opaque has come over it.
+  // A write to a pixel that nothing opaque has covered since.
   struct Layer {
     std::uint32_t number = 0;
-    std::uint32_t next = 0;  // the one below; kNone: the background
+    std::uint32_t next = 0;  // the layer below; kNone: the background
     bool unchanged = false;
   };
   struct Nearest {
@@ -138,14 +141,14 @@ private:
   const int width_, height_;
 
   const Draw* draw_ = nullptr;
-  TracedTriangle current_;  // reused
+  TracedTriangle current_;  // its memory is used again
   std::vector<Entry> entries_;
 
   std::uint32_t code_ = 0, stored_ = 0;  // of the current fragment
   float alpha_ = 1;
   Rgba8 before_, after_;
 
-  std::vector<Nearest> nearest_;     // by pixel: who wrote the depth
+  std::vector<Nearest> nearest_;     // by pixel: the triangle that wrote the depth
   std::vector<std::uint32_t> tops_;  // by pixel: its uppermost layer
   std::vector<Layer> layers_;
   std::uint32_t free_ = 0;  // a list of unused layers

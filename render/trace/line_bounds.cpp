@@ -14,7 +14,7 @@
 namespace glassbox {
 namespace {
 
-// What the line has at its ends before it is clipped, by weights of three corners.
+// The line's ends before clipping, as weights of three corners.
 struct Corners {
   std::array<ClipVertex, 3> clip;
   std::array<ClipVertexBound, 3> bounds;
@@ -45,7 +45,7 @@ Corners corners_of_mesh(const CornerStage& stage, const TracedDraw& draw,
   return corners;
 }
 
-// Attributes are those of the side that is seen first.
+// The attributes are those of the first side of the triangle that is seen.
 Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::Known& known,
                             std::size_t edge) {
   const TracedTriangle& triangle = *known.triangle;
@@ -64,14 +64,14 @@ Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::Known& 
   return corners;
 }
 
-// Plane by plane, as clip_segment does it.
+// Clips plane by plane, as clip_segment does.
 void clip(std::span<const ClipPlane> planes, std::array<ClipVertex, 2>& ends,
           std::array<ClipVertexBound, 2>& bounds) {
   for (const ClipPlane& plane : planes) {
     const double d0 = signed_distance(plane, ends[0].position);
     const double d1 = signed_distance(plane, ends[1].position);
     if ((d0 >= 0) == (d1 >= 0)) continue;
-    const std::size_t outside = d0 < 0 ? 0 : 1;  // the other is inside: something is left
+    const std::size_t outside = d0 < 0 ? 0 : 1;  // the other end is inside, so something is left
     const ClipVertex crossing = clip_segment(ends, {&plane, 1}).value()[outside];
     bounds[outside] =
         crossing_bound(plane, ends[0], bounds[0], d0, ends[1], bounds[1], d1, crossing);
@@ -83,7 +83,7 @@ std::int64_t centre_of(int pixel) {
   return std::int64_t(pixel) * kSubpixels + kPixelCentre;
 }
 
-// A share of bounds that covers the roundings of a sum and a product of theirs.
+// A factor that covers the rounding errors of a sum and a product of bounds.
 constexpr double kRoundUp = 1 + 0x1p-40;
 
 }  // namespace
@@ -142,8 +142,9 @@ bool LineBounds::may_miss(const Fragment& fragment) const {
                    : line_may_miss(ends, fragment, moved_);
 }
 
-// Both compare integers of 1/256 pixel: only the bound itself is rounded. Coordinates are below 2^24 (SnappedVertex), what is multiplied
-// below 2^50. Less than a bound that is no number is nothing.
+// Both functions compare integers of 1/256 pixel; only the bound itself is rounded. Coordinates are
+// below 2^24 (SnappedVertex), products below 2^50. A comparison with a NaN bound is false, which
+// counts as "may miss".
 
 bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved) {
   const double by = moved * kSubpixels * kRoundUp;
@@ -158,14 +159,16 @@ bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fra
   const LineSetup line = setup_line(ends[0], ends[1]);
   const std::int64_t x = centre_of(line.x_major ? fragment.x : fragment.y);
   const std::int64_t y = centre_of(line.x_major ? fragment.y : fragment.x);
-  // An end decides by whether it lies in the pixel's diamond, and on which side of its centre.
+  // What an end decides depends on whether it is inside the pixel's diamond, and on which side of
+  // its centre.
   for (const SnappedVertex& end : {line.low, line.high}) {
     const std::int64_t dx = std::abs(end.x - x), dy = std::abs(end.y - y);
     const std::int64_t from_border = std::abs(dx + dy - kPixelCentre);
     if (!(double(from_border) > 2 * by && double(dx) > by)) return true;
   }
-  // Between them the line passes the pixel's centre less than half a pixel beside it. Its slope is at most 1, so that it moves by no
-  // more than both coordinates of an end; and which axis is the longer one must not change.
+  // Between the ends the line passes the pixel's centre at less than half a pixel's distance. The
+  // slope is at most 1, so the line moves by no more than the sum of both coordinates' moves of an
+  // end. Also, which axis is the longer one must not change.
   const std::int64_t run = line.high.x - line.low.x, rise = line.high.y - line.low.y;
   if (!(double(run - std::abs(rise)) > 4 * by)) return true;
   const std::int64_t beside_times_run = (line.low.y - y) * run + (x - line.low.x) * rise;

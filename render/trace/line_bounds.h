@@ -1,7 +1,9 @@
-// Running error bounds of lines, points and edges of triangles: from the clipper to the screen, and of their fragments.
+// Running error bounds of lines, points and edges of triangles: from the clipper to the screen, and
+// of their fragments.
 //
-// A line is a triangle whose vertex 0 has no weight (raster/interpolate.h): what holds for fragments of triangles holds for its
-// fragments, which stand for points of the snapped line. A point's one fragment has the numbers of its vertex.
+// A line is treated as a triangle whose vertex 0 has weight 0 (raster/interpolate.h). So what holds
+// for fragments of triangles holds for the fragments of a line; they represent points of the
+// snapped line. A point's one fragment has the numbers of its vertex.
 #pragma once
 
 #include <array>
@@ -16,11 +18,11 @@
 
 namespace glassbox {
 
-// Whether a line from one place to the other, as it really lies, may have no fragment there: `moved` px is how far the ends may be from
-// where they were snapped to, along x and along y each.
+// Whether the exact line might not cover the fragment's pixel. The exact ends may be up to `moved`
+// px from the snapped ones, along x and along y.
 bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fragment,
                    double moved);
-// Whether a point may lie in another pixel than the fragment's.
+// Whether the exact point may be in another pixel than the fragment's.
 bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved);
 
 class LineBounds {
@@ -30,23 +32,25 @@ public:
     VertexBounds bounds;
   };
 
-  // `triangle`: whose edge it is, of edges, which must have one. The stage's draw, lighting and settings must stay.
+  // `triangle`: for an edge, the triangle that the edge belongs to (required). The draw, lighting
+  // and settings of `stage` must outlive the object.
   LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
              const FragmentSource& source, const BoundsOfRun::Known* triangle);
 
-  // Of what clipping left of it: two, of a point one.
+  // The ends of what clipping left of the line: two, or one for a point.
   std::span<const End> ends() const { return std::span(ends_).first(is_point_ ? 1 : 2); }
 
   FragmentBounds of(const Fragment& fragment) const;
   ColorBounds colors(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
-  // As line_may_miss, its ends as far away as their bounds say; of a point, whether it may lie in another pixel.
+  // The same as line_may_miss, with the bounds of this line's ends; for a point the same as
+  // point_may_miss.
   bool may_miss(const Fragment& fragment) const;
 
 private:
   bool is_point_ = false;
   std::array<End, 2> ends_;
-  double moved_ = 0;  // how far the snapped ends may be from the exact ones, in pixels
+  double moved_ = 0;  // the largest distance of the snapped ends from the exact ones, in pixels
   TriangleSetup setup_;
   SetupBounds setup_bounds_;
   std::optional<PieceColors> colors_;

@@ -1,4 +1,4 @@
-// Where a triangle's number in the whole scene leads.
+// Finds the instance and face of a triangle by its number in the whole scene.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ struct NumberedTriangle {
   std::uint32_t face = 0;      // index into Mesh::faces
 };
 
-// How many numbers there are, those of triangles without area included.
+// How many numbers there are; triangles without area are included.
 std::uint64_t count_triangles(const Scene& scene);
 
-// Nothing where there is no such number.
+// Returns nothing if there is no such number.
 std::optional<NumberedTriangle> find_triangle(const Scene& scene, std::uint64_t number);
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
-// Two observers of one run: the first may take part in it, the second sees what the first has made of it.
+// Two observers of one run: the first may take part in it, the second sees the results after the
+// first has changed them.
 #pragma once
 
 #include <glassbox/render/engine/observer.h>

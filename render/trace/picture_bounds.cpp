@@ -20,14 +20,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRoundUp = 1 + 0x1p-40;
 constexpr double kPixel = kSubpixels;
 
-// Rounded up.
+// Converts a bound to float, rounded up.
 float as_float(double bound) {
   const float nearest = float(bound);
   return double(nearest) < bound ? std::nextafter(nearest, std::numeric_limits<float>::max())
                                  : nearest;
 }
 
-// The corner of the triangle that the vertex is, if clipping has left it alone.
+// Returns the triangle's corner that the vertex is, if clipping did not change it.
 std::optional<std::uint32_t> corner_of(const TracedVertex& vertex) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (vertex.clip.weights[k] == 1) return k;
@@ -47,7 +47,7 @@ BoundPlace place_of(const TracedFragment& fragment) {
   return place;
 }
 
-// What the buffer's format makes of a depth adds to its error.
+// The error that storing a depth in the buffer's format adds.
 double rounding_of_format(DepthFormat format, float depth, std::uint32_t code) {
   switch (format) {
     case DepthFormat::kFloat32:
@@ -66,12 +66,13 @@ double largest_bound(std::span<const Bounded> numbers) {
   return largest;
 }
 
-// Lines and points may have no normals, and are not lit then.
+// Whether there is a normal. Lines and points may have none, and are then not lit.
 bool is_there(const std::array<Bounded, 3>& normal) {
   return std::ranges::any_of(normal, [](const Bounded& n) { return n.value != 0 || n.bound != 0; });
 }
 
-// |error| / |normal|, to first order in neither: the normal may be as short as it is less its error.
+// Bounds |error| / |normal| without neglecting higher orders: the divisor is the length of the
+// normal minus its error.
 double share_of_length(const std::array<Bounded, 3>& normal) {
   double squared = 0, error = 0;
   for (const Bounded& n : normal) {
@@ -103,7 +104,7 @@ double BoundSummary::typical() const {
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     below += bins_[bin];
     if (bins_[bin] == 0 || 2 * below < count_) continue;
-    // The bin of 0 has nothing else in it but subnormal bounds.
+    // The bin of 0 contains nothing else except subnormal bounds.
     const std::uint32_t last = std::uint32_t((bin + 1) << kShift) - 1;
     return bin == 0 ? 0 : std::min(largest_, double(std::bit_cast<float>(last)));
   }
@@ -154,7 +155,7 @@ void PictureBounds::follow(const TracedFragment& fragment, const FragmentBounds&
   if (fragment.fate == Fate::kHidden) return;
   const bool near_edge = may_miss();
   errors_.fragments_near_edge += near_edge;
-  // What is certainly in front, and certainly there, makes an end of all doubts before it.
+  // A fragment that is certainly in front, and certainly in the triangle, ends all earlier doubts.
   if (fragment.fate == Fate::kWritten) pixel.is_undecided = as_deep;
   pixel.is_undecided |= near_edge;
   if (settings_.show != Show::kColor) return;
@@ -190,7 +191,8 @@ void PictureBounds::see_line(const TracedFragment& fragment, Pixel& pixel) {
       [&] { return line.colors(fragment, bounds); });
 }
 
-// Its ends are seen when its first fragment comes; those of an edge have come with its triangle.
+// Records the line's ends when its first fragment comes; those of an edge have come with its
+// triangle.
 const LineBounds& PictureBounds::line_of(const TracedFragment& fragment) {
   const FragmentSource& source = fragment.source;
   const bool is_the_same = line_ && line_instance_ == fragment.instance &&
@@ -234,8 +236,8 @@ bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBoun
     const double first_order = distance_of_depth(distance, view_.near, view_.far, stored);
     errors_.distance.see(share_of_distance(first_order / distance), where);
   }
-  // The test is of codes. Exact depths of equal codes, or of codes whose bounds overlap, may be in another order; what is
-  // stored may then be the other one.
+  // The test compares codes. If codes are equal, or their bounds overlap, the exact depths may be
+  // in the other order; then the other depth may be the stored one.
   const double apart = std::abs(double(place.depth) - double(pixel.depth));
   const bool as_deep = apart <= stored + double(pixel.depth_bound);
   errors_.fragments_as_deep += as_deep;
@@ -250,8 +252,8 @@ bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBoun
   return as_deep;
 }
 
-// The snapped triangle's vertices lie within s pixels of the exact ones, along x and along y each: an edge between them is within
-// sqrt 2 s of the exact one.
+// The snapped triangle's vertices are within s pixels of the exact ones along x and along y. So
+// each point of an edge is within sqrt 2 s of the exact edge.
 bool PictureBounds::is_near_edge(const TracedFragment& fragment,
                                  const BoundsOfRun::Known& known) const {
   const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
@@ -261,7 +263,7 @@ bool PictureBounds::is_near_edge(const TracedFragment& fragment,
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& edge = piece.setup->edges[k];
-    // a and b are in 1/256 pixel, the edge function in 1/65536 square pixel.
+    // a and b are in 1/256 pixel, the edge function is in 1/65536 square pixel.
     const double length = hypotenuse(double(edge.a), double(edge.b));
     const double away = double(fragment.coverage.edges[k]) / (length * kPixel);
     if (!(away > std::sqrt(2.0) * moved * kRoundUp)) return true;
@@ -297,7 +299,7 @@ void PictureBounds::see_attributes(const TracedFragment& fragment, const ColorBo
   if (fragment.fate != Fate::kDiscarded) errors_.light.see(largest_bound(colors.light), where);
 }
 
-// One colour over another reads what is stored, with its own error.
+// Blending reads the stored colour, which has an error of its own.
 void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel) {
   const bool blended = fragment.fate == Fate::kBlended;
   const Bounded alpha = bounded::clamped(colors.surface[3], Bounded(0.0f), Bounded(1.0f));

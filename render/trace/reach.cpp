@@ -11,8 +11,9 @@ namespace glassbox {
 
 namespace {
 
-// The edge whose line the centre lies furthest outside of, negative inside of all. As a function of x it is convex: the
-// largest of three linear functions.
+// Finds the edge whose line the centre is furthest outside of; the distance is negative if the
+// centre is inside all edges. As a function of x the distance is convex: the largest of three
+// linear functions.
 Miss furthest_outside(const TriangleSetup& triangle, int x, int y) {
   const std::int64_t centre_x = std::int64_t(x) * kSubpixels + kPixelCentre;
   const std::int64_t centre_y = std::int64_t(y) * kSubpixels + kPixelCentre;
@@ -51,7 +52,7 @@ PixelRect pixels_touched(std::span<const ScreenVertex> vertices) {
   PixelRect box{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
                 std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
   for (const ScreenVertex& vertex : vertices) {
-    // The guard band keeps positions well inside of int.
+    // The guard band keeps positions well inside the range of int.
     const int x = int(std::floor(vertex.position.x)), y = int(std::floor(vertex.position.y));
     box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
            std::max(box.y1, y + 1)};
@@ -75,7 +76,8 @@ Miss nearest_miss(const TriangleSetup& triangle, const PixelRect& pixels) {
   return nearest;
 }
 
-// Two convex figures have no area in common if and only if the line through a side of one of them separates them.
+// Two convex figures have no area in common if and only if the line through a side of one of them
+// separates them.
 std::optional<Outside> outside_of(const TracedPiece& piece, const PixelRect& picture) {
   const std::array<SnappedVertex, 3> v{snap(piece.vertices[0]), snap(piece.vertices[1]),
                                        snap(piece.vertices[2])};

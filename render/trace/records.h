@@ -1,4 +1,5 @@
-// What a trace holds: the records of pipeline/stages.h and raster/stages.h, as a run made them, with what was decided.
+// The records of a trace: those of pipeline/stages.h and raster/stages.h as a run made them, with
+// the decisions of its tests.
 #pragma once
 
 #include <array>
@@ -18,12 +19,12 @@ namespace glassbox {
 
 // ---- draws ----
 
-// One instance of a mesh, as the run draws it.
+// One instance of a mesh as the run draws it.
 struct TracedDraw {
   std::uint32_t instance = 0;      // index into Scene::instances
-  std::uint32_t first_number = 0;  // of its first triangle, in the whole scene
+  std::uint32_t first_number = 0;  // of the draw's first triangle, in the whole scene
   Transform<World, Object> world_from_object;
-  Vector<Object> anchor;  // subtracted from positions first, exactly
+  Vector<Object> anchor;  // subtracted from positions first; the subtraction is exact
   Transform<Clip, Object, float> clip_from_anchored;
   Transform<Eye, Object, float> eye_from_anchored;
   bool mirrored = false;  // front faces run clockwise
@@ -37,12 +38,12 @@ struct TracedCorner {
   Point<Object> object;        // as modelled
   Point<World, double> world;  // world_from_object * object, in double
   Point<Eye, double> eye;      // eye_from_world * world, in double
-  Point<Clip> clip;            // as the run computed it, by one float matrix
-  Outcode outcode = 0;         // against the planes of the run
+  Point<Clip> clip;            // computed by the run with one float matrix
+  Outcode outcode = 0;         // for the planes of the run
   friend bool operator==(const TracedCorner&, const TracedCorner&) = default;
 };
 
-// A vertex of what clipping left.
+// A vertex of the polygon after clipping.
 struct TracedVertex {
   ClipVertex clip;
   NdcVertex ndc;
@@ -50,12 +51,12 @@ struct TracedVertex {
   SnappedVertex snapped;
 };
 
-// One triangle of the fan that the clipped polygon is cut into.
+// One triangle of the fan into which the clipped polygon is split.
 struct TracedPiece {
-  std::array<std::size_t, 3> polygon{};  // which of the polygon's vertices
+  std::array<std::size_t, 3> polygon{};  // indices of its vertices in the polygon
   std::array<ScreenVertex, 3> vertices;
   std::optional<TriangleSetup> setup;  // none: no area after snapping
-  bool front = false;                  // where it is set up
+  bool front = false;                  // set if there is a setup
   bool culled = false;
 };
 
@@ -64,14 +65,14 @@ struct TracedTriangle {
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces
   std::array<TracedCorner, 3> corners;
-  // What each of Trace::planes did, in order, until nothing was left. Empty where none of them had anything to do: all
-  // corners inside, or all outside one plane.
+  // The steps of Trace::planes, in order, until nothing was left. Empty if no plane cut anything:
+  // all corners were inside, or all outside one plane.
   std::vector<ClipStep> clipping;
-  std::vector<TracedVertex> polygon;  // after clipping; empty: nothing was left
+  std::vector<TracedVertex> polygon;  // after clipping; empty: nothing is left
   std::vector<TracedPiece> pieces;
 };
 
-// The corners as they come to the clipper.
+// The corners before clipping.
 inline std::array<ClipVertex, 3> clip_vertices(const TracedTriangle& triangle) {
   std::array<ClipVertex, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -86,17 +87,17 @@ inline std::array<ClipVertex, 3> clip_vertices(const TracedTriangle& triangle) {
 struct TracedFragment {
   FragmentSource source;
   std::uint32_t instance = 0;
-  Coverage coverage;  // of triangles: the integer edge functions
+  Coverage coverage;  // for triangles: the integer edge functions
   Fragment fragment;
-  std::uint32_t code = 0;    // its depth, as the buffer stores it
-  std::uint32_t stored = 0;  // what the buffer held
+  std::uint32_t code = 0;    // its depth code
+  std::uint32_t stored = 0;  // the code that the buffer held
   Fate fate = Fate::kHidden;
-  // Where it passed the depth test:
+  // Set if it passed the depth test:
   Varyings at;
   Rgba surface;
-  // Where it was written or blended:
-  std::array<float, 3> emission{};  // part of the light: the surface's own
-  Rgba light;                       // linear; of pictures of light only
+  // Set if it was written or blended:
+  std::array<float, 3> emission{};  // the surface's own light, included in `light`
+  Rgba light;                       // linear; set only if the picture shows light
   Rgba8 before, after;
 };
 
@@ -105,11 +106,12 @@ struct TracedFragment {
 struct Trace {
   View view;
   RenderSettings settings;
-  std::array<ClipPlane, kMaxClipPlanes> planes{};  // what the run clipped by: render_planes
-  std::vector<TracedDraw> draws;  // in drawing order; all of them, whatever the filter
+  // The planes of the run's clipping: render_planes.
+  std::array<ClipPlane, kMaxClipPlanes> planes{};
+  std::vector<TracedDraw> draws;  // in drawing order; all of them, for any filter
   std::vector<TracedTriangle> triangles;
   std::vector<TracedFragment> fragments;  // in the order in which they came
-  bool complete = true;                   // false: the filter's bytes were used up
+  bool complete = true;                   // false: the filter's limit of bytes was reached
 };
 
 }  // namespace glassbox

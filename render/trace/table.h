@@ -1,4 +1,4 @@
-// Columns of numbers with names, types and shapes, as NumPy's arrays have them.
+// Columns of numbers with names, types and shapes, like NumPy's arrays.
 #pragma once
 
 #include <algorithm>
@@ -24,23 +24,24 @@ namespace glassbox {
 
 struct Array {
   std::string name;                // "corner.clip"
-  std::string type;                // NumPy's: "<f4", "|b1"
+  std::string type;                // NumPy's name: "<f4", "|b1"
   std::vector<std::size_t> shape;  // of one row
   std::size_t row_bytes = 0;
   bool wanted = true;
   std::string bytes;  // row after row, the last index fastest; matrices row by row
 };
 
-// Records of one kind, a column for each of their numbers. A function names every number of a record, always in the same
-// order: for the first row it makes the columns, for the others it fills them.
+// A table of records of one kind, with a column for each of their numbers. A fill function names
+// every number of a record, always in the same order: declare() makes the columns, add_row() fills
+// them.
 class Table {
 public:
-  // `group` > 1: so many rows belong together, and the arrays have that as their second dimension. 0: there is one row, and
-  // no dimension for it.
+  // `group` > 1: this many rows belong together, and the arrays have it as their second dimension.
+  // 0: there is one row, and no dimension for it.
   explicit Table(std::string prefix, std::size_t group = 1)
       : prefix_(std::move(prefix)), group_(group) {}
 
-  // A row that only says what there is.
+  // Calls `fill` only to make the columns.
   template <class Fill>
   void declare(const Fill& fill) {
     declaring_ = true;
@@ -68,13 +69,13 @@ public:
     if (array.wanted) append(value, array.bytes);
   }
 
-  // Whether it is the name of the table or of one of its arrays.
+  // Whether `name` is the name of the table or of one of its arrays.
   bool names(const std::string& name) const {
     return name == prefix_ || std::any_of(arrays_.begin(), arrays_.end(),
                                           [&](const Array& array) { return array.name == name; });
   }
 
-  // Only these arrays are filled.
+  // Selects the arrays that are filled.
   void choose(const std::vector<std::string>& names) {
     const auto is_among = [&](const std::string& name) {
       return std::find(names.begin(), names.end(), name) != names.end();
@@ -82,14 +83,14 @@ public:
     for (Array& array : arrays_) array.wanted = is_among(prefix_) || is_among(array.name);
   }
 
-  // The bytes that a row takes in all arrays that are wanted.
+  // The number of bytes that a row takes in all wanted arrays.
   std::size_t row_bytes() const {
     std::size_t bytes = 0;
     for (const Array& array : arrays_) bytes += array.wanted ? array.row_bytes : 0;
     return bytes;
   }
 
-  // Room for so many rows, so that the arrays take no more than their bytes.
+  // Reserves memory for this many rows, so that the arrays take no more than their bytes.
   void reserve(std::size_t rows) {
     for (Array& array : arrays_) {
       if (array.wanted) array.bytes.reserve(rows * array.row_bytes);
@@ -154,7 +155,7 @@ private:
   static void append(const glm::vec<N, T>& values, std::string& bytes) {
     for (int i = 0; i < N; ++i) append(values[i], bytes);
   }
-  // No value is NaN.
+  // A missing value is stored as NaN.
   template <class T>
   static void append(const std::optional<T>& value, std::string& bytes) {
     append(value.value_or(T(std::numeric_limits<double>::quiet_NaN())), bytes);

@@ -65,7 +65,7 @@ public:
     current_.pieces.clear();
   }
 
-  // The polygon's vertices come first; after them, in pictures of edges, the ends of edges.
+  // The polygon's vertices come first; in wireframe pictures the ends of edges follow.
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
     of_polygon_ = watching_ && int(current_.polygon.size()) < polygon_count_;
     if (of_polygon_)
@@ -175,7 +175,7 @@ private:
                        });
   }
 
-  // Whether the triangle would reach the wanted pixels without the near and the far plane.
+  // Whether the triangle would reach the wanted pixels if the near and far planes did not clip it.
   bool would_reach_wanted_pixels() const {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -198,7 +198,7 @@ private:
     return true;
   }
 
-  // What the run does not need to know, or does not tell.
+  // Computes what the run itself does not compute or does not pass to observers.
   void complete_current() {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -220,7 +220,7 @@ private:
     }
   }
 
-  // Where the corner is in the spaces that the run does not visit.
+  // Computes the corner in the spaces that the run does not use.
   void place(TracedCorner& corner) const {
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
@@ -235,19 +235,21 @@ private:
   const TraceFilter& filter_;
   TraceSink& sink_;
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
-  std::vector<ClipPlane> side_planes_;  // all but near and far
+  std::vector<ClipPlane> side_planes_;  // all except near and far
   std::uint64_t bytes_ = 0;
   bool complete_ = true;
   const Draw* draw_ = nullptr;
   bool draw_wanted_ = true;
   TracedDraw traced_draw_;
-  std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
-  bool watching_ = false;                                 // the current triangle
-  bool was_cut_ = false;                                  // it is not what it was before clipping
-  TracedTriangle current_;   // reused, so that what is not kept costs no allocation
-  bool tracing_ = false;     // the current fragment
-  int polygon_count_ = 0;    // vertices that clipping left of it
-  bool of_polygon_ = false;  // the vertex that is divided is one of them
+  // Triangle numbers; for filters by position.
+  std::unordered_set<std::uint32_t> with_wanted_vertex_;
+  bool watching_ = false;  // whether the current triangle is recorded
+  bool was_cut_ = false;   // the current triangle was changed by clipping
+  // Its memory is used again, so that triangles that are not kept cost no allocation.
+  TracedTriangle current_;
+  bool tracing_ = false;     // whether the current fragment is recorded
+  int polygon_count_ = 0;    // vertices that clipping left of the current triangle
+  bool of_polygon_ = false;  // the vertex that was divided last is one of them
   TracedFragment fragment_;
   Coverage coverage_;
 };

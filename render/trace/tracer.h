@@ -1,4 +1,4 @@
-// Records what a run does, as far as a filter asks for it.
+// Records what a run does; a filter selects what is recorded.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,27 @@
 
 namespace glassbox {
 
-// All conditions have to hold. Empty ones hold always: TraceFilter{.triangle = 4}.
+// All conditions must hold. Empty ones always hold: TraceFilter{.triangle = 4}.
 struct TraceFilter {
   std::optional<std::uint32_t> instance{};  // index into Scene::instances
   std::optional<std::uint32_t> triangle{};  // number in the whole scene
-  std::optional<std::uint32_t> position{};  // into Mesh::positions: triangles with that vertex
-  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would if they had not been
-  // clipped at the near and far planes.
+  // Index into Mesh::positions: triangles with that vertex.
+  std::optional<std::uint32_t> position{};
+  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would if
+  // the near and far planes did not clip.
   std::optional<PixelRect> pixels{};
-  // By stage: what there is of triangles, of fragments, and of the colours of fragments.
+  // By stage: whether triangles, fragments and the colours of fragments are recorded.
   bool triangles = true;
   bool fragments = true;
   bool colors = true;
   std::uint64_t max_bytes = std::uint64_t(256) << 20;
 };
 
-// What a trace keeps of a draw.
+// Returns the record of a draw.
 TracedDraw record_of(const Draw& draw, const Scene& scene);
 
-// Where records go, as soon as they are complete: all draws come, the rest as the filter has it.
+// Receives records as soon as they are complete: all draws, and those of the other records that
+// pass the filter.
 class TraceSink {
 public:
   virtual ~TraceSink() = default;
@@ -38,12 +40,12 @@ public:
 };
 
 struct SunkRun {
-  Rendering rendering;   // the same bytes as those of a run that nobody watches
-  bool complete = true;  // false: the filter's bytes were used up
+  Rendering rendering;   // the same bytes as those of a run without an observer
+  bool complete = true;  // false: the filter's limit of bytes was reached
 };
 
-// One run of the staged reference. Time beyond that of the run is in proportion to what is recorded, plus a few
-// comparisons for each triangle and fragment.
+// Traces one run of the staged reference. The additional time is proportional to what is recorded,
+// plus a few comparisons for each triangle and fragment.
 SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
               const TraceFilter& filter, TraceSink& sink);
 
@@ -52,7 +54,7 @@ struct TracedRun {
   Trace trace;
 };
 
-// Such a run with all of its records kept.
+// Traces such a run and keeps all of its records.
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter);
 

@@ -126,7 +126,7 @@ CullVerdict culling(const Scene& scene, const View& view, const RenderSettings& 
   return found;
 }
 
-// The pixels of the picture whose centres a piece comes near to.
+// The pixels of the picture whose centres are near the piece.
 PixelRect pixels_near(const TracedPiece& piece, const PixelRect& picture) {
   std::array<SnappedVertex, 3> snapped;
   for (std::size_t k = 0; k < 3; ++k) snapped[k] = snap(piece.vertices[k]);
@@ -134,7 +134,8 @@ PixelRect pixels_near(const TracedPiece& piece, const PixelRect& picture) {
   return intersect({box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}, picture);
 }
 
-// Of pieces none of which covers a centre in the picture: the miss that is smallest, or by how much they lie beside it.
+// For pieces that cover no centre in the picture: finds the smallest miss, or by how much they are
+// outside the picture.
 void judge_coverage(const TracedTriangle& triangle, const PixelRect& picture,
                     TriangleVerdict& verdict) {
   const auto size = [](const Outside& o) {
@@ -204,7 +205,7 @@ ViewConventions conventions_of(const View& view) {
   const bool reversed = view.depth_range == DepthRange::kReversed;
   ViewConventions found;
   found.right_handed_eye = glm::determinant(glm::dmat3(view.eye_from_world.columns)) > 0;
-  // Along the gaze w grows; in a parallel view, where w is 1, depth does.
+  // Along the gaze w grows; in a parallel view, where w is 1, depth grows.
   found.gaze_is_minus_z = view.perspective ? m.at(3, 2) < 0 : (m.at(2, 2) < 0) != reversed;
   found.hands_mixed = found.right_handed_eye != found.gaze_is_minus_z;
   found.near_depth = depth_at(m, found.gaze_is_minus_z ? -view.near : view.near);

@@ -1,4 +1,4 @@
-// What became of a triangle: the stage, the test and the numbers that decided.
+// Finds why a triangle ended as it did: the stage, the test and the numbers that decided.
 #pragma once
 
 #include <array>
@@ -23,13 +23,15 @@ namespace glassbox {
 
 // ---- the view ----
 
-// What the matrices of a view agree on. Those of make_view agree on everything; those that somebody composed may not.
+// The conventions that the matrices of a view follow. Those of make_view agree with each other;
+// matrices combined by hand may not.
 struct ViewConventions {
   bool right_handed_eye = true;  // det(eye_from_world) > 0
-  bool gaze_is_minus_z = true;   // what the projection takes for the gaze: +z otherwise
-  bool hands_mixed = false;      // the two do not belong together (SPEC E12, C-07)
-  double near_depth = 0;  // z/w of the point `near` along the gaze; 0, or 1 for a reversed range
-  // `near_depth` is closer to -1: the projection is made for -w <= z <= w (E16).
+  bool gaze_is_minus_z = true;   // the projection's gaze is along -z; otherwise +z
+  bool hands_mixed = false;      // the two fields above contradict each other (E12, C-07)
+  // z/w of the point at distance `near` along the gaze; should be 0, or 1 for a reversed range.
+  double near_depth = 0;
+  // Whether `near_depth` is closer to -1: the projection is then made for -w <= z <= w (E16).
   bool opengl_range = false;
 };
 ViewConventions conventions_of(const View& view);
@@ -38,8 +40,8 @@ ViewConventions conventions_of(const View& view);
 
 enum class NoArea : std::uint8_t {
   kRepeatedPosition,  // corners of the face are at the same place
-  kCollinear,         // the triangle's corners lie on a line
-  kWholeFace,  // more than three corners whose outline encloses nothing: on a line, or crossing itself
+  kCollinear,         // the triangle's corners are on a line
+  kWholeFace,  // more than three corners whose outline has no area: on a line, or crossing itself
 };
 
 struct NoAreaVerdict {
@@ -51,9 +53,9 @@ struct NoAreaVerdict {
 
 struct ClippedCorner {
   Point<Clip> clip;
-  double along_gaze = 0;  // -z of eye space: world units in front of the eye
+  double along_gaze = 0;  // -z in eye space: world units in front of the eye
   double inside = 0;      // signed distance from the deciding plane; negative: outside
-  std::optional<Point<Screen, double>> screen;  // px, and depth of NDC; where w > 0
+  std::optional<Point<Screen, double>> screen;  // px, and depth in NDC; set if w > 0
 };
 
 struct ClipCount {
@@ -62,11 +64,11 @@ struct ClipCount {
 };
 
 struct ClippingVerdict {
-  // Index into Trace::planes: all corners lie outside of it, or it left nothing of the rest.
+  // Index into Trace::planes: all corners are outside this plane, or nothing was left after it.
   std::size_t plane = 0;
   ClipPlane equation;
   std::array<ClippedCorner, 3> corners;
-  std::vector<ClipCount> steps;      // of kClippedAway: up to the deciding plane
+  std::vector<ClipCount> steps;      // for kClippedAway: up to the deciding plane
   bool inside_opengl_depth = false;  // all corners have -w <= z <= w (E16)
 };
 
@@ -79,9 +81,9 @@ struct NoScreenAreaVerdict {
 };
 
 struct CullVerdict {
-  double area_px2 = 0;  // as snapped, exactly; positive: counter-clockwise as seen on the screen
+  double area_px2 = 0;  // after snapping, exact; positive: counter-clockwise as seen on the screen
   bool front = false;
-  bool mirrored = false;  // the model matrix mirrors: fronts run clockwise
+  bool mirrored = false;  // the model matrix mirrors: front faces run clockwise
   Cull rule = Cull::kMaterial;
   bool double_sided = false;
   // (P - eye) . m; none where the model matrix has no inverse.
@@ -96,27 +98,28 @@ struct TriangleVerdict {
   ViewConventions conventions;
   std::optional<TracedTriangle> traced;  // none: no area as modelled
   int pieces_without_area = 0, pieces_turned_away = 0, pieces_set_up = 0;
-  // What the stage that decided has found:
+  // The results of the stage that decided:
   std::optional<NoAreaVerdict> no_area;
   std::optional<ClippingVerdict> clipping;  // kBehindEye, kOutsidePlane, kClippedAway
   std::optional<NoScreenAreaVerdict> no_screen_area;
-  std::optional<CullVerdict> cull;  // wherever a piece is turned away
+  std::optional<CullVerdict> cull;  // set if any piece is turned away
   std::optional<Outside> outside;
   std::optional<Miss> nearest_centre;  // of those in the picture
   FragmentTally fragments;
   FragmentDetails details;
-  std::uint64_t line_pixels = 0;  // of kLines: where its edges are seen
+  std::uint64_t line_pixels = 0;  // for kLines: the pixels in which its edges are seen
 };
 
-// Runs the staged reference once, and again where there are fragments to follow. An error where there is no such number.
+// Runs the staged reference once, and a second time if there are fragments to follow. Returns an
+// error if there is no triangle with this number.
 Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
                                          const RenderSettings& settings, std::uint64_t number);
 
-// How many triangles end where.
+// How many triangles end at each place.
 struct SceneVerdict {
   struct Group {
     std::uint64_t triangles = 0;
-    // Of what is seen, the one with the most visible pixels; else the first.
+    // Of the visible triangles, the one with the most visible pixels; of the others, the first.
     std::uint32_t example = 0;
     std::uint32_t example_pixels = 0;
   };
@@ -125,7 +128,7 @@ struct SceneVerdict {
   ViewConventions conventions;
 
   const Group& at(End end) const { return groups[std::size_t(end)]; }
-  // The end of the most triangles among those that are not seen.
+  // The most frequent end among the triangles that are not seen.
   std::optional<End> commonest_loss() const;
   bool all_lost() const;
 };

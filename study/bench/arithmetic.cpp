@@ -2,7 +2,7 @@
 
 #include <glassbox/raster/lanes/compiled_targets.h>
 
-// This file is compiled once for each instruction set.
+// Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "study/bench/arithmetic.cpp"
 #include <hwy/foreach_target.h>
@@ -14,7 +14,8 @@ namespace glassbox::study::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Sixteen chains: an operation takes four cycles or so, and processors begin two in each.
+// Sixteen independent chains keep the processor busy: one operation takes about four cycles, and a
+// processor can start two of them in each cycle.
 std::int64_t chains(std::int64_t rounds, float& result) {
   const hn::CappedTag<float, 16> tag;
   using Vector = hn::Vec<decltype(tag)>;

@@ -1,12 +1,13 @@
-// As many float operations as a processor does in a second.
+// Measures how many float operations a processor does in a second.
 #pragma once
 
 #include <cstdint>
 
 namespace glassbox::study {
 
-// Multiplications and additions, not fused, as the engine's are; in the widest vectors that this processor has. The number
-// of operations done; `result` depends on all of them.
+// Does multiplications and additions (not fused, like those of the engine) in the widest vectors of
+// this processor. Returns the number of operations done; `result` depends on all of them, so that
+// the compiler cannot leave them out.
 std::int64_t do_arithmetic(std::int64_t rounds, float& result);
 
 }  // namespace glassbox::study

@@ -36,7 +36,7 @@ bool Channel::receive(std::span<std::byte> bytes) {
   return true;
 }
 
-// Lines are short and few: byte by byte, so that nothing of what follows is read.
+// Lines are short and few, so they are read byte by byte: nothing that follows the line is read.
 std::optional<std::string> Channel::receive_line() {
   std::string line;
   for (char c = 0; receive(std::as_writable_bytes(std::span(&c, 1)));) {

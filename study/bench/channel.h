@@ -1,4 +1,4 @@
-// Lines and bytes between two processes.
+// Sends lines and bytes between two processes.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace glassbox::study {
 
-// One end of a connected pair of sockets, which it owns. False and none: the other end is gone.
+// One end of a connected pair of sockets, which this object owns. The functions return false or
+// nothing when the other end is gone.
 class Channel {
 public:
   explicit Channel(int socket) : socket_(socket) {}

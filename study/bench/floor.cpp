@@ -17,18 +17,19 @@ namespace glassbox::study {
 
 namespace {
 
-constexpr std::size_t kWords = std::size_t(1) << 24;  // of 8 bytes: 128 MiB a thread
+constexpr std::size_t kWords = std::size_t(1) << 24;  // 8-byte words per thread: 128 MiB
 constexpr int kRuns = 7;
 
 using Clock = std::chrono::steady_clock;
 
-// When a thread began its work and was done with it, by its own clock: whoever waits for it may be late.
+// When a thread began its work and finished it, by its own clock: the thread that waits for it may
+// notice the end late.
 struct Span {
   Clock::time_point begin, end;
 };
 
-// Of `work` on each of so many threads at once, by the number of the thread; the best of several runs, each from the first
-// beginning to the last end.
+// The seconds that `work` takes when it runs on this many threads at once; `work` gets the number
+// of its thread. The best of several runs, each measured from the first begin to the last end.
 double least_seconds(int threads, const std::function<void(int)>& work) {
   double least = 0;
   for (int run = 0; run < kRuns; ++run) {
@@ -44,7 +45,7 @@ double least_seconds(int threads, const std::function<void(int)>& work) {
         span.end = Clock::now();
       });
     }
-    all.clear();  // waits for them
+    all.clear();  // joins all threads
     const auto begin = std::ranges::min(spans, {}, &Span::begin).begin;
     const auto end = std::ranges::max(spans, {}, &Span::end).end;
     const double seconds = std::chrono::duration<double>(end - begin).count();

@@ -1,4 +1,5 @@
-// What no rasterizer can be faster than on this machine: the bytes that a scene has to move, over what its memory moves.
+// The time that no rasterizer can beat on this machine: the bytes that a scene has to move, divided
+// by the memory's bandwidth.
 #pragma once
 
 #include "study/scenes/scenes.h"
@@ -11,11 +12,11 @@ struct Floor {
   double operations_per_second = 0;  // float multiplications and additions, not fused
 };
 
-// By loops over memory that no cache holds, the best of several runs.
+// Measured by loops over memory that is larger than every cache; the best of several runs.
 Floor measure_floor(int threads);
 
-// Everything moved once: vertices (their tables as they are), 32-bit indices and textures read in each pass; colours
-// written once, and depths in each pass.
+// The bytes that move if everything is moved once: vertices (their tables as stored), 32-bit
+// indices and textures are read in each pass; colours are written once, depths in each pass.
 struct Traffic {
   double read_bytes = 0, written_bytes = 0;
 };

@@ -33,33 +33,37 @@ bool has_levels(const Scene& scene) {
   });
 }
 
-// So many more of the pixels may differ, by so much.
+// Allows this additional share of the pixels to differ by as much as `by`.
 void widen(MatchBounds& bounds, double share, int by) {
   bounds.beyond_share += share;
   bounds.beyond = std::max(bounds.beyond, by);
 }
 
-// docs/benchmark.md has what was measured.
+// The measured differences are in docs/benchmark.md.
 MatchBounds bounds_of(const BenchScene& bench) {
   MatchBounds bounds;
   bounds.samples = bench.settings.samples;
   bounds.eyes = int(bench.passes.size());
   bounds.beyond = bounds.same_color;
-  // OpenGL's level is that of a quad of 2 x 2 pixels, from differences between them; ours that of the pixel.
+  // OpenGL takes the mipmap level of a quad of 2 x 2 pixels, from the differences between them;
+  // Glassbox computes it for each pixel.
   if (has_levels(bench.scene)) widen(bounds, 0.02, 16);
-  // Each blended layer rounds a byte, and alphas of 1/8 leave the sum of up to 8 such steps: in few pixels where there are few layers.
-  // Where there are as many, in any, for llvmpipe rounds always to the same side on some processors.
+  // Each blended layer rounds to a byte, and with alphas of 1/8 up to 8 such errors add up. With
+  // few layers this happens in few pixels, with that many layers it may happen in any pixel,
+  // because llvmpipe always rounds to the same side on some processors.
   constexpr std::ptrdiff_t kLayersThatAddUp = 8;
   if (const auto layers = count_draws(bench.scene, AlphaMode::kBlend); layers > 0) {
     widen(bounds, layers < kLayersThatAddUp ? 0.001 : 1, 10);
   }
-  // A mask may cut samples out of a pixel whose centre no triangle's edge is near.
+  // An alpha mask may discard some samples of a pixel even where no triangle's edge is near its
+  // centre.
   const bool cuts_samples = bounds.samples > 1 && count_draws(bench.scene, AlphaMode::kMask) > 0;
   if (cuts_samples) widen(bounds, 0.0001, 64);
   return bounds;
 }
 
-// No draw is left out as a whole: what is seen of it is asked further on.
+// Draws every object, even one outside the frustum: only its triangles and pixels are rejected,
+// later in the pipeline.
 std::vector<Plan> plan_all_draws(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans = make_plans(eyes, leave_out);
   for (Plan& plan : plans) {
@@ -122,7 +126,8 @@ JudgedPicture GlassboxPeer::picture() {
   return judged;
 }
 
-// What lies between pixel centres has edges that no centre sees.
+// Objects that fit between pixel centres have edges that no centre sees, so the edges are also
+// marked in pictures drawn at the sample positions.
 void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
   RenderSettings settings = at_centres(bench_.settings);
   settings.want_id = true;
@@ -138,8 +143,9 @@ void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
   }
 }
 
-// The last of several blended triangles hides the edges of those behind it from the plane of triangles' numbers: all edges of
-// blended triangles are drawn as lines. An opaque wireframe of them hides nothing but places on other lines.
+// Where several blended triangles overlap, the image of triangle ids keeps only the last one and
+// hides the edges of those behind it. So all edges of blended triangles are drawn as lines; an
+// opaque wireframe of them hides only parts of other lines.
 void GlassboxPeer::mark_edges_behind_glass(Image<std::uint8_t>& edge) const {
   Scene lines = bench_.scene;
   std::erase_if(lines.instances, [&](const Instance& instance) {
@@ -164,7 +170,8 @@ void GlassboxPeer::mark_edges_behind_glass(Image<std::uint8_t>& edge) const {
 }
 
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames) {
-  const View& centre = bench.stereo->centre;  // by name: a lambda takes no binding in clang 14
+  // a named variable: clang 14 cannot capture a structured binding in a lambda
+  const View& centre = bench.stereo->centre;
   const StereoPair& pair = bench.stereo->pair;
   const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
   const StereoSettings both_settings{bench.settings};

@@ -1,4 +1,5 @@
-// Glassbox as the benchmark runs it: everything that a program makes once is made once, then frames are drawn.
+// Glassbox as the benchmark runs it: what a program sets up once is set up once, then frames are
+// drawn.
 #pragma once
 
 #include <memory>
@@ -17,24 +18,24 @@ namespace glassbox::study {
 
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;
-  // Of the tile engine; the staged one has neither threads nor tiles.
+  // Only for the tile engine; the staged engine has neither threads nor tiles.
   TileOptions tile{.threads = 1};
 };
 
 class GlassboxPeer {
 public:
-  // The scene must outlive it.
+  // `bench` must outlive this object.
   explicit GlassboxPeer(const BenchScene& bench, const EngineOptions& options = {});
 
-  // Draws all passes; the time from nothing to a finished picture, in milliseconds.
+  // Draws all passes. Returns the time from an empty picture to a finished one, in milliseconds.
   double frame_ms();
 
-  // What a frame shows, from a run that keeps the triangles' numbers too.
+  // The picture of a frame, from a run that also keeps the ids of the triangles.
   JudgedPicture picture();
 
 private:
   void draw(const RenderSettings& settings);
-  // Over the picture that the passes before have left.
+  // Draws on top of the picture that the earlier passes have left.
   void draw_over(const BenchPass& pass, const RenderSettings& settings, Rendering& into);
 
   void mark_edges_of_samples(Image<std::uint8_t>& edge) const;
@@ -43,14 +44,15 @@ private:
   const BenchScene& bench_;
   PreparedScene prepared_;
   std::unique_ptr<Engine> engine_;
-  std::vector<Rendering> drawn_;  // by pass; the first one has the colours of all
+  std::vector<Rendering> drawn_;  // one per pass; the first one holds the colours of all passes
 };
 
-// What the second eye costs: both eyes of an anaglyph in one run that shares their work, against one eye's picture by the same
-// engine. Medians of frames drawn by turns.
+// The cost of the second eye: both eyes of an anaglyph in one run that shares their work, compared
+// with one eye's picture by the same engine. Medians of frames that are drawn alternately.
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
-  std::optional<views::SecondEyeError> warped;  // from one layer; absent where it cannot be
+  // warped from one layer; absent where that is not possible
+  std::optional<views::SecondEyeError> warped;
 };
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);
 

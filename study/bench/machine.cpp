@@ -19,7 +19,7 @@ namespace glassbox::study {
 
 namespace {
 
-// What /proc/cpuinfo says of each processor.
+// The values that /proc/cpuinfo lists under this key, one for each processor.
 std::vector<std::string> processors_say(std::string_view what) {
   std::ifstream in("/proc/cpuinfo");
   std::vector<std::string> said;
@@ -36,7 +36,7 @@ std::string processor_name() {
   return names.empty() ? "unnamed processor" : names.front();
 }
 
-// One line of a file; empty where there is no such file.
+// The first line of a file; empty if the file does not exist.
 std::string line_of(const std::string& path) {
   std::ifstream in(path);
   std::string line;
@@ -44,7 +44,7 @@ std::string line_of(const std::string& path) {
   return line;
 }
 
-// "2048K" as Linux has it.
+// Takes a size as Linux writes it ("2048K") and returns it with a unit ("2 MiB").
 std::string with_unit(const std::string& kibibytes) {
   const int size = std::atoi(kibibytes.c_str());
   return size < 1024 ? fmt::format("{} KiB", size) : fmt::format("{:g} MiB", size / 1024.0);

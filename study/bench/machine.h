@@ -1,25 +1,25 @@
-// Where and with what the numbers came about.
+// Describes the machine and the compiler with which the numbers were measured.
 #pragma once
 
 #include <string>
 
 namespace glassbox::study {
 
-// "Intel(R) Xeon(R) Processor, 2 processors"
+// For example "Intel(R) Xeon(R) Processor, 2 processors".
 std::string machine_name();
 int processor_count();
-// "48 KiB, 2 MiB and 260 MiB": of data, of one processor, from the first level on; empty where the system does not say.
+// The data caches of one processor from level 1 on, for example "48 KiB, 2 MiB and 260 MiB"; empty
+// if the system does not report them.
 std::string cache_sizes();
-// The instruction set that vectors are drawn and measured with: "avx2".
+// The instruction set of the vector code, for drawing and for measuring, for example "avx2".
 std::string instruction_set();
-// "g++ 12.2.0"
+// For example "g++ 12.2.0".
 std::string compiler_name();
 
-// What a machine is at while something is measured. NaN where the system does not say.
+// The state of the machine while something is measured. NaN if the system does not report a value.
 struct MachineState {
-  double load =
-      0;  // processes that ran or waited, the mean over the last minute: with nobody else about, this one
-  double mhz = 0;  // of the fastest processor, as the system gives it
+  double load = 0;  // mean number of runnable processes in the last minute; 1 if only this one runs
+  double mhz = 0;   // clock of the fastest processor, as the system reports it
 };
 MachineState machine_state();
 

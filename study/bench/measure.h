@@ -1,4 +1,4 @@
-// How long frames of a scene take, alone or in alternation with a peer's.
+// Measures how long frames of a scene take, alone or in alternation with those of a peer.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ namespace glassbox::study {
 struct Against {
   std::string peer;
   Quartiles ms;
-  // The peer's time over ours, frame by frame in the order in which they were drawn: the spread of the ratio of medians.
+  // The peer's time divided by ours, frame by frame in the order of drawing: shows the spread
+  // behind the ratio of the medians.
   Quartiles frame_ratio;
   PictureMatch match;
 };
@@ -26,13 +27,14 @@ struct Against {
 struct Measurement {
   std::string scene;
   int threads = 1;
-  int samples = 1;  // of a pixel
-  int frames = 0;   // that the medians are of
+  int samples = 1;  // per pixel
+  int frames = 0;   // number of frames behind the medians
   Quartiles ms;
-  Traffic least;  // bytes that have to move
+  Traffic least;  // bytes that have to be moved at least
   std::optional<Against> against;
-  std::optional<StereoCost> stereo;   // where the scene has two eyes
-  std::optional<double> rejected_ms;  // where whole objects are not rejected: with rejection
+  std::optional<StereoCost> stereo;  // only for scenes with two eyes
+  // for scenes drawn without culling of whole objects: the time with it
+  std::optional<double> rejected_ms;
 
   double ratio() const { return against->ms.median / ms.median; }
 };
@@ -42,10 +44,11 @@ struct MeasureOptions {
   int frames = 9;
 };
 
-// Frames before the measured ones, and in a turn of each side.
+// The number of frames before the measured ones, and of those that each side draws in its turn.
 inline constexpr int kWarmUpFrames = 3, kTurnFrames = 3;
 
-// `peer` (null: none) has the same scene. The two take turns of three frames, so that both see the same machine.
+// `peer` (null: there is none) has the same scene. The two take turns of three frames, so that both
+// run under the same conditions.
 Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& options,
                             PeerProcess* peer);
 

@@ -8,7 +8,7 @@ namespace glassbox::study {
 
 namespace {
 
-// "VmHWM:   123456 kB" in bytes.
+// Returns the value of a line such as "VmHWM:   123456 kB", in bytes.
 double field(const char* file, const std::string& name) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -27,7 +27,7 @@ double peak_bytes() {
   return field("/proc/self/status", "VmHWM");
 }
 
-// proc(5): writing 5 resets the peak to what is resident.
+// Writing 5 resets the peak to the memory that is resident now, see proc(5).
 void reset_peak_bytes() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }

@@ -1,12 +1,13 @@
-// What this process has of memory, by Linux's /proc; 0 where there is none.
+// The memory of this process as Linux reports it in /proc; 0 if there is no /proc.
 #pragma once
 
 namespace glassbox::study {
 
-// The most bytes that were resident at once since the process, or the last reset_peak_bytes, began.
+// The largest number of bytes resident at once since the process started, or since the last call of
+// reset_peak_bytes.
 double peak_bytes();
 void reset_peak_bytes();
-// What programs may still have without swapping.
+// The memory that programs can still use without swapping, in bytes.
 double available_bytes();
 
 }  // namespace glassbox::study

@@ -20,15 +20,16 @@ namespace glassbox::study {
 
 namespace {
 
-// What is said:      the answer:
+// Request:           Answer:
 //   (at the start)     "ready DESCRIPTION" or "failed CAUSE"
 //   "frames N"         N lines, milliseconds each
-//   "picture"          the colours, then the covered pixels, as they lie in memory
+//   "picture"          the colours, then the covered pixels, byte by byte as in memory
 constexpr std::string_view kReady = "ready ", kFailed = "failed ", kFrames = "frames ";
 constexpr const char* kPicture = "picture";
 
-// llvmpipe's own name for it. It adds that many rasterising threads to the one that calls OpenGL, which then waits for
-// them; with 0, that one does everything.
+// The environment variable by which llvmpipe gets its number of threads. It adds that many
+// rasterizing threads to the one that calls OpenGL, which then waits for them; with 0, the calling
+// thread does everything.
 constexpr const char* kThreadsVariable = "LP_NUM_THREADS";
 
 std::string threads_setting(int threads) {
@@ -58,7 +59,8 @@ std::vector<std::string> environment(int threads) {
 }  // namespace
 
 Result<std::unique_ptr<PeerProcess>> PeerProcess::start(const PeerCommand& command) {
-  // All memory is allocated before the fork: afterwards only what is safe in a signal handler may be called.
+  // All memory is allocated before the fork: after it, only functions that are safe in a signal
+  // handler may be called.
   std::vector<std::string> words{command.program};
   words.insert(words.end(), command.words.begin(), command.words.end());
   std::vector<std::string> settings = environment(command.threads);

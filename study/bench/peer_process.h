@@ -1,5 +1,5 @@
-// A peer in a process of its own, which draws when it is told to. Mesa reads its number of threads once in a process, and
-// its threads and memory are kept out of ours.
+// Runs a peer in its own process, which draws on request. Mesa reads its number of threads only
+// once in a process; a separate process also keeps its threads and its memory apart from ours.
 #pragma once
 
 #include <sys/types.h>
@@ -17,24 +17,24 @@
 namespace glassbox::study {
 
 struct PeerCommand {
-  std::string program;             // that calls serve_mesa
+  std::string program;             // must call serve_mesa
   std::vector<std::string> words;  // its arguments
   int threads = 1;
 };
 
 class PeerProcess {
 public:
-  // An error if the peer cannot draw, in its own words.
+  // An error, in the peer's own words, if the peer cannot draw.
   static Result<std::unique_ptr<PeerProcess>> start(const PeerCommand& command);
-  // Ends it.
+  // Ends the process.
   ~PeerProcess();
   PeerProcess(const PeerProcess&) = delete;
   PeerProcess& operator=(const PeerProcess&) = delete;
 
   const std::string& description() const { return description_; }
-  // Draws so many frames; milliseconds of each.
+  // Draws this many frames; returns the milliseconds of each.
   Result<std::vector<double>> frames(int count);
-  // What the last frame drew.
+  // The picture of the last frame.
   Result<Picture> picture(int width, int height);
 
 private:
@@ -46,8 +46,9 @@ private:
   std::string description_;
 };
 
-// The other side: draws the scene with Mesa as the program that holds the other end of standard input asks, until it goes.
-// False if Mesa cannot.
+// The function for the child process: draws the scene with Mesa whenever the program at the other
+// end of standard input asks for it, until that program closes it. Returns false if Mesa cannot
+// draw the scene.
 bool serve_mesa(const BenchScene& bench);
 
 }  // namespace glassbox::study

@@ -38,7 +38,7 @@ std::vector<double> series(ScaledBy by) {
   return {};
 }
 
-// 4 n (n - 1) triangles in n stacks and 2 n slices.
+// A grid of n stacks and 2 n slices has 4 n (n - 1) triangles.
 Grid grid_of(double triangles) {
   const int stacks = int(std::lround(0.5 + std::sqrt(0.25 + triangles / 4)));
   return {stacks, 2 * stacks, 0};
@@ -86,7 +86,7 @@ ScalingPoint measure_step(const Step& step, const MeasureOptions& options) {
   return {step.x, quartiles(std::move(times)), peak_bytes()};
 }
 
-// Memory grows no faster than x does; what the first megabytes hold does not grow at all.
+// Memory grows at most in proportion to x, and the fixed part of it does not grow at all.
 bool fits(const ScalingPoint& last, double next_x) {
   const double available = available_bytes();
   return available == 0 || last.peak_bytes * next_x / last.x < 0.8 * available;

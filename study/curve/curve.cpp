@@ -49,7 +49,7 @@ private:
     if (request_.phase) request_.phase(what);
   }
 
-  // Pictures are kept, if each way has one of its own.
+  // Fails if the pictures would need too much memory, should each way give a different one.
   Result<void> check_memory(const std::vector<Way>& ways) {
     const auto view = drawers_.view_of(ways.front());
     if (!view) return tl::unexpected(view.error());
@@ -66,7 +66,8 @@ private:
                     : "ask for no page, or for fewer pixels (--size)");
   }
 
-  // The finest level there is, shaded in each pixel unless something else was asked for.
+  // The reference is drawn at the finest level of the scene; it is shaded per pixel unless the
+  // caller asked for another shading.
   Result<void> draw_reference() {
     RenderSettings settings = request_.ways.settings;
     if (!request_.ways.held.contains(Knob::kShading)) settings.shading = Shading::kPhong;
@@ -110,12 +111,12 @@ private:
     return {};
   }
 
-  // Which of those before it is the same; the next number where it is another one.
+  // The index of an earlier picture with the same bytes; the next free index if there is none.
   Result<std::size_t> number_of(const Image<Rgba8>& picture) {
     if (request_.keep_pictures) {
       return std::size_t(std::ranges::find(curve_.pictures, picture) - curve_.pictures.begin());
     }
-    // Without loss: two pictures of one size are the same where these bytes are.
+    // PNG is lossless, so two pictures of one size are the same if their packed bytes are the same.
     auto packed = encode_png(picture);
     if (!packed) return tl::unexpected(packed.error());
     const auto same = std::size_t(std::ranges::find(packed_, *packed) - packed_.begin());
@@ -123,7 +124,8 @@ private:
     return same;
   }
 
-  // Those that change a byte alone are worth being combined; a knob of which none does is left out.
+  // Returns the ways whose picture differs from that of the first way: only these are worth
+  // combining. A knob that never changes a byte is listed as left out.
   std::vector<Way> turns_that_show() {
     std::vector<Way> turns;
     std::set<Knob> shown;
@@ -152,7 +154,7 @@ private:
 
   Result<void> measure_geometry() {
     tell("following vertices with 50 digits");
-    std::map<std::pair<int, DepthFormat>, double> errors;  // by level and format
+    std::map<std::pair<int, DepthFormat>, double> errors;  // keys: level and format
     for (CurvePoint& point : curve_.points) {
       const DepthFormat format = point.way.settings.depth;
       const auto key = std::pair(point.way.level.value_or(0), format);
@@ -198,8 +200,9 @@ private:
   const CurveRequest& request_;
   Drawers drawers_;
   Curve curve_;
-  std::vector<PictureError> errors_;            // of the different pictures
-  std::vector<std::vector<std::byte>> packed_;  // those, where they are not kept as they are
+  std::vector<PictureError> errors_;  // one for each different picture
+  // those pictures as PNG, if they are not kept uncompressed
+  std::vector<std::vector<std::byte>> packed_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Error against time for one's own scene: every way that `glassbox render` has to draw it, each measured.
+// Measures error against time for a scene of the user: draws and times it in every way that
+// `glassbox render` offers.
 #pragma once
 
 #include <cstddef>
@@ -22,46 +23,50 @@
 namespace glassbox::study {
 
 struct CurveRequest {
-  const Scene* scene = nullptr;    // its textures as written
-  int level = 0;                   // of that, where it is a built-in scene that has levels
-  std::map<int, Scene> at_levels;  // the same at others, seen by the same view
+  const Scene* scene = nullptr;    // with the textures' own filters
+  int level = 0;                   // the level of `scene`, if it is a built-in scene with levels
+  std::map<int, Scene> at_levels;  // the same scene at other levels, for the same view
   ViewOf view;
   WaysAsked ways;
-  bool combine = true;  // shading, filter and samples; else each knob is turned alone
+  bool combine = true;  // combine shading, filter and samples; otherwise each knob is turned alone
   int repetitions = 0;
-  // Curve::pictures are wanted, and may take that much; otherwise pictures are kept packed, to be told apart.
+  // Whether Curve::pictures are wanted; they may take most_bytes. Otherwise the pictures are kept
+  // as PNG, only to tell them apart.
   bool keep_pictures = true;
   double most_bytes = std::numeric_limits<double>::infinity();
-  std::function<void(const std::string&)> phase;  // told what is being done
+  std::function<void(const std::string&)> phase;  // called with a description of each step
 };
 
 struct CurvePoint {
   Way way;
-  std::size_t picture = 0;  // which of the different ones: an index into Curve::pictures
+  std::size_t picture = 0;  // index of its picture among the different ones (Curve::pictures)
   PictureError error;
-  double depth_error = 0;  // as SceneVertices::depth_error
-  Quartiles ns;            // of a frame
-  int disturbed = 0;       // of the repetitions (timing.h)
-  // Among those with one thread; none for more, whose times are of another clock.
+  double depth_error = 0;  // see SceneVertices::depth_error
+  Quartiles ns;            // per frame
+  int disturbed = 0;       // number of disturbed repetitions (see timing.h)
+  // Compared with the other ways that use one thread. None for ways with several threads, whose
+  // times are measured by another clock.
   std::optional<Standing> standing;
 };
 
 struct Curve {
   Image<Rgba8> reference;
-  std::string reference_is;            // how it was drawn
-  std::size_t different = 0;           // pictures
-  std::vector<Image<Rgba8>> pictures;  // each once; none where they are not kept
-  std::vector<CurvePoint> points;      // as asked first
+  std::string reference_is;            // how the reference was drawn
+  std::size_t different = 0;           // number of different pictures
+  std::vector<Image<Rgba8>> pictures;  // each different picture once; empty if they are not kept
+  std::vector<CurvePoint> points;      // the first one is the picture as it was asked for
   std::vector<NotTurned> left_out;
-  double position_error =
-      0;  // px: the largest on the screen, of `vertices` vertices, against 50 digits
+  // px: the largest position error of `vertices` vertices, compared with 50 digits
+  double position_error = 0;
   std::size_t vertices = 0;
   int repetitions = 0;
-  // Ways that only the engine knows of, and whose picture has other bytes: faults of the program.
+  // Ways that change only the engine, and whose picture has other bytes all the same: errors of the
+  // program.
   std::vector<std::string> faults;
 };
 
-// An error where the view cannot be had, nothing of the scene is in it, or the pictures would not fit.
+// An error if the view is impossible, if nothing of the scene is visible in it, or if the pictures
+// need too much memory.
 Result<Curve> measure_curve(const CurveRequest& request);
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// What draws the ways of a scene: one renderer for all ways that share the scene and the engine.
+// Draws a scene in its various ways: all ways that need the same renderer share it.
 #pragma once
 
 #include <map>
@@ -17,18 +17,20 @@ namespace glassbox::study {
 
 class Drawers {
 public:
-  // `at_levels`: the same scene at other levels, where ways have them. All of them must outlive this.
+  // `at_levels` has the same scene at other levels, if ways ask for them. All arguments must
+  // outlive this object.
   Drawers(const Scene& scene, ViewOf view, const std::map<int, Scene>* at_levels = nullptr);
 
-  // An error where its depth format cannot have the view.
+  // An error if the way's depth format does not allow the view.
   Result<View> view_of(const Way& way);
-  // The colours of the picture of a way that has a view.
+  // The colours of the picture that a way draws. Its view must exist.
   Image<Rgba8> draw(const Way& way);
 
   const Scene& scene_of(const Way& way);
 
 private:
-  // Level, filter, engine, target, threads, plan: what a renderer is made for.
+  // What a renderer depends on: level, filter, engine, target, number of threads, whether a plan is
+  // used.
   using Key = std::tuple<int, int, EngineKind, Target, int, bool>;
   Renderer& renderer_of(const Way& way);
 
@@ -40,7 +42,7 @@ private:
   std::map<Key, std::unique_ptr<Renderer>> renderers_;
 };
 
-// The time of a frame of each way, drawn in turn.
+// Draws the ways in turn and returns the time of a frame of each.
 std::vector<Timed> frame_times(Drawers& drawers, const std::vector<Way>& ways, int repetitions);
 
 }  // namespace glassbox::study

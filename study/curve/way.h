@@ -12,25 +12,27 @@
 
 namespace glassbox::study {
 
-// What a way turns, compared with the picture that was asked for. Only the engine's knobs leave every byte alone.
+// The option in which a way differs from the picture that was asked for. Only kEngine never changes
+// a byte of the picture.
 enum class Knob { kNone, kShading, kFilter, kSamples, kDepth, kLevel, kEngine, kSeveral };
 
-std::string_view name_of(Knob knob);  // "shading"
+std::string_view name_of(Knob knob);  // for example "shading"
 
 struct Way {
   Knob knob = Knob::kNone;
-  // Of glassbox render, beside those that all ways share: "--samples", "4". A level is in the scene's name instead.
+  // The options of `glassbox render` for this way, beside those that all ways share, for example
+  // "--samples", "4". A level is part of the scene's name instead.
   std::vector<std::string> options;
   RenderSettings settings;
-  std::optional<TextureFilter> filter;  // absent: as each sampler says
-  std::optional<int> level;             // of a built-in scene; absent: the scene that was asked for
+  std::optional<TextureFilter> filter;  // absent: the filter of each sampler
+  std::optional<int> level;  // level of a built-in scene; absent: the scene that was asked for
   EngineKind engine = EngineKind::kTile;
-  TileOptions tile;  // one thread but where threads are what is turned
+  TileOptions tile;  // one thread, unless the number of threads is what the way changes
 
   int threads() const { return engine == EngineKind::kStaged ? 1 : tile.threads; }
 };
 
-// "--shade flat --samples 4", "level 8", "as asked".
+// For example "--shade flat --samples 4", "level 8" or "as asked".
 std::string name_of(const Way& way);
 
 }  // namespace glassbox::study

@@ -12,7 +12,7 @@ namespace glassbox::study {
 
 namespace {
 
-// The turns of one scene, as they are found.
+// Collects the ways of one scene in which a single knob is turned.
 class Turns {
 public:
   Turns(const Scene& scene, const WaysAsked& asked) : scene_(scene), asked_(asked) {
@@ -59,7 +59,7 @@ private:
     }
   }
 
-  // Whether the samplers of all textures say this filter already.
+  // Whether the samplers of all textures already have this filter.
   bool is_written(TextureFilter filter) const {
     return std::ranges::all_of(scene_.textures, [&](const Texture& texture) {
       return with_filter(texture.sampler, filter) == texture.sampler;
@@ -133,7 +133,7 @@ private:
   Ways found_;
 };
 
-// The one way that turns what both turn.
+// Combines two ways into one that turns the knobs of both.
 Way both(Way a, const Way& b) {
   if (a.knob == Knob::kNone) return b;
   a.options.insert(a.options.end(), b.options.begin(), b.options.end());

@@ -1,4 +1,4 @@
-// The ways to draw a scene: each knob turned alone, and shading, filter and samples together.
+// Lists the ways to draw a scene: each knob turned alone, and shading, filter and samples combined.
 #pragma once
 
 #include <set>
@@ -13,28 +13,28 @@ namespace glassbox::study {
 struct WaysAsked {
   RenderSettings settings{};
   std::optional<TextureFilter> filter{};
-  std::set<Knob> held{};  // what was asked for, and is not turned
+  std::set<Knob> held{};  // knobs that the user has set: they are not turned
   bool cull_stage_held = false;
-  std::vector<int> levels{};  // that the scene may be had at, beside the one that was asked for
-  int threads = 1;            // the most
-  TileOptions tile{};         // of all ways, but for what they turn
+  std::vector<int> levels{};  // the other levels at which the scene is available
+  int threads = 1;            // the largest number
+  TileOptions tile{};         // used by all ways, except for what they turn
 };
 
-// A knob that is not turned, and why.
+// A knob that is not turned, and the reason.
 struct NotTurned {
   Knob knob = Knob::kNone;
   std::string why;
 };
 
 struct Ways {
-  std::vector<Way> all;  // the picture as it was asked for comes first
+  std::vector<Way> all;  // the first is the picture as it was asked for
   std::vector<NotTurned> left_out;
 };
 
-// Each knob turned alone.
+// The ways in which exactly one knob is turned.
 Ways single_turns(const Scene& scene, const WaysAsked& asked);
 
-// Every combination of two or three of the turns of shading, filter and samples among `turns`.
+// Every combination of two or three of the shading, filter and sample changes in `turns`.
 std::vector<Way> combined_turns(const std::vector<Way>& turns);
 
 }  // namespace glassbox::study

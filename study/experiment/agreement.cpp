@@ -17,7 +17,7 @@ bool are_the_same(const ConfigurationResult& a, const ConfigurationResult& b) {
          a.measure == b.measure;
 }
 
-// -1: the first is faster, 1: the second is, 0: nobody can tell.
+// Returns -1 if the first is faster, 1 if the second is, 0 if the times do not decide it.
 int order(const Timing& first, const Timing& second) {
   if (is_faster(first.ns, second.ns)) return -1;
   return is_faster(second.ns, first.ns) ? 1 : 0;

@@ -1,4 +1,5 @@
-// Whether two runs of the study state the same orders: which of two competitors is the faster one, for certain.
+// Compares two runs of the study: whether they agree on which of two competitors is faster for
+// certain.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +13,16 @@
 namespace glassbox::study {
 
 struct Agreement {
-  std::size_t compared = 0;  // pairs of competitors that both runs have timed with as many threads
-  std::size_t by_both = 0;   // of these, in how many both state an order: is_faster()
+  // pairs of competitors that both runs have timed with the same number of threads
+  std::size_t compared = 0;
+  std::size_t by_both = 0;  // those of them that both runs order by is_faster()
   std::size_t by_one = 0;
-  std::vector<std::string>
-      contradictions;  // of those of both: "D-4, 1 thread: a before b in the one, b before a in the other"
+  // pairs that both order, but differently: "D-4, 1 thread: a before b in the one, b before a in
+  // the other"
+  std::vector<std::string> contradictions;
 };
 
-// An error where the runs have no experiment in common, or different configurations of one.
+// An error if the runs have no experiment in common, or different configurations of the same one.
 Result<Agreement> agreement(const StudyResults& one, const StudyResults& other);
 
 }  // namespace glassbox::study

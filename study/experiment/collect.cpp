@@ -19,7 +19,7 @@ tl::unexpected<Error> refused(const PartFile& part, const std::string& cause,
   return tl::unexpected(Error{part.path, "", cause, remedy});
 }
 
-// What must be the same in all parts.
+// The part of an origin that must be the same in all parts.
 Origin shared(Origin origin, bool any_machine) {
   origin.part = 1;
   if (any_machine) {
@@ -29,7 +29,8 @@ Origin shared(Origin origin, bool any_machine) {
   return origin;
 }
 
-// Each part has every N-th experiment, so that long ones, which have neighbours, are spread.
+// Each part has every N-th experiment: long experiments are neighbours, so this spreads them over
+// the parts.
 std::vector<ExperimentResult> in_order(const std::vector<const PartFile*>& parts) {
   std::vector<ExperimentResult> all;
   for (std::size_t round = 0;; ++round) {

@@ -1,4 +1,4 @@
-// The parts of one run, measured one by one, here or on many machines, and joined.
+// Joins the parts of one run, which were measured one by one on the same machine or on several.
 #pragma once
 
 #include <span>
@@ -15,9 +15,10 @@ struct PartFile {
   StudyResults results;
 };
 
-// All parts of one run, in any order, as one run would have them. An error names the file where the parts are of several builds,
-// efforts or divisions, where one is there twice or missing; and, unless `any_machine`, where they were measured on machines that
-// differ, or with other numbers of threads: times of those are not comparable. (Errors are.)
+// Joins all parts of one run, given in any order, into the results that a single run would have. It
+// is an error, which names the file, if the parts come from different builds, efforts or divisions,
+// or if a part is missing or is there twice. Without `any_machine` it is also an error if the
+// machines or the numbers of threads differ: their times are not comparable (their errors are).
 Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machine);
 
 }  // namespace glassbox::study

@@ -1,7 +1,9 @@
-// What an experiment is: ways to do the same work, each with its error against a reference and its time (SPEC D).
+// An experiment: several ways to do the same work, each with its error against a reference and its
+// time.
 //
-// An experiment is one file of study/experiments: it says what it asks, along which axis, and lists its
-// configurations. Measuring, timing, comparing with the theory and printing are done for it (study/experiment).
+// Each experiment is one file in study/experiments: it states its question and its axis, and lists
+// its configurations. The files in study/experiment do the rest: they measure, time, compare with
+// the theory and print.
 #pragma once
 
 #include <functional>
@@ -11,77 +13,82 @@
 
 namespace glassbox::study {
 
-// How much is measured: kQuick is a sample of kFull that takes a tenth of its time.
+// How much is measured: kQuick takes a sample of kFull that needs a tenth of its time.
 enum class Effort { kQuick, kFull };
 
-// Why a measured error is not within a factor of two of the predicted one, and what the ratio of the two is for that reason: one
-// outside of it is not explained.
+// Explains why a measured error differs from the predicted one by more than a factor of two, and
+// the range of the ratio that this reason covers. A ratio outside the range is not explained.
 struct Finding {
   std::string why;
-  double least = 0, greatest = 0;  // measured over predicted
+  double least = 0, greatest = 0;  // range of measured / predicted
 
   bool explains(double ratio) const { return ratio >= least && ratio <= greatest; }
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-// What an experiment measures besides its own error, or along another axis. Each measure has charts and a table of its own, in
-// which its configurations compete.
+// A quantity that an experiment measures in addition to its own error, or along another axis. Each
+// measure has its own charts and table, in which its configurations compete.
 struct Measure {
-  std::string name;        // short: "overlap"
-  std::string error;       // what is measured, as Experiment::error
-  std::string error_unit;  // of it; not the experiment's
-  std::string axis = {};   // empty: the experiment's, its unit and its scale
+  std::string name;        // short, for example "overlap"
+  std::string error;       // what is measured, like Experiment::error
+  std::string error_unit;  // the unit of this measure, not the experiment's
+  std::string axis = {};   // empty: axis, unit and scale of the experiment
   std::string axis_unit = {};
   bool logarithmic_axis = true;
-  bool more_is_better = false;  // than less, as with errors
+  bool more_is_better = false;  // false: less is better, as with errors
 
   friend bool operator==(const Measure&, const Measure&) = default;
 };
 
-// One point of the chart.
+// One point of a chart.
 struct Configuration {
   std::string series;      // what is compared: "float", "camera-relative float", "double"
-  double parameter = 0;    // where on the experiment's axis
-  std::string scene = {};  // on what it was measured, where that is not the same for all
-  std::string measure =
-      {};  // the name of one of Experiment::measures; empty: the experiment's own error
+  double parameter = 0;    // its place on the experiment's axis
+  std::string scene = {};  // the scene of the measurement, if it is not the same for all
+  // the name of one of Experiment::measures; empty: the experiment's own error
+  std::string measure = {};
 
-  // In the experiment's unit, against its reference. The same to the last digit in every run and on every machine.
+  // Computes the error against the reference, in the experiment's unit. It is the same to the last
+  // digit in every run and on every machine.
   std::function<double()> error = {};
-  // What the theory says `error` is; none where it says nothing. 0 says: exact.
+  // The value that the theory predicts for `error`; none if it predicts nothing, 0 if the result is
+  // exact.
   std::optional<double> predicted_error = {};
-  // Where measured and predicted error differ, and that is understood. Stated before anything is measured.
+  // The reason why measured and predicted error differ, if it is understood. It is stated before
+  // anything is measured.
   std::optional<Finding> finding = {};
 
-  // What is timed, on this many threads; empty where only the error is of interest, and where a measure is of work that is timed for
-  // another one: of the same series and scene, at the same place of the same axis, whose times it has then. One call does `items` of
-  // the work, long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
+  // The work that is timed, on this number of threads. Empty if only the error matters, or if
+  // another configuration with the same series, the same scene and the same place on the same axis
+  // times the same work: then its times are used. One call does `items` units of work; it should
+  // take between 0.1 ms, to be measurable, and 100 ms, to be repeated.
   std::function<void(int threads)> work = {};
   double items = 1;
 };
 
 struct Experiment {
-  std::string id;              // "D-4"
-  std::string name;            // "Perspective: where the divide is done"
+  std::string id;              // for example "D-4"
+  std::string name;            // for example "Perspective: where the divide is done"
   std::string question;        // one sentence for a reader who has not seen the chart yet
   std::string axis;            // what `parameter` is: "w at the far end over w at the near end"
-  std::string axis_unit = {};  // empty: a ratio or a number of things
+  std::string axis_unit = {};  // empty: a ratio or a count
   bool logarithmic_axis = true;
   std::string error;            // what is measured: "largest error of u along a span"
   std::string error_unit = {};  // "texel"; empty: a share or a ratio
-  std::string reference;        // against what: "the exact rational value"
+  std::string reference;        // what the error is measured against: "the exact rational value"
   std::string theory;           // the formula of `predicted_error`, with its source
-  std::string item;             // what the time is per: "pixel", "vertex", "frame"
-  // Whether `work` makes use of more than one thread.
+  std::string item;             // what the time is divided by: "pixel", "vertex", "frame"
+  // Whether `work` can use more than one thread.
   bool threaded = false;
-  // Whether the axis is chosen by whoever draws (bits, steps) rather than given to him (distances, sizes): configurations
-  // at all its places then compete with each other, and otherwise only those at the same place.
+  // Whether the user chooses the value on the axis (bits, steps) or it is given (distances, sizes).
+  // If it is chosen, all configurations compete with each other; if not, only those with the same
+  // value do.
   bool axis_is_chosen = false;
   std::vector<Measure> measures = {};
   std::function<std::vector<Configuration>(Effort)> configurations;
 };
 
-// All of them, in the order of their numbers.
+// All experiments, in the order of their numbers.
 const std::vector<Experiment>& experiments();
 
 }  // namespace glassbox::study

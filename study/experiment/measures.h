@@ -1,4 +1,4 @@
-// An experiment with several measures, taken apart.
+// Splits an experiment with several measures into one result for each measure.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,9 @@
 
 namespace glassbox::study {
 
-// Its own error first, then each of its measures: each with that error and axis and without measures, and with the configurations
-// that have it. Those that have none are left out.
+// Returns the experiment with its own error first, then one result for each of its measures. Each
+// result has the error and the axis of its measure, only the configurations of that measure, and no
+// measures of its own. Measures without configurations are left out.
 std::vector<ExperimentResult> by_measure(const ExperimentResult& experiment);
 
 }  // namespace glassbox::study

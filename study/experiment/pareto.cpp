@@ -10,7 +10,7 @@ namespace {
 
 bool dominates(const Price& a, const Price& b, bool more_is_better = false) {
   if (std::isnan(a.error)) return false;
-  if (std::isnan(b.error)) return !is_faster(b.ns, a.ns);  // no answer, and no time won
+  if (std::isnan(b.error)) return !is_faster(b.ns, a.ns);  // a has an answer, and b is not faster
   return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a.ns, b.ns);
 }
 

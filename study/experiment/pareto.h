@@ -1,4 +1,5 @@
-// Which configurations are worth having: no other one is both more accurate and faster.
+// Finds the configurations that are worth having: no other one is both at least as accurate and
+// faster (the Pareto front).
 #pragma once
 
 #include <vector>
@@ -8,35 +9,37 @@
 namespace glassbox::study {
 
 enum class Standing {
-  kUntimed,    // nothing to weigh the error against
+  kUntimed,    // has no time to compare
   kFront,      // no competitor is better
-  kDominated,  // a competitor is at least as accurate, and faster for certain
+  kDominated,  // a competitor is at least as accurate, and certainly faster
 };
 
-const char* name_of(Standing standing);  // "front"
+const char* name_of(Standing standing);  // for example "front"
 
-// What one pays for what one gets.
+// The error and the time of one competitor.
 struct Price {
   double error = 0;
   Quartiles ns;
 };
 
-// The standing of each among all of them.
+// The standing of each competitor among all of them.
 std::vector<Standing> standings(const std::vector<Price>& competitors);
 
-// Competitors have the same measure, the same scene and, unless the axis is chosen, the same parameter.
+// Whether two configurations compete: same measure, same scene and, unless the axis is chosen, the
+// same parameter.
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 
-// The standing of each configuration, by its times with that many threads. Times are ordered by is_faster(), so that another
-// run on a busy machine states the same; errors are exact. An error that is no number is dominated
-// by every number that takes no longer.
+// The standing of each configuration, by its times with this number of threads. Times are ordered
+// by is_faster(), so that another run on a busy machine gives the same standings; errors are exact.
+// A configuration whose error is NaN is dominated by every configuration that has a number as its
+// error and is not slower.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 
-// Null where the configuration was not timed with that many threads.
+// Null if the configuration was not timed with this number of threads.
 const Timing* timing_of(const ConfigurationResult& result, int threads);
 
-// The numbers of threads that anything was timed with, ascending.
+// All numbers of threads with which something was timed, ascending.
 std::vector<int> thread_counts(const ExperimentResult& experiment);
 
 }  // namespace glassbox::study

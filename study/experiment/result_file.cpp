@@ -22,7 +22,7 @@ tl::unexpected<Error> in_file(const std::string& path, Error error) {
   return tl::unexpected(std::move(error));
 }
 
-// "the machine is 'A' there and 'B' here", empty where both are the same.
+// Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
 std::string difference(const char* what, const std::string& there, const std::string& here) {
   if (there == here) return {};
   return fmt::format("the {} is '{}' there and '{}' here", what, there, here);

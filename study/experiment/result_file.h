@@ -1,4 +1,5 @@
-// The file in which a long run keeps what it has: whole after every experiment, so that it may be stopped at any time.
+// The file in which a long run saves its results. It is complete after every experiment, so that
+// the run may be stopped at any time.
 #pragma once
 
 #include <string>
@@ -12,13 +13,14 @@ namespace glassbox::study {
 Result<StudyResults> read_results(const std::string& path);
 Result<void> write_results(const std::string& path, const StudyResults& results);
 
-// What the file has, to go on from: nothing where there is no file, an error where its results have another origin.
+// Reads the results from which a run continues. No results if there is no file; an error if its
+// results have another origin.
 Result<StudyResults> resume(const std::string& path, const Origin& origin);
 
-// "the machine is 'A' there and 'B' here"; empty where both are the same.
+// Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
 std::string first_difference(const Origin& there, const Origin& here);
 
-// Null where the results do not have the experiment.
+// Null if the results do not contain the experiment.
 const ExperimentResult* find_result(const StudyResults& results, const std::string& id);
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// What a run of the study has found: plain data, as the result file keeps it.
+// The results of a run of the study, as plain data in the form of the result file.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace glassbox::study {
 struct Timing {
   int threads = 1;
   int repetitions = 0;
-  Quartiles ns;       // for one item
-  int disturbed = 0;  // of the repetitions (timing.h)
+  Quartiles ns;       // per item
+  int disturbed = 0;  // number of disturbed repetitions (see timing.h)
 };
 
 struct ConfigurationResult {
@@ -24,30 +24,31 @@ struct ConfigurationResult {
   std::string scene, measure;
   double error = 0;
   std::optional<double> predicted_error;
-  std::optional<Finding> explanation;  // of why theory and measurement differ
-  std::vector<Timing> timings;  // by number of threads, ascending; empty where nothing is timed
+  std::optional<Finding> explanation;  // why theory and measurement differ
+  std::vector<Timing> timings;         // ascending by number of threads; empty if nothing is timed
 };
 
 struct ExperimentResult {
-  // Experiment's fields of the same names.
+  // These fields have the same meaning as in Experiment.
   std::string id, name, question, axis, axis_unit;
   bool logarithmic_axis = true, axis_is_chosen = false;
-  bool more_is_better = false;  // a measure's
+  bool more_is_better = false;  // used for a measure, see Measure
   std::string error, error_unit, reference, theory, item;
-  std::vector<Measure> measures;  // each with an axis
-  MachineState machine;           // when its times began to be measured
+  std::vector<Measure> measures;  // each with its axis filled in
+  MachineState machine;           // state at the start of its timing
   std::vector<ConfigurationResult> configurations;
 };
 
 inline constexpr int kMostParts = 1000;
 
-// Results of different origins are not comparable: errors by version, times by all of it.
+// Where results come from. Results of different origins are not comparable: errors need the same
+// version, times need everything to be the same.
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;                       // the most that were used
-  int part = 1, parts = 1;               // of the experiments that were asked for: study run --part
-  std::string target = {}, caches = {};  // as machine.h has them
+  int threads = 1;                       // the largest number used
+  int part = 1, parts = 1;               // which part of the chosen experiments (study run --part)
+  std::string target = {}, caches = {};  // see machine.h
 
   bool operator==(const Origin&) const = default;
 };

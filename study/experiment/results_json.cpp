@@ -25,7 +25,7 @@ const char* name_of(Effort effort) {
   return effort == Effort::kQuick ? "quick" : "full";
 }
 
-// `standing` by number of threads, in the order of the timings.
+// `standing` has one value for each timing, in the same order (by number of threads).
 Json configuration_json(const ConfigurationResult& result, const std::vector<Standing>& standing) {
   Json json{{"series", result.series},
             {"parameter", number_json(result.parameter)},
@@ -70,7 +70,7 @@ Json measure_json(const Measure& measure) {
           {"more_is_better", measure.more_is_better}};
 }
 
-// Why a file cannot be read.
+// The reason why a file cannot be read.
 struct Unread {
   std::string cause;
 };
@@ -193,7 +193,7 @@ Json experiment_json(const ExperimentResult& result) {
             {"measures", Json::array()},
             {"configurations", Json::array()}};
   for (const Measure& each : result.measures) json["measures"].push_back(measure_json(each));
-  std::map<int, std::vector<Standing>> all;  // by number of threads
+  std::map<int, std::vector<Standing>> all;  // keys: number of threads
   for (const int threads : thread_counts(result)) all[threads] = standings(result, threads);
   for (std::size_t i = 0; i < result.configurations.size(); ++i) {
     std::vector<Standing> standing;

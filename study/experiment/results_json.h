@@ -1,4 +1,5 @@
-// Results as JSON and back, to the last digit. docs/study.md describes the fields.
+// Writes results as JSON and reads them back, exact to the last digit. docs/study.md describes the
+// fields.
 #pragma once
 
 #include <string>
@@ -11,10 +12,11 @@
 
 namespace glassbox::study {
 
-// Numbers that JSON does not have stand as "infinity", "-infinity" and "nan".
+// JSON has no infinity or NaN, so these are written as "infinity", "-infinity" and "nan".
 nlohmann::ordered_json number_json(double value);
 
-// What follows from the results (ratios, findings, standings) is written too, and not read back.
+// The output also contains values that follow from the results (ratios, findings, standings); they
+// are ignored when it is read back.
 nlohmann::ordered_json results_json(const StudyResults& results);
 nlohmann::ordered_json experiment_json(const ExperimentResult& result);
 

@@ -60,7 +60,7 @@ ConfigurationResult measured_error(const Configuration& configuration) {
 void add_times(const std::vector<Configuration>& configurations, int threads, int repetitions,
                ExperimentResult& result) {
   std::vector<TimedWork> works;
-  std::vector<std::size_t> of;  // which configuration
+  std::vector<std::size_t> of;  // index of the configuration of each work
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     const Configuration& each = configurations[i];
     if (!each.work) continue;
@@ -79,7 +79,8 @@ std::string axis_of(const ExperimentResult& result, const ConfigurationResult& e
   return found == result.measures.end() ? result.axis : found->axis;
 }
 
-// What has no work has the times of the same series on the same scene at the same place of the same axis.
+// A configuration of a measure that has no work of its own takes the times of the configuration
+// with the same series, scene and place on the same axis.
 void share_times(ExperimentResult& result) {
   const std::vector<ConfigurationResult> timed = result.configurations;
   for (ConfigurationResult& each : result.configurations) {

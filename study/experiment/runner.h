@@ -1,4 +1,4 @@
-// Runs an experiment by the protocol of SPEC D.
+// Runs an experiment: measures all errors, then times the work by the study's protocol.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,25 @@
 
 namespace glassbox::study {
 
-// Fewer say little about quartiles.
+// With fewer repetitions, quartiles mean little.
 inline constexpr int kLeastRepetitions = 11;
 
 struct RunOptions {
   Effort effort = Effort::kQuick;
   int repetitions = kLeastRepetitions;
-  int threads = 1;                                // the most
-  std::function<void(const std::string&)> phase;  // told what is being done; may be empty
+  int threads = 1;  // the largest number
+  // called with a description of each step; may be empty
+  std::function<void(const std::string&)> phase;
 };
 
-// Errors once each; times with one thread, then, where the experiment has a use for them, with all.
+// Measures each error once, and the times with one thread; then, if the experiment can use them,
+// the times with all threads.
 ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& options);
 
-// Null where there is none; in either case of letters.
+// Null if no experiment has this id; upper and lower case count as the same.
 const Experiment* find_experiment(const std::vector<Experiment>& all, const std::string& id);
 
-// Where results come from that this program measures on this machine.
+// The origin of results that this program measures on this machine.
 Origin origin_here(const std::string& version, Effort effort, int threads);
 
 }  // namespace glassbox::study

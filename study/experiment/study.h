@@ -1,4 +1,4 @@
-// A run of several experiments, which may be stopped and taken up again.
+// Runs several experiments; the run can be stopped and continued.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace glassbox::study {
 
-// The results of `chosen`, in their order. With a file, what it has is not measured again, and what is measured goes into
-// it, one experiment after the other; what it has besides stays there.
+// Returns the results of `chosen`, in their order. With a file, results that it already has are not
+// measured again, and new ones are written to it after each experiment; other results in the file
+// stay there.
 Result<StudyResults> run_study(const std::vector<const Experiment*>& chosen, const Origin& origin,
                                const RunOptions& options, const std::optional<std::string>& file);
 

@@ -1,4 +1,4 @@
-// The measured error beside the one that the theory predicts.
+// Compares the measured error with the one that the theory predicts.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,21 @@
 
 namespace glassbox::study {
 
-// A prediction is of the order of magnitude; more than a factor of two either way is a finding (SPEC D).
+// A prediction gives only the order of magnitude; a measured error that differs by more than a
+// factor of two is a finding.
 inline constexpr double kLeastRatio = 0.5, kGreatestRatio = 2;
 
 struct TheoryCheck {
-  // Measured over predicted; 1 where both are 0, infinite where only the prediction is.
+  // measured / predicted; 1 if both are 0, infinite if only the prediction is 0.
   double ratio = 1;
-  bool finding = false;  // outside [1/2, 2], or no number
+  bool finding = false;  // the ratio is outside [1/2, 2], or NaN
 };
 
-// None where the theory says nothing.
+// None if the theory predicts nothing.
 std::optional<TheoryCheck> check_theory(const ConfigurationResult& result);
 
-// A finding that the experiment does not explain: it has no reason, or one for another ratio.
+// Whether there is a finding that the experiment does not explain: it gives no reason, or a reason
+// for another range of ratios.
 bool is_unexplained(const ConfigurationResult& result);
 int count_findings(const ExperimentResult& result);
 int count_unexplained(const ExperimentResult& result);

@@ -14,16 +14,18 @@ struct Seconds {
   double wall = 0, processor = 0;
 };
 
-// Of the whole process: a work of one thread may hand itself to another one and wait.
+// Measures the processor time of the whole process, because work of one thread may pass itself to
+// another thread and wait.
 Seconds seconds_of(const std::function<void()>& work, int calls) {
-  const double processor = processor_ms();  // takes longer to ask than the wall's
+  const double processor = processor_ms();  // read before the wall clock, because it takes longer
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < calls; ++i) work();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return {taken.count(), 1e-3 * (processor_ms() - processor)};
 }
 
-// After a first call, which pays for caches and pages.
+// Makes a first call, which is not counted, to fill the caches and memory pages; then estimates how
+// many calls one sample needs.
 int calls_a_sample(const std::function<void()>& work) {
   constexpr double kMostCalls = 100000;
   work();
@@ -31,7 +33,7 @@ int calls_a_sample(const std::function<void()>& work) {
   return int(std::clamp(std::ceil(kLeastSample / seconds), 1.0, kMostCalls));
 }
 
-// Whether the processor is slower than it was.
+// Tells whether the processor is slower than before.
 class Reference {
 public:
   explicit Reference(const std::function<double()>& seconds) : seconds_(seconds) {}
@@ -47,11 +49,11 @@ private:
   double least_ = std::numeric_limits<double>::infinity();
 };
 
-// The samples of one work, in nanoseconds for an item.
+// The samples of one work, in nanoseconds per item.
 struct Samples {
   std::vector<double> steady, disturbed;
 
-  // Disturbed ones where there are not enough others.
+  // Adds disturbed samples if there are not enough steady ones.
   Timed finish(std::size_t wanted) {
     const std::size_t missing =
         std::min(wanted - std::min(wanted, steady.size()), disturbed.size());

@@ -1,5 +1,6 @@
-// Times that may be compared with each other: all works are repeated in turn, so that what disturbs the machine disturbs
-// all of them alike; and what disturbed one of them is seen.
+// Measures times that can be compared with each other: all works are repeated in turn, so that a
+// disturbance of the machine affects all of them alike, and samples that were disturbed are
+// recognized.
 #pragma once
 
 #include <functional>
@@ -14,37 +15,41 @@ namespace glassbox::study {
 struct TimedWork {
   std::function<void()> work;
   double items = 1;
-  int threads = 1;  // that it keeps busy
+  int threads = 1;  // number of threads that the work keeps busy
 };
 
 struct Timed {
-  Quartiles ns;  // for one item
-  // Of the samples, those during which the machine did something else, and that another round did not make up for.
+  Quartiles ns;  // per item
+  // The number of samples taken while the machine did something else, for which no other round gave
+  // a replacement.
   int disturbed = 0;
 };
 
-// The processor's seconds for 100,000 products, each of which waits for the one before.
+// The processor time, in seconds, of 100,000 products that each depend on the one before.
 double seconds_of_products();
 
-// What tells whether the machine did something else.
+// The functions that show whether the machine did something else.
 struct Probes {
   std::function<double()> reference_seconds = seconds_of_products;
   std::function<long()> switches = involuntary_switches;
 };
 
-// Each once without a clock, then `repetitions` rounds over all of them, each round beginning one further on, so that
-// nobody always runs behind the same neighbour. A work shorter than kLeastSample is called several times a sample.
+// Calls each work once without timing, then times `repetitions` rounds over all works. Each round
+// starts with the next work, so that no work always runs right after the same one. A work shorter
+// than kLeastSample is called several times per sample.
 //
-// One thread's time is the processor's: what others take meanwhile is not in it. Where the clock on the wall went on for more
-// than kMostWaiting beyond it, the thread had to wait, and finds its caches changed: the sample is disturbed. Several
-// threads' time is the wall's; a sample in which one of them had to give way is disturbed, as the others may have waited for
-// it. So is, for both, a round in which the reference takes kMostSlower of its least time: the processor itself was
-// slower. Up to as many rounds again replace disturbed samples.
+// With one thread, the time is processor time, which does not include the time that other programs
+// take. If the wall clock exceeds it by more than kMostWaiting, the thread had to wait and its
+// caches may have changed: the sample is disturbed. With several threads, the time is wall time; a
+// sample in which one of them was interrupted is disturbed, because the others may have waited for
+// it. In both cases a round is disturbed if the reference work takes more than kMostSlower times
+// its least time: then the processor itself was slower. Disturbed samples are replaced by
+// additional rounds, at most as many as the first ones.
 std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
                                 const Probes& probes = {});
 
-inline constexpr double kLeastSample = 2e-4;  // seconds; a clock's reading takes some 5e-8
-inline constexpr double kMostWaiting = 0.05;  // of the sample
+inline constexpr double kLeastSample = 2e-4;  // seconds; reading a clock takes about 5e-8
+inline constexpr double kMostWaiting = 0.05;  // share of the sample
 inline constexpr double kMostSlower = 1.1;
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// For work that is timed and whose result nobody wants.
+// Helpers for timed work whose result is not needed.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace glassbox::study {
 
-// The compiler has to have the value ready here, and so cannot leave out what makes it.
+// Forces the compiler to compute the value, so that it cannot leave out the timed work.
 template <class T>
 void consume(const T& value) {
 #if defined(__GNUC__) || defined(__clang__)
@@ -17,7 +17,8 @@ void consume(const T& value) {
 #endif
 }
 
-// Work for a Configuration: `make` of each of the things, `rounds` times over.
+// The work of a Configuration: calls `make` for each of the things, and repeats this `rounds`
+// times.
 template <class Things, class Make>
 std::function<void(int)> rounds_of(int rounds, Things things, Make make) {
   return [rounds, things = std::move(things), make = std::move(make)](int) {

@@ -1,4 +1,5 @@
-// The scenes of D-1: an object four units in front of a camera, both far from the origin, turned at random.
+// The scenes of the vertex-stage experiment (D-1): an object four units in front of a camera, both
+// far from the origin and turned at random.
 #pragma once
 
 #include <array>
@@ -15,21 +16,22 @@
 namespace glassbox::study {
 
 inline constexpr int kShotWidth = 1920, kShotHeight = 1080;
-inline constexpr double kShotDistance = 4;  // of the object's centre along the gaze
-// px: a vertical field of view of 90 degrees.
+inline constexpr double kShotDistance = 4;  // distance of the object's centre along the gaze
+// In px; it belongs to a vertical angle of view of 90 degrees.
 inline constexpr double kShotFocal = kShotHeight / 2.0;
 
 struct Shot {
   exact::PythagoreanRotation world_from_object, eye_from_world;
-  Vector<World, double> object, eye;          // where they are: exactly these numbers
-  std::vector<Point<Object, double>> points;  // in the unit ball, multiples of 2^-20: floats too
+  Vector<World, double> object, eye;  // exact positions of object and eye
+  // in the unit ball, multiples of 2^-20, so that floats hold them too
+  std::vector<Point<Object, double>> points;
   DepthPlanes planes;
 };
 
 template <class Space>
 Vector<Space, double> random_direction(Random& random) {
   while (true) {
-    // Braces: arguments in parentheses are evaluated in any order.
+    // Braces, because the arguments of a call in parentheses are evaluated in any order.
     const Vector<Space, double> v{random.between(-1, 1), random.between(-1, 1),
                                   random.between(-1, 1)};
     const double squared = dot(v, v);
@@ -85,13 +87,13 @@ Transform<Target, Source> placed(const exact::PythagoreanRotation& rotation,
   return m;
 }
 
-// [R, -R e], as look_at makes it.
+// The matrix [R, -R e], computed as look_at does it.
 inline Transform<Eye, World> view_of(const Shot& shot) {
   const glm::dvec3 moved = rounded(shot.eye_from_world) * to_glm(shot.eye);
   return placed<Eye, World>(shot.eye_from_world, Vector<Eye, double>(-moved));
 }
 
-// Where the points of a shot are seen, to 50 digits.
+// Computes with 50 digits where the points of a shot are seen.
 class ExactShot {
 public:
   using Decimal = exact::Decimal;
@@ -106,7 +108,7 @@ public:
   }
 
   struct Seen {
-    Decimal x, y;  // px
+    Decimal x, y;  // in px
     Decimal depth, distance;
   };
 

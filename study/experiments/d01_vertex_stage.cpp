@@ -1,4 +1,4 @@
-// D-1: in which numbers a vertex is carried to the screen.
+// Compares the number formats in which a vertex is transformed to the screen (D-1).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,22 +18,22 @@ namespace d01 {
 
 constexpr int kPointsOfShot = 64;
 
-// Measures.
+// The names of the measures.
 constexpr const char* kLargest = "largest error";
 constexpr const char* kPlanes = "near plane moved";
 constexpr const char* kDepth = "depth";
 
-// The distance beyond which a vertex is simply wrong: the picture's diagonal.
+// The picture's diagonal: a vertex with a larger error is simply wrong.
 double diagonal() {
   return std::sqrt(square(kShotWidth) + square(kShotHeight));
 }
 
 struct Errors {
-  double rms = 0, largest = 0;  // px
+  double rms = 0, largest = 0;  // in px
   double depth = 0;             // root mean square, as a distance along the gaze
 };
 
-// A depth d = (1 - n/z) f/(f - n) changes with the distance z as n/z^2 f/(f - n).
+// A depth d = (1 - n/z) f/(f - n) changes with the distance z by n/z^2 f/(f - n) per unit.
 double distance_of_depth(double error, double distance, const DepthPlanes& planes) {
   return error * square(distance) / planes.near * (1 - planes.near / planes.far);
 }
@@ -68,49 +68,53 @@ Errors errors_of(double offset, const DepthPlanes& planes, int shots) {
 
 // ---- the theory, all as root mean squares ----
 
-// An error of each eye coordinate, in units of the world, seen on the screen: two axes, focal length over distance.
+// Converts an error of each eye coordinate, in world units, to pixels: it has two axes, and is
+// scaled by focal length over distance.
 double in_pixels(double in_eye) {
   return std::sqrt(2.0) * kShotFocal / kShotDistance * in_eye;
 }
 
-// The last addition of the viewport gives numbers about the picture's middle, 512 .. 1023 px.
+// The last addition of the viewport gives numbers near the middle of the picture, 512 .. 1023 px.
 template <class T>
 double pixel_rounding() {
   return std::sqrt(2.0) * rms_of_step(1024 * double(unit_roundoff<T>));
 }
 
-// Numbers of size D in the float stages, whose squares are D^2/3 along each axis, are rounded 20/3 times on their way to
-// an eye coordinate: the model's translation, its addition, the view's entries, its products and its translation once
-// each, its two sums together 2/3 + 1.
+// The float stages round numbers of size D, whose mean square is D^2/3 along each axis, 20/3 times
+// on the way to an eye coordinate: once each for the model's translation, its addition, the view's
+// entries, its products and its translation, and 2/3 + 1 for its two sums.
 double of_far_roundings(double offset) {
   return rms_rounding<float> * offset * std::sqrt(20.0 / 9);
 }
 
-// What is left when the origin is in the eye: distance 4 in place of D, where the view has no translation, and the
-// object's own coordinates (a square of 1/5 each in the unit ball): entries, products and 5/3 sums.
+// The error that remains if the origin is at the eye. The distance 4 takes the place of D, and the
+// view has no translation; then the object's own coordinates (mean square 1/5 each in the unit
+// ball): entries, products and 5/3 sums.
 double of_near_roundings() {
   return rms_rounding<float> * std::sqrt(square(kShotDistance) / 3 * (17.0 / 3) + 0.2 * (11.0 / 3));
 }
 
-// One matrix: a row's entries, products and sums over the object, and the rounding of the translation and of the result,
-// which are of size 4 along the gaze and 0.7 across it; errors along the gaze count as x/w = 0.18.
+// A single matrix: the entries, products and sums of a row over the object, and the rounding of the
+// translation and of the result. These are of size 4 along the gaze and 0.7 across it; errors along
+// the gaze count as x/w = 0.18.
 double of_composed(double roundoff_rms) {
   const double object = 0.2 * (11.0 / 3), across = 2 * 0.43, along = 2 * square(kShotDistance);
   return roundoff_rms * std::sqrt(object + across + square(0.18) * (object + along));
 }
 
-// Composing in double: R e and R T with their products and sums (8/3 roundings each) and the result's, of size D.
+// Composing in double: R e and R T with their products and sums (8/3 rounding errors each), and
+// that of the result, all of size D.
 double of_composition(double offset) {
   return rms_rounding<double> * offset * std::sqrt(19.0 / 9);
 }
 
-// 2^-32 steps: 3.6 roundings of each world coordinate (the model's entries over the object, the sum, two positions), then
-// the view's entries over the distance, and its sum.
+// Steps of 2^-32: 3.6 rounding errors of each world coordinate (the model's entries over the
+// object, the sum, two positions), then the view's entries over the distance, and its sum.
 double of_fixed() {
   return rms_of_step(0x1p-32) * std::sqrt(3.6 + square(kShotDistance) + 1 + 1);
 }
 
-using Theory = double (*)(double offset);  // the root mean square
+using Theory = double (*)(double offset);  // returns the root mean square
 
 double predict_float(double offset) {
   const double in_eye = std::sqrt(square(of_far_roundings(offset)) + square(of_near_roundings()));
@@ -134,8 +138,9 @@ double predict_fixed(double) {
   return in_pixels(of_fixed());
 }
 
-// Far from the origin all points of a shot err together, near it each by itself: the largest of n distances whose two axes are normal
-// is rms sqrt(ln n), with n between the shots and their points.
+// Far from the origin, all points of a shot have the same error; near it, their errors are
+// independent. The largest of n distances with two normally distributed axes is rms sqrt(ln n),
+// where n is between the number of shots and the number of their points.
 double of_largest(double rms, int shots) {
   const double few = std::log(shots), many = std::log(shots * kPointsOfShot);
   return std::min(diagonal(), rms * std::sqrt((few + many) / 2));
@@ -143,19 +148,20 @@ double of_largest(double rms, int shots) {
 
 // ---- the theory of depth, as a distance along the gaze, at the object's ----
 
-// The quotient, just below 1, is in steps of 2^-24 (2^-53).
+// The quotient is just below 1, so its steps are 2^-24 (double: 2^-53).
 template <class T>
 double of_quotient(double near) {
   return square(kShotDistance) / near * rms_of_step(double(unit_roundoff<T>));
 }
-// So are, in a matrix of its own, two entries, a product and a sum, relative to the distance.
+// A separate projection matrix adds the rounding errors of two entries, a product and a sum,
+// relative to the distance.
 double of_projection(double near) {
   return square(kShotDistance) / near * std::sqrt(4.0) * rms_rounding<float>;
 }
 double together(double a, double b, double c) {
   return std::sqrt(square(a) + square(b) + square(c));
 }
-// z and w come from one eye coordinate, which is off once.
+// z and w come from the same eye coordinate, so its error counts once.
 double predict_depth_float(double near) {
   const double eye = together(of_far_roundings(1), of_near_roundings(), 0);
   return together(eye, of_projection(near), of_quotient<float>(near));
@@ -163,14 +169,15 @@ double predict_depth_float(double near) {
 double predict_depth_relative(double near) {
   return together(of_near_roundings(), of_projection(near), of_quotient<float>(near));
 }
-// z and w are off each by itself, by a row of the one matrix: sqrt(2) of it is worth z/n as much along the gaze.
+// z and w have independent errors, each from a row of the single matrix. Together they are sqrt(2)
+// of the error of a row, which causes z/n times as much along the gaze.
 template <class T>
 double predict_depth_composed(double near) {
   const double row = rms_rounding<T> * std::sqrt(0.2 * (11.0 / 3) + 2 * square(kShotDistance));
   return together(std::sqrt(2.0) * row * kShotDistance / near, of_quotient<T>(near), 0);
 }
 
-// Where n/z is 8 units of the last place below 1 and less.
+// The explanation for distances at which n/z is at most 8 units of the last place below 1.
 std::optional<Finding> few_depths(double near) {
   if (near / kShotDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
@@ -181,8 +188,9 @@ std::optional<Finding> few_depths(double near) {
 
 // ---- the table ----
 
-constexpr double kFar = 100;                            // of the rows whose near plane is moved
-constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // 12 KiB of doubles stay in the first cache
+constexpr double kFar = 100;  // for the rows in which the near plane is moved
+// 12 KiB of doubles fit into the first-level cache
+constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;
 
 template <class Way>
 std::function<void(int)> vertices_of(double offset, const DepthPlanes& planes) {
@@ -195,7 +203,7 @@ std::function<void(int)> vertices_of(double offset, const DepthPlanes& planes) {
 struct Series {
   const char* name;
   Theory position;
-  double (*depth)(double near);  // null: there is none
+  double (*depth)(double near);  // null: no depth
 };
 
 template <class Way>

@@ -1,4 +1,4 @@
-// The ways of D-1 to carry a vertex from its object to the screen.
+// The ways to transform a vertex from object space to the screen (D-1).
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace glassbox::study {
 
-// Each takes vertices in its own numbers, Input, and gives x, y, z and 1/w in them; pixels() are x and y as doubles, depth() is z.
+// Each way takes vertices in its own number format, Input, and returns x, y, z and 1/w in it.
+// pixels() returns x and y as doubles, depth() returns z.
 using Pixels = std::array<double, 2>;
 
 // ---- float: the pipeline's own stages ----
@@ -45,7 +46,7 @@ private:
   Transform<Clip, Eye, float> clip_from_eye_;
 };
 
-// Every matrix as it is, rounded to float.
+// Each of the three matrices is rounded to float.
 class FloatStages : public ThreeMatrices {
 public:
   explicit FloatStages(const Shot& shot)
@@ -53,8 +54,8 @@ public:
                       projection_of(shot)) {}
 };
 
-// Every matrix rounded to float, with the world's origin in the eye: the eye is subtracted in double, where the difference
-// of two near numbers is exact.
+// Each matrix is rounded to float, with the origin of the world moved to the eye: the eye is
+// subtracted in double, where the difference of two near numbers is exact.
 class CameraRelative : public ThreeMatrices {
 public:
   explicit CameraRelative(const Shot& shot)
@@ -67,7 +68,7 @@ inline Transform<Clip, Object> composed(const Shot& shot) {
          placed<World, Object>(shot.world_from_object, shot.object);
 }
 
-// One matrix, composed in double and rounded once: what `render` does.
+// One matrix, composed in double and rounded once, as `render` does it.
 class ComposedOnce : public FloatWay {
 public:
   explicit ComposedOnce(const Shot& shot) : clip_from_object_(round_to_float(composed(shot))) {}
@@ -105,8 +106,9 @@ private:
 
 // ---- fixed point ----
 
-// Whole numbers of 2^-32 in 64 bits, products and quotients in 128. The world's positions are kept as such, and the eye is
-// subtracted before the camera's rotation. It has no depth: 1/w stands for it, in steps of 2^-32.
+// 64-bit integers in units of 2^-32, with products and quotients in 128 bits. World positions are
+// stored in this form, and the eye is subtracted before the camera's rotation. There is no depth:
+// 1/w takes its place, in steps of 2^-32.
 class Fixed32 {
 public:
   using Input = std::array<std::int64_t, 3>;
@@ -127,7 +129,7 @@ public:
     Input world = times(world_from_object_, p);
     for (std::size_t i = 0; i < 3; ++i) world[i] = (world[i] + object_[i]) - eye_[i];
     const Input eye = times(eye_from_world_, world);
-    // The focal length is a whole number of pixels, and so is the middle of the picture.
+    // The focal length and the middle of the picture are whole numbers of pixels.
     const auto pixels_from_middle = [&](std::int64_t across) {
       return std::int64_t(Wide(across) * Wide(kShotFocal) * kOne / -eye[2]);
     };

@@ -1,4 +1,5 @@
-// D-2: to how fine a grid vertices are rounded before coverage is decided.
+// Compares the number of subpixel bits: how fine the grid is to which vertices are rounded before
+// coverage is decided (D-2).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +19,7 @@
 namespace glassbox::study {
 namespace d02 {
 
-constexpr int kSide = 256;      // px, of the square that all triangles lie in
+constexpr int kSide = 256;      // px; side of the square that contains all triangles
 constexpr int kExactBits = 20;  // vertices are multiples of 2^-20 px: 28 bits, edge functions 61
 using Corner = std::array<std::int64_t, 2>;
 using Triangle = std::array<Corner, 3>;
@@ -29,7 +30,7 @@ std::int64_t exactly(double pixels) {
   return std::int64_t(std::floor(std::clamp(pixels, 0.0, kSide - 1.0) * 0x1p20));
 }
 
-// Three corners anywhere in a box of 64 px.
+// A triangle with three random corners in a box of 64 px.
 Triangle random_triangle(Random& random) {
   const double x = random.between(0, kSide - 64), y = random.between(0, kSide - 64);
   Triangle t;
@@ -38,7 +39,8 @@ Triangle random_triangle(Random& random) {
   return t;
 }
 
-// 20 to 60 px long and half a pixel wide at one end, nothing at the other.
+// A triangle that is 20 to 60 px long and half a pixel wide at one end, with width zero at the
+// other.
 Triangle twig(Random& random) {
   const double x = random.between(64, kSide - 64), y = random.between(64, kSide - 64);
   const double length = random.between(20, 60);
@@ -68,14 +70,15 @@ double perimeter(const Triangle& t) {
 
 // ---- coverage of a triangle on a grid of 2^-bits px, in integers just wide enough ----
 
-// Halves are rounded up, as the pipeline's own snap does.
+// Rounds halves up, like the pipeline's own snapping.
 std::int64_t snapped(std::int64_t exact, int bits) {
   const int dropped = kExactBits - bits;
   return dropped == 0 ? exact : (exact + (std::int64_t(1) << (dropped - 1))) >> dropped;
 }
 
-// Coordinates count halves of a grid step, so that pixel centres are whole numbers at 0 bits too. The edge values of a
-// square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32 bits hold them up to 6 subpixel bits.
+// Coordinates count half grid steps, so that pixel centres are integers with 0 bits too. The edge
+// values of a square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32-bit integers hold them up to
+// 6 subpixel bits.
 template <class Int>
 class Covered {
 public:
@@ -92,7 +95,8 @@ public:
       const auto &from = v[(k + 1) % 3], &to = v[(k + 2) % 3];
       const Int a = from[1] - to[1], b = to[0] - from[0];
       const bool owns_zero = a > 0 || (a == 0 && b > 0);
-      // At the centre of pixel (0, 0); less one where the edge's own points belong to the neighbour.
+      // The value at the centre of pixel (0, 0), minus one if points on the edge belong to the
+      // neighbour.
       const Int start = a * (pixel_ / 2 - from[0]) + b * (pixel_ / 2 - from[1]);
       start_[k] = owns_zero ? start : start - 1;
       step_x_[k] = a * pixel_, step_y_[k] = b * pixel_;
@@ -107,7 +111,7 @@ public:
     return inside;
   }
 
-  // Along a row of pixels, by steps.
+  // Counts the covered pixels of a row, with one addition per edge and pixel.
   int count(int x0, int x1, int y) const {
     if (empty_) return 0;
     std::array<Int, 3> e;
@@ -130,7 +134,8 @@ private:
 struct Box {
   int x0, y0, x1, y1;
 };
-// All pixels that the triangle may cover before or after the snap, which moves no corner by more than half a pixel.
+// The pixels that the triangle may cover before or after snapping, which moves no corner by more
+// than half a pixel.
 Box box_of(const Triangle& t) {
   const auto low = [&](std::size_t i) {
     return int(std::min({t[0][i], t[1][i], t[2][i]}) >> kExactBits) - 1;
@@ -143,13 +148,13 @@ Box box_of(const Triangle& t) {
 
 // ---- error and work ----
 
-// Measures.
+// The names of the measures.
 constexpr const char* kOverlap = "overlap";
 constexpr const char* kCrawl = "crawl";
 
 struct Changes {
-  double flips = 0;  // pixels whose coverage the snap changes, for each pixel of boundary length
-  double lost = 0;   // of the union of the two coverages, what is not in both: 1 - IoU
+  double flips = 0;  // pixels whose coverage changes by snapping, per pixel of boundary length
+  double lost = 0;   // 1 - IoU: the share of the union of the two coverages that is not in both
 };
 
 Changes changes_of(const std::vector<Triangle>& triangles, int bits) {
@@ -170,7 +175,7 @@ Changes changes_of(const std::vector<Triangle>& triangles, int bits) {
   return {double(changed) / boundary, double(changed) / double(united)};
 }
 
-// Twice the triangle's area, px^2.
+// Twice the triangle's area, in px^2.
 double twice_area(const Triangle& t) {
   const auto side = [&](std::size_t k, std::size_t i) {
     return double(t[k][i] - t[0][i]) * 0x1p-20;
@@ -180,8 +185,9 @@ double twice_area(const Triangle& t) {
 
 constexpr int kFrames = 64;
 
-// How far the middle of an edge is off its path while the triangle glides by 8 px: what its snapped ends are off sideways, without
-// the mean over the frames, which does not move. Root mean square.
+// Moves the triangle slowly by 8 px and measures how far the middle of an edge leaves its path: the
+// sideways error of its snapped ends, minus the mean over the frames, because a constant error is
+// not visible as movement. Root mean square.
 double crawl(const std::vector<Triangle>& triangles, int bits) {
   Random random(3);
   const double step = std::ldexp(1.0, -bits), exact_step = std::ldexp(1.0, -kExactBits);
@@ -226,14 +232,15 @@ int cover_all(const std::vector<Triangle>& triangles, int bits) {
   return covered;
 }
 
-// Each end of an edge moves by up to half a step along x and along y, evenly: sideways by a deviation of 2^-bits/sqrt(12)
-// whatever the edge's direction. In between the two ends' shares have the deviation sqrt((1-t)^2 + t^2), whose mean over
-// the edge is 1/2 + asinh(1)/(2 sqrt 2) = 0.8116. The area that the edge sweeps is what changes hands.
+// Each end of an edge moves by up to half a step along x and along y, with a uniform distribution.
+// The sideways standard deviation is 2^-bits/sqrt(12) for every direction of the edge. Between the
+// ends, the weights of the two give the factor sqrt((1-t)^2 + t^2), whose mean over the edge is 1/2
+// + asinh(1)/(2 sqrt 2) = 0.8116. The pixels in the area that the edge sweeps change.
 double predict(int bits) {
   return kMeanOfNormal * rms_of_step(std::ldexp(1.0, -bits)) * 0.8116;
 }
 
-// What changes hands is that much of each pixel of boundary; the union grows by half of it.
+// predict() gives the changed pixels per pixel of boundary; the union grows by half of them.
 double predict_lost(int bits, const std::vector<Triangle>& triangles) {
   double boundary = 0, area = 0;
   for (const Triangle& t : triangles) boundary += perimeter(t), area += twice_area(t) / 2;
@@ -241,7 +248,7 @@ double predict_lost(int bits, const std::vector<Triangle>& triangles) {
   return changed / (area + changed / 2);
 }
 
-// Both ends are off sideways by 2^-bits/sqrt(12) each, independently, and their middle by half of the sum.
+// Both ends have independent sideways errors of 2^-bits/sqrt(12); the middle has half of their sum.
 double predict_crawl(int bits) {
   return rms_of_step(std::ldexp(1.0, -bits)) / std::sqrt(2.0);
 }

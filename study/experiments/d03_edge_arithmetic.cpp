@@ -1,4 +1,4 @@
-// D-3: in which arithmetic a pixel centre is compared with an edge.
+// Compares the arithmetic in which a pixel centre is tested against an edge (D-3).
 #include <cmath>
 #include <cstdint>
 
@@ -15,7 +15,7 @@ namespace d03 {
 bool is_wrong(EdgeArithmetic arithmetic, const EdgeSample& s) {
   return covers_centre(arithmetic, s) != right_decision(s);
 }
-// The triangles on either side both claim the pixel, or neither does.
+// Whether the triangles on both sides claim the pixel, or neither does.
 bool is_leak(EdgeArithmetic arithmetic, const EdgeSample& s) {
   return covers_centre(arithmetic, s) == covers_centre(arithmetic, s.reversed());
 }
@@ -31,9 +31,10 @@ double rate(Fault fault, EdgeArithmetic arithmetic, int width, int samples) {
 
 // ---- theory ----
 
-// E is off by the roundings of its products and sums. A centre lies anywhere within half a pixel, 256 steps, of its edge
-// along the minor axis: the decision is wrong for a share E|error of E| / (major * 256) of them.
-// E|error of E|, to be multiplied by the relative rms of a rounding.
+// Rounding errors of its products and sums change E. A centre is anywhere within half a pixel of
+// its edge along the minor axis; that range has 256 steps. So the decision is wrong for a share
+// E|error of E| / (major * 256) of the centres.
+// RoundingError returns E|error of E|, without the factor for the relative rms of a rounding error.
 using RoundingError = double (*)(const EdgeSample&);
 
 double product(const EdgeSample& s) {
@@ -49,14 +50,14 @@ double of_plane(const EdgeSample& s) {
   return kMeanOfNormal * std::sqrt(square(p) + square(q) + square(p - q) + square(ax) + square(by) +
                                    square(ax + by));
 }
-// One rounding: evenly spread, mean sqrt(3)/2 of its rms.
+// A single rounding error is uniformly distributed, so its mean size is sqrt(3)/2 of its rms.
 double of_fma(const EdgeSample& s) {
   return std::sqrt(0.75) * std::abs(product(s));
 }
 double of_exact(const EdgeSample&) {
   return 0;
 }
-// The errors seen from both ends, independent of each other.
+// The errors computed from the two ends are independent of each other.
 double of_differences(const EdgeSample& s) {
   return std::sqrt(square(of_difference(s)) + square(of_difference(s.reversed())));
 }

@@ -1,4 +1,5 @@
-// The edges of D-3, and the ways to compare a pixel centre with one.
+// The edges of the edge-arithmetic experiment (D-3), and the ways to test a pixel centre against
+// one.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,15 @@ namespace glassbox::study {
 
 struct EdgeSample {
   SnappedVertex from, to;
-  std::int32_t x = 0, y = 0;  // the centre, in 1/256 px
+  std::int32_t x = 0, y = 0;  // pixel centre, in 1/256 px
 
   EdgeSample reversed() const { return {to, from, x, y}; }
   std::int64_t dx() const { return to.x - from.x; }
   std::int64_t dy() const { return to.y - from.y; }
-  // The longer side of the edge's box: |E| over it is the distance along the other axis.
+  // The longer side of the edge's bounding box; |E| divided by it is the distance along the other
+  // axis.
   std::int64_t major() const { return std::max(std::abs(dx()), std::abs(dy())); }
-  // Top and left edges own their points, as in the pipeline.
+  // Points on top and left edges belong to the triangle, as in the pipeline.
   bool owns_zero() const { return dy() < 0 || (dy() == 0 && dx() > 0); }
 };
 
@@ -34,7 +36,8 @@ inline std::int32_t nearest_centre(std::int64_t subpixels) {
   return std::int32_t((subpixels & ~std::int64_t(kSubpixels - 1)) + kPixelCentre);
 }
 
-// Ends anywhere in a square of `width` px; a pixel of a random row or column that the edge crosses.
+// An edge with random ends in a square of `width` px, and a pixel in a random row or column that
+// the edge crosses.
 inline EdgeSample random_edge_sample(Random& random, int width) {
   const std::int64_t side = std::int64_t(width) * kSubpixels - 1;
   const auto anywhere = [&] { return std::int32_t(random.integer(0, side)); };
@@ -53,13 +56,14 @@ inline EdgeSample random_edge_sample(Random& random, int width) {
   }
 }
 
-// Whether the pixel belongs to the triangle on the right of the edge, whose function has this value.
+// Whether the pixel belongs to the triangle on the right of the edge, if the edge function has this
+// value.
 template <class T>
 bool covers(T edge, const EdgeSample& s) {
   return edge > 0 || (edge == 0 && s.owns_zero());
 }
 
-// 128 bits, from the corners as they are.
+// Computed in 128 bits from the unchanged corners.
 inline bool right_decision(const EdgeSample& s) {
   __extension__ using Wide = __int128;
   const Wide e = (Wide(s.to.x) - s.from.x) * (Wide(s.y) - s.from.y) -
@@ -69,12 +73,12 @@ inline bool right_decision(const EdgeSample& s) {
 
 // ---- the ways ----
 
-// E = dx (y - y0) - dy (x - x0), exact: the factors have 24 bits.
+// E = dx (y - y0) - dy (x - x0), exact because the factors have 24 bits.
 inline std::int64_t exact_edge(const EdgeSample& s) {
   return s.dx() * (s.y - s.from.y) - s.dy() * (s.x - s.from.x);
 }
 
-// All coordinates and their differences are floats exactly.
+// All coordinates and their differences are exact in float.
 inline float float_difference(const EdgeSample& s) {
   const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
   return float(s.dx()) * down - float(s.dy()) * right;
@@ -83,15 +87,16 @@ inline float float_fma(const EdgeSample& s) {
   const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
   return std::fma(-float(s.dy()), right, float(s.dx()) * down);
 }
-// c = x0 y1 - x1 y0 changes its sign, and nothing else, when the ends are exchanged.
+// If the ends are exchanged, only the sign of c = x0 y1 - x1 y0 changes.
 template <class T>
 T plane(const EdgeSample& s) {
   const T a = -T(s.dy()), b = T(s.dx());
   const T c = T(s.from.x) * T(s.to.y) - T(s.to.x) * T(s.from.y);
   return (a * T(s.x) + b * T(s.y)) + c;
 }
-// Seen from the corner of the tile that the pixel lies in. E - bias >= 0 if and only if its quotient by 256, rounded down, is;
-// within a tile of 64 px next to the edge that quotient has less than 2 * 2^23 * 2^6 = 2^30.
+// Computed from the corner of the tile that contains the pixel. E - bias >= 0 if and only if its
+// quotient by 256, rounded down, is >= 0. Within a tile of 64 px next to the edge, that quotient is
+// less than 2 * 2^23 * 2^6 = 2^30.
 inline std::int32_t int32_tile(const EdgeSample& s) {
   const std::int32_t tile = kEdgeTile * kSubpixels;
   const std::int32_t column = s.x % tile / kSubpixels, row = s.y % tile / kSubpixels;
@@ -121,7 +126,7 @@ inline bool covers_centre(EdgeArithmetic arithmetic, const EdgeSample& s) {
 
 // ---- what is timed ----
 
-// Triangles with a corner in a tile somewhere on a screen that wide.
+// Triangles with a corner in a tile, which is anywhere on a screen of this width.
 inline std::vector<TileEdges> timed_triangles(int width, int count) {
   Random random(4);
   std::vector<TileEdges> triangles;

@@ -1,4 +1,5 @@
-// What D-4 draws: lines of pixels across a wall, a floor and the teapot.
+// The lines of pixels that the perspective experiment (D-4) draws: across a wall, a floor and the
+// teapot.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +20,14 @@ namespace glassbox::study::d04 {
 
 using Lines = std::vector<PerspectiveLine>;
 
-// u at a place along the line, 0 .. 1. In double, whose own error is 2^-29 of float's.
+// u at a place along the line, 0 .. 1. Computed in double, whose own error is 2^-29 of that of
+// float.
 inline double exact_coordinate(const PerspectiveLine& line, double far) {
   const double q0 = line.inverse_w0, q1 = line.inverse_w1;
   return ((1 - far) * (line.u0 * q0) + far * (line.u1 * q1)) / ((1 - far) * q0 + far * q1);
 }
 
-// w at the far end over w at the near end.
+// w at the far end divided by w at the near end.
 inline double ratio_of(const PerspectiveLine& line) {
   const double ratio = double(line.inverse_w0) / double(line.inverse_w1);
   return std::max(ratio, 1 / ratio);
@@ -36,8 +38,8 @@ inline double largest_ratio(const Lines& lines) {
   return largest;
 }
 
-// u runs over 256 texels along 256 pixels, one texel to a pixel on average, up to a random shift of the wall; w grows
-// `ratio`-fold from end to end.
+// u spans 256 texels along 256 pixels, one texel per pixel on average, shifted by a random offset
+// of the wall; w grows `ratio`-fold from one end to the other.
 inline Lines wall(double ratio, int count) {
   Random random(5);
   Lines lines;
@@ -49,7 +51,7 @@ inline Lines wall(double ratio, int count) {
   return lines;
 }
 
-// Every n-th of them, so that `most` are left.
+// Keeps every n-th line, so that at most `most` are left.
 inline Lines some(const Lines& lines, std::size_t most) {
   const std::size_t step = (lines.size() + most - 1) / most;
   Lines kept;
@@ -57,7 +59,7 @@ inline Lines some(const Lines& lines, std::size_t most) {
   return kept;
 }
 
-// ---- lines of scenes, whose texels are those of the level that is nearest to a texel for a pixel ----
+// ---- lines of scenes, with the mipmap level that is nearest to one texel per pixel ----
 
 inline PerspectiveLine at_its_level(double u0, double u1, double q0, double q1, int pixels) {
   const double texels = std::abs(u1 - u0) / pixels;
@@ -65,8 +67,9 @@ inline PerspectiveLine at_its_level(double u0, double u1, double q0, double q1, 
   return {float(u0 * scale), float(u1 * scale), float(q0), float(q1), pixels};
 }
 
-// A floor 1.5 below the eye, level gaze, 45 degrees from top to bottom, 256 x 256 px, up to 60 away; u runs along the gaze, 64
-// texels a unit. Rolled by 22.5 degrees: without a roll w is the same along each row, and nothing errs.
+// A floor 1.5 below the eye with a level gaze, a vertical angle of view of 45 degrees, 256 x 256
+// px, up to 60 away; u runs along the gaze with 64 texels per unit. It is rolled by 22.5 degrees:
+// without a roll, w is constant along each row and there is no error.
 inline Lines rolled_floor() {
   constexpr double kHeight = 1.5, kFarthest = 60, kTexels = 64;
   const double focal = kLinePixels / 2.0 / tan_half_degrees(45);
@@ -90,11 +93,11 @@ inline Lines rolled_floor() {
 // ---- the teapot, 512 x 512 px, 4 x 4 cells a patch, 256 texels along a patch ----
 
 struct SeenCorner {
-  double x, y, q, p;  // px; 1/w and u/w
+  double x, y, q, p;  // x and y in px; 1/w and u/w
 };
 
-// Rows of pixel centres within a triangle; what is a plane over the screen is so beyond its edges, up to the borders of the
-// pixels at both ends.
+// Adds the rows of pixel centres inside a triangle. Values that are linear on the screen stay
+// linear beyond its edges, so each row is extended to the borders of the pixels at both ends.
 inline void add_rows(const std::array<SeenCorner, 3>& t, Lines& lines) {
   const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
   const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
@@ -138,7 +141,7 @@ inline Lines teapot() {
     }
     const double turn = (seen[1].x - seen[0].x) * (seen[2].y - seen[0].y) -
                         (seen[2].x - seen[0].x) * (seen[1].y - seen[0].y);
-    if (turn < 0) add_rows(seen, lines);  // a front runs counter-clockwise
+    if (turn < 0) add_rows(seen, lines);  // front faces are counter-clockwise
   }
   return lines;
 }

@@ -1,4 +1,4 @@
-// D-4: where the perspective divide is done, and how well.
+// Compares where the perspective divide is done, and how accurate the result is (D-4).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +30,7 @@ Screen at(const PerspectiveLine& line, float far) {
           near * (line.u0 * line.inverse_w0) + far * (line.u1 * line.inverse_w1)};
 }
 
-// 0: the whole line.
+// The length of a span in pixels; 0: the whole line.
 int span_of(Perspective method) {
   switch (method) {
     case Perspective::kEvery8:
@@ -71,7 +71,7 @@ float coordinate(Perspective method, const PerspectiveLine& line, int x) {
 // ---- the error ----
 
 struct Errors {
-  double largest = 0, rms = 0;  // texels
+  double largest = 0, rms = 0;  // in texels
 };
 
 Errors errors_of(Perspective method, const Lines& lines) {
@@ -107,32 +107,36 @@ Predicted coordinates(const PerspectiveLine& line) {
   return u;
 }
 
-// Float: u/w is rounded as a product at the vertex and again times its share; 1/w has two products and a sum; the division (or
-// product) is the last. Six roundings of rms 0.42 u, of which the largest of a few hundred is about three times the rms.
+// In float, u/w is rounded as a product at the vertex and again when it is multiplied by its share;
+// 1/w has two products and a sum; the division (or product) is the last operation. This gives six
+// rounding errors of rms 0.42 u; the largest of a few hundred is about three times the rms.
 Predicted of_roundings(const Predicted& u) {
   return {3 * std::sqrt(6.0) * rms_rounding<float> * u.largest,
           6 * square(rms_rounding<float>) * u.square};
 }
 
-// Of the table: within 2^-12 by the interval and within 2^-14 by the rounding, both evenly.
+// The errors of the table: within 2^-12 from the interval and within 2^-14 from rounding, both
+// uniformly distributed.
 Predicted of_table(const Predicted& u) {
   return {kReciprocalError * u.largest, (square(0x1p-12) + square(0x1p-14)) / 3 * u.square};
 }
 
-// Newton's step always errs downwards, by the square: 2^-24 and the mean fourth power 1/5 of it.
+// The error of Newton's step is always negative and is the square of the previous one: at most
+// 2^-24, with 1/5 of its square as the mean fourth power.
 Predicted of_newton(const Predicted& u) {
   return {square(kReciprocalError) * u.largest, square(0x1p-24) / 5 * u.square};
 }
 
-// Linear interpolation over a span in which 1/w changes r-fold and u by du errs by |du| (t - t/(t + (1 - t) r)), whose largest value
-// is |du| (sqrt r - 1)/(sqrt r + 1); the mean square is its integral, with a = r - 1. Near r = 1 it is a parabola.
+// Linear interpolation over a span in which 1/w changes by the factor r, and u by du, has the error
+// |du| (t - t/(t + (1 - t) r)). Its largest value is |du| (sqrt r - 1)/(sqrt r + 1); the mean
+// square is its integral, with a = r - 1. Near r = 1 it is a parabola.
 Predicted of_span(double ratio, double du) {
   const double r = std::max(ratio, 1 / ratio), a = r - 1;
   const double largest = std::abs(du) * (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
   if (a < 0.05) return {largest, square(largest) * 8 / 15};
   const double a3 = a * a * a;
-  const double product =
-      r * r * std::log(r) / a3 - r / (a * a) - 1 / (2 * a);  // of t and the other
+  // the integral of t times the other term
+  const double product = r * r * std::log(r) / a3 - r / (a * a) - 1 / (2 * a);
   const double other = (r * r - 1 - 2 * r * std::log(r)) / a3;
   return {largest, square(du) * (1.0 / 3 - 2 * product + other)};
 }

@@ -1,4 +1,4 @@
-// D-5: how good an approximate reciprocal is, and what a Newton step adds.
+// Measures the accuracy of approximate reciprocals, and what a Newton step improves (D-5).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +45,8 @@ bool is_root(Reciprocal method) {
   return method >= Reciprocal::kRootDivide;
 }
 
-// A decade of w, evenly on neither scale: bits decide.
+// Random values of w in one decade. Their distribution is uniform neither on a linear nor on a
+// logarithmic scale, because the bits are random.
 std::vector<float> decade(double from, int count) {
   Random random(6);
   std::vector<float> w;
@@ -53,10 +54,11 @@ std::vector<float> decade(double from, int count) {
   return w;
 }
 
-// Whose approximation a Newton step begins with.
+// Where the approximation before a Newton step comes from.
 enum class By { kTable, kProcessor };
 
-// Double's own error is 2^-29 of the least there is to see.
+// The double precision of this computation has an error of only 2^-29 of the smallest error that is
+// measured.
 double relative_error(Reciprocal method, float w, float found) {
   const double x = is_root(method) ? std::sqrt(double(w)) : double(w);
   return std::abs(double(found) * x - 1);
@@ -76,8 +78,9 @@ double largest_error(Reciprocal method, By by, double from, int count) {
   return largest;
 }
 
-// Of an approximation. Processors give their word for theirs: 2^-14 with AVX-512, 1.5 * 2^-12 for x86 before it (Intel's manual,
-// RCP14PS and RCPPS), 2^-8 for NEON, whose first estimate has 8 bits.
+// The error bound of an approximation. Processors guarantee 2^-14 with AVX-512, 1.5 * 2^-12 on
+// earlier x86 (Intel's manual, RCP14PS and RCPPS), and 2^-8 with NEON, whose first estimate has 8
+// bits.
 double error_of_approximation(By by, bool root) {
   if (by == By::kTable) return root ? kReciprocalRootError : kReciprocalError;
   switch (best_target()) {
@@ -94,7 +97,7 @@ double error_of_approximation(By by, bool root) {
 
 double predict(Reciprocal method, By by) {
   const double u = unit_roundoff<float>;
-  constexpr double kMagicError = 0.0343758;  // Lomont 2003, the line nearest to the logarithm
+  constexpr double kMagicError = 0.0343758;  // Lomont 2003, for the line nearest to the logarithm
   const double first = error_of_approximation(by, is_root(method));
   switch (method) {
     case Reciprocal::kDivide:
@@ -105,7 +108,8 @@ double predict(Reciprocal method, By by) {
     case Reciprocal::kNewton:  // w x and the last product are rounded; 2 - w x is exact
       return square(first) + 2 * u;
     case Reciprocal::
-        kRootDivide:  // half of the root's, which is passed on whole, and the division's
+        // half of the root's error, which is fully passed on, and that of the division
+        kRootDivide:
       return 2 * u;
     case Reciprocal::kRootNewton:  // two products of about 1/2, the difference and the last product
       return 1.5 * square(first) + 3 * u;
@@ -122,7 +126,7 @@ struct Series {
   By by;
   const char* name;
 };
-// What a table gives is the same everywhere; what is timed is the processor's.
+// Table values are the same on every machine; the time is that of the processor's own instruction.
 constexpr Series kSeries[] = {
     {Reciprocal::kDivide, By::kProcessor, "division"},
     {Reciprocal::kApproximate, By::kProcessor, "approximate"},
@@ -138,7 +142,8 @@ constexpr Series kSeries[] = {
     {Reciprocal::kMagicNewton, By::kProcessor, "0x5f3759df and a Newton step"},
 };
 
-// A processor keeps its word, and may do better: by four bits at most, or it is another instruction that was timed.
+// A processor keeps its guarantee and may be better, by four bits at most; with a larger
+// difference, another instruction would have been timed.
 std::optional<Finding> better_than_promised(By by) {
   if (by == By::kTable) return std::nullopt;
   return Finding{"the processor is better than it promises to be", 1.0 / 16, 0.5};
@@ -146,8 +151,9 @@ std::optional<Finding> better_than_promised(By by) {
 
 constexpr int kTimed = 1 << 11;
 
-// 16 KiB in and out stay in the first cache. A load waits for a store before it whose address ends in the same 12 bits, so that where
-// memory happens to lie would decide on the time: here the two begin half of 4096 bytes apart.
+// 16 KiB for input and output fit into the first-level cache. A load waits for an earlier store
+// whose address ends in the same 12 bits, so the place in memory would influence the time: here the
+// two arrays begin half of 4096 bytes apart.
 struct TimedMemory {
   explicit TimedMemory(double from) { std::ranges::copy(decade(from, kTimed), w.begin()); }
 

@@ -1,4 +1,5 @@
-// D-6: how far apart two surfaces must be for a depth format to tell which is in front.
+// Measures how far apart two surfaces must be so that a depth format can tell which one is in front
+// (D-6).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,7 +48,8 @@ struct Pixel {
 
 using EyeTriangle = std::array<Point<Eye>, 3>;
 
-// The distance of the snapped triangle at the pixel's centre, in double: 2^-50 of it away from the exact one.
+// The distance of the snapped triangle at the pixel's centre, in double: within 2^-50 of the exact
+// one.
 double exact_distance(const EyeTriangle& triangle, const TriangleSetup& setup,
                       const Coverage& pixel) {
   double inverse = 0;
@@ -57,7 +59,7 @@ double exact_distance(const EyeTriangle& triangle, const TriangleSetup& setup,
   return 1 / inverse;
 }
 
-// The largest relative distance between what is shown and what should be.
+// The largest relative distance between the surface that is shown and the one that should be.
 double picture_error(const Format& format, const std::vector<EyeTriangle>& triangles) {
   const Placement place(format, {0, 0, kSide, kSide});
   Image<Pixel> picture(kSide, kSide);
@@ -81,8 +83,8 @@ double picture_error(const Format& format, const std::vector<EyeTriangle>& trian
   return largest;
 }
 
-// A quad of the plane that leans away to the right, from directions (x0, y0) to (x1, y1), brought nearer by `closer` of its
-// distance; cut along one diagonal or the other.
+// Adds a quad of the plane that leans away to the right, from direction (x0, y0) to (x1, y1), moved
+// nearer by the share `closer` of its distance, and cut along one diagonal or the other.
 void add_leaning_quad(double z, double x0, double y0, double x1, double y1, double closer,
                       bool other_diagonal, std::vector<EyeTriangle>& triangles) {
   const auto corner = [&](double x, double y) {
@@ -95,7 +97,8 @@ void add_leaning_quad(double z, double x0, double y0, double x1, double y1, doub
   triangles.push_back({c[first], c[(first + 2) % 4], c[(first + 3) % 4]});
 }
 
-// A wall of tiles, and before each tile a decal of its size: 2^-2 to 2^-26 of the distance nearer.
+// A wall of tiles, with a decal of the same size in front of each tile, which is nearer by 2^-2 to
+// 2^-26 of the distance.
 std::vector<EyeTriangle> decals(double z) {
   constexpr int kTiles = 14;
   std::vector<EyeTriangle> triangles;
@@ -111,7 +114,8 @@ std::vector<EyeTriangle> decals(double z) {
   return triangles;
 }
 
-// Boxes from 2 to 2000 away, each with a sign on its front between a millimetre and a metre before it.
+// Boxes at distances from 2 to 2000, each with a sign between a millimetre and a metre in front of
+// its front face.
 std::vector<EyeTriangle> city() {
   std::vector<EyeTriangle> triangles;
   const auto quad = [&](const Point<Eye>& a, const Point<Eye>& b, const Point<Eye>& c,

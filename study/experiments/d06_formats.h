@@ -1,4 +1,5 @@
-// The depth formats of D-6: how each carries a distance to a code, and how fine the theory says it is.
+// The depth formats that are compared (D-6): how each converts a distance to a code, and its
+// precision by the theory.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ inline constexpr double kNear = 0.1, kFar = 10000;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Mapping { kStandard, kReversed, kLogarithmic, kLinear };
-enum class Remap { kNone, kGl };  // kGl: depth runs from -1 to 1 before the viewport halves it
+enum class Remap { kNone, kGl };  // kGl: depth is in -1 .. 1 before the viewport halves it
 
 struct Format {
   const char* name;
@@ -50,7 +51,7 @@ inline constexpr Format kFormats[] = {
     {"float, linear w", Mapping::kLinear, 32},
 };
 
-// Eye space to a vertex on the screen, its depth as the format's depth range has it.
+// Transforms points in eye space to vertices on the screen, with the depth range of the format.
 class Placement {
 public:
   Placement(const Format& format, const Viewport& viewport) : format_(format), viewport_(viewport) {
@@ -75,10 +76,11 @@ private:
   Transform<ClipGl, Eye, float> gl_;
 };
 
-// log2 in IEEE operations of one written order, so that errors are the same on every machine: 2^e m with m about 1, and ln m =
-// 2 artanh((m - 1)/(m + 1)), whose series is cut where a term is below 2^-48.
+// log2 with IEEE operations in a fixed order, so that errors are the same on every machine: x = 2^e
+// m with m near 1, and ln m = 2 artanh((m - 1)/(m + 1)), whose series ends where its terms are
+// below 2^-48.
 inline double log2_of(float x) {
-  const auto bits = std::bit_cast<std::uint32_t>(x) - 0x3f3504f3u;  // of sqrt(1/2)
+  const auto bits = std::bit_cast<std::uint32_t>(x) - 0x3f3504f3u;  // the bits of sqrt(1/2)
   const int exponent = int(std::int32_t(bits) >> 23);
   const double m = double(std::bit_cast<float>((bits & 0x7fffffu) + 0x3f3504f3u));
   const double t = (m - 1) / (m + 1), t2 = t * t;
@@ -110,10 +112,11 @@ inline double ulp(double x) {
   return std::ldexp(1.0, std::ilogb(x) - 23);
 }
 
-// SPEC B.3: the depth's step where it is coarsest, carried to a relative distance.
+// The largest step of the depth format, converted to a relative distance (B.3).
 inline double step_law(const Format& format, double z) {
   const double step = std::ldexp(1.0, -format.bits), inverse_far = 1 / format.far;
-  const double standard = z * (1 / kNear - inverse_far);  // (dz/z) / d(depth), of both directions
+  // (dz/z) / d(depth), for standard and reversed depth
+  const double standard = z * (1 / kNear - inverse_far);
   const double depth = (1 / kNear - 1 / z) / (1 / kNear - inverse_far);
   switch (format.mapping) {
     case Mapping::kLogarithmic: {
@@ -131,7 +134,8 @@ inline double step_law(const Format& format, double z) {
   return 0;
 }
 
-// A step s of 1/z reaches from z to z/(1 - s). Positions are floats themselves, and nothing lies beyond the far plane.
+// A step s of 1/z goes from z to z/(1 - s). Positions themselves are floats, and nothing is beyond
+// the far plane.
 inline double predicted_at(const Format& format, double z) {
   double law = std::max(step_law(format, z), 0x1p-23);
   const bool of_inverse =
@@ -140,7 +144,8 @@ inline double predicted_at(const Format& format, double z) {
   return std::min(law, (kFar - z) / z);
 }
 
-// In a picture w comes out of 1/w, itself interpolated: two fragments that have the same w differ by a few roundings.
+// In a picture, w is computed from the interpolated 1/w: two fragments with the same w may differ
+// by a few rounding errors.
 inline double predicted_in_picture(const Format& format, double z) {
   const bool from_w = format.mapping == Mapping::kLinear || format.mapping == Mapping::kLogarithmic;
   return std::max(predicted_at(format, z), from_w ? 0x1p-22 : 0.0);
@@ -156,7 +161,8 @@ inline std::optional<Finding> finding_on_ladder(const Format& format) {
       2, 2.5};
 }
 
-// Of three equal roundings the mean has 1/sqrt(3) of one; twice as little where two of three are often the same.
+// The mean of three equal rounding errors has 1/sqrt(3) of the size of one, and it is twice as
+// small where two of the three are often the same.
 inline std::optional<Finding> finding_in_picture(const Format& format) {
   if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
     return {};

@@ -1,5 +1,5 @@
-// The ladder of D-6: points on the axis, one float after the other, and whether their codes tell them apart; and the fragments
-// that are timed.
+// The ladder of the depth-format experiment (D-6): points on the axis at consecutive float
+// distances, whose codes are checked for order; and the fragments that are timed.
 #pragma once
 
 #include <algorithm>
@@ -26,15 +26,16 @@ inline std::vector<float> rungs(double z, double window, int count) {
   return all;
 }
 
-// The largest relative distance of two of them that are told apart the wrong way or not at all, the nearer of which is in the
-// first quarter.
+// The largest relative distance of two rungs whose codes are equal or in the wrong order, where the
+// nearer one is in the first quarter.
 inline double largest_confusion(const std::vector<float>& rungs,
                                 const std::vector<std::uint32_t>& codes) {
-  std::vector<std::uint32_t> least(rungs.size());  // from here on
+  std::vector<std::uint32_t> least(rungs.size());  // the least code from each rung on
   std::uint32_t running = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = rungs.size(); i-- > 0;) least[i] = running = std::min(running, codes[i]);
   double largest = 0;
-  // Up to here: an earlier rung with a smaller code has nothing that a later one lacks.
+  // The greatest code so far. A rung whose code is not greater cannot have a larger confusion than
+  // the earlier rung with that code.
   std::uint32_t greatest = 0;
   std::size_t j = 0;
   for (std::size_t i = 0; i < rungs.size() / 4 + 1; ++i) {
@@ -47,8 +48,9 @@ inline double largest_confusion(const std::vector<float>& rungs,
   return largest;
 }
 
-// In the smallest window from z on, of powers of two, that has room for the largest confusion many times, or four where it is so
-// large that the law changes within. `codes_of` has the codes of distances, as many.
+// Uses the smallest window from z on, a power of two, that is many times larger than the largest
+// confusion; four times is enough if the confusion is so large that the law changes within the
+// window. `codes_of` returns the codes of a list of distances.
 template <class CodesOf>
 double ladder_error(const CodesOf& codes_of, double z, int count) {
   for (double window = 0x1p-18;; window *= 2) {
@@ -56,7 +58,7 @@ double ladder_error(const CodesOf& codes_of, double z, int count) {
     const double largest = largest_confusion(all, codes_of(all));
     const bool at_far = z * (1 + window) > kFar;
     if (at_far || largest * (window < 0x1p-6 ? 64 : 4) < window) {
-      // Neighbours that are told apart are one rung away: that is what a format can do at most.
+      // Neighbours with different codes are one rung apart: no format can do better.
       return std::max(largest, (double(all[1]) - double(all[0])) / z);
     }
   }

@@ -1,4 +1,5 @@
-// D-7: view and projection as one matrix or as two, far from the origin (Upchurch and Desbrun 2012).
+// Compares view and projection as one matrix with two separate matrices, far from the origin
+// (Upchurch and Desbrun 2012; D-7).
 #include <cmath>
 #include <limits>
 
@@ -40,7 +41,7 @@ private:
   Transform<Clip, Eye, float> clip_from_eye_;
 };
 
-// The eye is subtracted first, here without error; then the camera's rotation alone.
+// Subtracts the eye first, which is exact here; then only the camera's rotation is left.
 class EyeFirst {
 public:
   EyeFirst(const Field& field, Depth depth)
@@ -75,18 +76,19 @@ double rms_error(Depth depth, double offset, int fields) {
 
 // ---- the theory, all as root mean squares ----
 
-// A row of the view over coordinates of size D: entries, products and 5/3 sums of squares D^2/3 each, the translation's
-// rounding another.
+// A row of the view over coordinates of size D: entries, products and 5/3 sums with a mean square
+// of D^2/3 each; the rounding of the translation adds one more.
 double of_row(double offset) {
   return rms_rounding<float> * offset * std::sqrt(14.0 / 9);
 }
-// The rotation alone over a vertex ~11.5 units away: the last sum is the result.
+// Only the rotation, over a vertex about 11.5 units away: the last sum is the result.
 double of_rotation() {
   const double squared = square(kDistance) + 2 * 25.0 / 3;
   return rms_rounding<float> * std::sqrt(squared / 3 * (2 + 2.0 / 3) + square(kDistance));
 }
-// What the projection and the divide add to the depth d, in units of the world. Standard: d is just below 1, and so are the
-// products before it: the matrix's two entries, a product, a sum, and a quotient in steps of 2^-24. Reversed: n and the quotient.
+// The error that projection and divide add to the depth d, converted to world units. Standard
+// depth: d and the products before it are just below 1; two matrix entries, a product, a sum, and a
+// quotient in steps of 2^-24 are rounded. Reversed depth: n and the quotient.
 double of_depth(Depth depth) {
   if (depth == Depth::kStandard)
     return distance_of(depth) *
@@ -100,14 +102,15 @@ double combined(double a, double b) {
 
 using Theory = double (*)(Depth, double offset);
 
-// Standard depth: z and w are off by of_row each, independently, and so d by sqrt(2) of_row / z, which is worth z/n times as much along
-// the gaze. Reversed with an infinite far plane: z is n, exactly, and the error is w's, once.
+// Standard depth: z and w have independent errors of of_row each, so d has an error of sqrt(2)
+// of_row / z, which causes z/n times as much along the gaze. Reversed depth with an infinite far
+// plane: z is exactly n, and only w has an error.
 double predict_composed(Depth depth, double offset) {
   const double row = of_row(offset);
   return combined(depth == Depth::kStandard ? std::sqrt(2.0) * row * kDistance / kNear : row,
                   of_depth(depth));
 }
-// The vertex is seen at a wrong distance, once.
+// z and w have the same error, so the vertex is only seen at a wrong distance.
 double predict_separate(Depth depth, double offset) {
   return combined(of_row(offset), of_depth(depth));
 }
@@ -117,7 +120,7 @@ double predict_eye_first(Depth depth, double) {
 
 // ---- the table ----
 
-constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // they stay in the first cache
+constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // these fit into the first-level cache
 
 template <class Way>
 void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,

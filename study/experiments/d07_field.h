@@ -1,4 +1,5 @@
-// What D-7 looks at: vertices before a camera that is far from the origin.
+// The vertices of the matrix-composition experiment (D-7), in front of a camera that is far from
+// the origin.
 #pragma once
 
 #include <cmath>
@@ -20,12 +21,12 @@ namespace glassbox::study::d07 {
 
 inline constexpr double kNear = 0.1, kDistance = 10;
 
-// The vertices' coordinates in the world are floats exactly (multiples of 1/8 below 2^21), and so is the eye: all errors are
-// the arithmetic's.
+// The eye and the vertices' world coordinates are exact floats (multiples of 1/8 below 2^21), so
+// that every error comes from the arithmetic.
 struct Field {
   exact::PythagoreanRotation eye_from_world;
   Vector<World, double> eye;
-  std::vector<Point<World>> points;  // 10 units along the gaze, give or take rounding to eighths
+  std::vector<Point<World>> points;  // 10 units away along the gaze, rounded to multiples of 1/8
 };
 
 inline double in_eighths(double x) {
@@ -72,12 +73,14 @@ inline Transform<Eye, World> view_of(const Field& field) {
 
 inline constexpr int kPointsOfField = 64;
 
-// The depth's error as a distance along the gaze: z^2 (f - n)/(f n) for each unit of depth.
+// Converts the depth's error to a distance along the gaze: z^2 (f - n)/(f n) for each unit of
+// depth.
 inline double distance_of(Depth depth) {
   return square(kDistance) / kNear * (depth == Depth::kStandard ? 1 - kNear / 1000 : 1);
 }
 
-// Adds the squares of the errors of the field's depths, of which `depth_of(i)` says what was made of vertex i.
+// Adds the squares of the errors of the field's depths; `depth_of(i)` returns the computed depth of
+// vertex i.
 template <class DepthOf>
 void add_squared_errors(const Field& field, Depth depth, const DepthOf& depth_of, double& sum) {
   using exact::Decimal;
@@ -93,7 +96,7 @@ void add_squared_errors(const Field& field, Depth depth, const DepthOf& depth_of
   }
 }
 
-// As a distance along the gaze, of `count` fields with that sum of squares.
+// The root mean square as a distance along the gaze, for `count` fields with this sum of squares.
 inline double rms_of(double squares, Depth depth, int count) {
   return std::sqrt(squares / (count * kPointsOfField)) * distance_of(depth);
 }

@@ -1,4 +1,5 @@
-// D-8: the normal of a polygon from three corners, from the best three, or from all of them.
+// Compares the normal of a polygon from three corners, from the best three, and from all of them
+// (D-8).
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -32,7 +33,8 @@ ExactVector first_corner(const FloatPolygon& p) {
   return widened(corner_normal(p, 1));
 }
 
-// The corner with the longest cross product. (Right for convex polygons only: a reflex corner points the other way.)
+// Uses the corner with the longest cross product. This is right for convex polygons only: a reflex
+// corner gives the opposite direction.
 ExactVector best_corner(const FloatPolygon& p) {
   Vector<Object> best(0, 0, 0);
   for (std::size_t i = 0; i < kPolygonCorners; ++i) {
@@ -42,7 +44,7 @@ ExactVector best_corner(const FloatPolygon& p) {
   return widened(best);
 }
 
-// Newell's sums over the coordinates as they are (S4.33).
+// Newell's sums over the unchanged coordinates (S4.33).
 ExactVector raw_newell(const FloatPolygon& p) {
   Vector<Object> m(0, 0, 0);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -54,7 +56,7 @@ ExactVector raw_newell(const FloatPolygon& p) {
   return widened(m);
 }
 
-// The pipeline's own: measured from the first corner.
+// The pipeline's own code: it measures from the first corner.
 ExactVector newell(const FloatPolygon& p) {
   return widened(newell_vector<float>(std::span<const Point<Object>>(p)));
 }
@@ -71,7 +73,7 @@ using Way = ExactVector (*)(const FloatPolygon&);
 
 using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
 
-// The angle itself is computed in double, so that what is exactly right may come out as 2^-53.
+// The angle itself is computed in double, so an exact result may appear as 2^-53.
 double rms_angle(Way way, MakeCase make, double parameter, int polygons) {
   double sum = 0;
   for (int i = 0; i < polygons; ++i) {
@@ -83,8 +85,9 @@ double rms_angle(Way way, MakeCase make, double parameter, int polygons) {
 
 // ---- the theory, all as root mean squares ----
 
-// Noise: Newell's vector of a polygon in the plane changes by the height of a corner times the vector between its two
-// neighbours, so that the normal tilts by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / |m|. Three corners are a polygon too.
+// Noise: a corner that moves out of the polygon's plane changes Newell's vector by its height times
+// the vector between its two neighbours. So the normal tilts by sigma sqrt(sum |p_(i+1) -
+// p_(i-1)|^2) / |m|. Three corners are a polygon too.
 double tilt_of_noise(std::span<const PlanePoint> p) {
   double across = 0, twice_area = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -101,7 +104,7 @@ double tilt_of_corner(const PlanePolygon& p, std::size_t middle) {
 double noisy_first(double bend) {
   return tilt_of_corner(bent_octagon(bend), 1);
 }
-// A corner that nothing bends.
+// Uses a corner that the bend does not change.
 double noisy_best(double bend) {
   return tilt_of_corner(bent_octagon(bend), 5);
 }
@@ -109,8 +112,10 @@ double noisy_all(double bend) {
   return tilt_of_noise(bent_octagon(bend));
 }
 
-// Roundings: sums and differences of two coordinates are exact on the grid, each product is rounded once and so is each
-// partial sum. Two of three components tilt the normal. `squares` of a polygon, of all three; the mean over the first hundred.
+// Rounding errors: sums and differences of two coordinates are exact on the grid; each product is
+// rounded once, and so is each partial sum. Two of three components tilt the normal. `squares`
+// returns the sum of squares over all three components of a polygon; the result is the mean over
+// the first hundred polygons.
 template <class Squares>
 double tilt_of_roundings(double offset, const Squares& squares) {
   double sum = 0;
@@ -119,12 +124,13 @@ double tilt_of_roundings(double offset, const Squares& squares) {
     sum += squares(far_case(std::uint64_t(i) + 1, offset).corners) * 2 / 3;
   return rms_rounding<float> * std::sqrt(sum / kPolygons);
 }
-// Coordinates have so few bits that their products and sums have no more than 24.
+// Whether coordinates have so few bits that their products and sums need at most 24.
 bool is_exact(double offset) {
   return 2 * (grid_bits(offset) + 3) <= 24;
 }
 
-// Newell's, relative to the length of the vector, measured from `origin`.
+// The squared rounding errors of Newell's sums, measured from `origin` and relative to the length
+// of the vector.
 double squares_of_sums(const FloatPolygon& p, const glm::dvec3& origin) {
   glm::dvec3 partial(0);
   double squares = 0;
@@ -147,7 +153,7 @@ double far_newell(double offset) {
   return tilt_of_roundings(
       offset, [](const FloatPolygon& p) { return squares_of_sums(p, glm::dvec3(to_glm(p[0]))); });
 }
-// A cross product: two products and their difference for each component.
+// A cross product has two products and their difference for each component.
 double far_cross(double offset) {
   if (is_exact(offset)) return 0;
   return tilt_of_roundings(offset, [](const FloatPolygon& p) {

@@ -1,4 +1,4 @@
-// The polygons of D-8, turned at random, and the normals that they should have.
+// The polygons of the normals experiment (D-8), turned at random, and the right normals.
 #pragma once
 
 #include <algorithm>
@@ -36,10 +36,10 @@ inline PlanePolygon regular_octagon() {
   return p;
 }
 
-// Its second corner is drawn in until it is `bend` away from the line between its neighbours.
+// The second corner is moved inwards until it is `bend` away from the line between its neighbours.
 inline PlanePolygon bent_octagon(double bend) {
   PlanePolygon p = regular_octagon();
-  const double cos = p[1].x, sin = p[1].y;  // the middle of the chord lies along the same ray
+  const double cos = p[1].x, sin = p[1].y;  // the middle of the chord is in the same direction
   const double chord = (p[0].x + p[2].x) / 2 * cos + (p[0].y + p[2].y) / 2 * sin;
   p[1] = {(chord + bend) * cos, (chord + bend) * sin};
   return p;
@@ -47,14 +47,15 @@ inline PlanePolygon bent_octagon(double bend) {
 
 struct NormalCase {
   FloatPolygon corners;
-  ExactVector normal;  // the one it should have
+  ExactVector normal;  // the right normal
 };
 
 inline ExactVector in_space(const glm::dmat3& turn, double x, double y, double z) {
   return ExactVector(turn * glm::dvec3(x, y, z));
 }
 
-// Corners off the plane by up to kNoise sqrt(3) either way: a deviation of kNoise. The plane's own normal is right.
+// Corners are moved out of the plane by up to kNoise sqrt(3) in both directions, which is a
+// standard deviation of kNoise. The plane's own normal is the right one.
 inline NormalCase noisy_case(std::uint64_t seed, double bend) {
   Random random(seed);
   const glm::dmat3 turn = rounded(exact::pythagorean_rotation(random));
@@ -69,7 +70,7 @@ inline NormalCase noisy_case(std::uint64_t seed, double bend) {
   return c;
 }
 
-// Newell's vector of the corners as they are.
+// Newell's vector of the unchanged corners.
 inline ExactVector exact_newell(const FloatPolygon& p) {
   using exact::Decimal;
   std::array<Decimal, 3> m;
@@ -86,15 +87,17 @@ inline ExactVector exact_newell(const FloatPolygon& p) {
   return {double(m[0]), double(m[1]), double(m[2])};
 }
 
-// How fine a grid floats have `offset` away, one bit to spare: differences and sums of two coordinates are exact.
+// The precision of floats at this offset, in bits after the binary point, with one bit to spare:
+// differences and sums of two coordinates are exact.
 inline int grid_bits(double offset) {
   int exponent = 0;
   std::frexp(2 * offset + 2, &exponent);
   return 23 - exponent;
 }
 
-// An octagon about 1 in radius, `offset` from the origin along a random direction. Rounding its corners would bend it, and
-// then no normal is right: they are whole multiples of two vectors of the grid that floats have there, and so remain in one
+// An octagon with a radius of about 1, `offset` away from the origin in a random direction.
+// Rounding its corners would bend it, and then no normal would be right. So each corner is an
+// integer combination of two vectors on the grid of the floats there, and all corners stay in one
 // plane.
 inline NormalCase far_case(std::uint64_t seed, double offset) {
   Random random(seed);

@@ -1,4 +1,4 @@
-// D-9: where back faces are found out, and whether anything is lost by finding them early.
+// Compares where back faces are detected, and whether early detection loses anything (D-9).
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -36,8 +36,9 @@ double wrongly_culled(const Surface& surface, const Test& test) {
   return count;
 }
 
-// The snap moves each coordinate by an error of variance q^2/12, q = 1/256 px, so that twice the area gets one of variance
-// q^2/12 times the sum of the squared edges. A face whose area is -a shows its front then with probability Phi(-a/sigma).
+// Snapping adds to each coordinate an error of variance q^2/12, q = 1/256 px, so twice the area
+// gets an error of variance q^2/12 times the sum of the squared edges. A face with the area -a then
+// shows its front with the probability Phi(-a/sigma).
 double chance_to_turn(const ScreenTriangle& t) {
   const auto edge = [&](std::size_t k) {
     const auto &a = t[k].position, &b = t[(k + 1) % 3].position;
@@ -51,14 +52,14 @@ double chance_to_turn(const ScreenTriangle& t) {
   return sigma > 0 ? 0.5 * std::erfc(area / sigma / std::sqrt(2.0)) : 0;
 }
 
-// The number of faces to expect.
+// The expected number of wrong faces.
 double predicted_wrong(const Surface& surface, const Test& test) {
   Keep keep(surface.modelled.size());
   test(surface, keep);
   double sum = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
     sum += keep[i] ? 0 : chance_to_turn(surface.placed[i]);
-  return std::round(sum);  // faces are whole
+  return std::round(sum);  // faces are counted in whole numbers
 }
 
 void cull_and_set_up(const Surface& surface, const Test& test, Keep& keep) {
@@ -129,8 +130,9 @@ std::shared_ptr<const Surface> framed(const Scene& scene) {
   return make_surface(scene, make_view(frame(scene, 1).value(), kSide, kSide).value());
 }
 
-// What a scanner makes of a smooth surface: an ellipsoid whose corners are off by up to a third of the way between two of them, so
-// that grazing faces turn at random and their neighbours' normals do not agree.
+// A smooth surface as a scanner gives it: an ellipsoid whose corners are moved by up to a third of
+// the distance between two of them, so that the facing of grazing faces is random and neighbouring
+// normals disagree.
 std::shared_ptr<const Surface> scan() {
   BenchScene bench = make_ellipsoid_scene("scan", kScannedGrid, kSide, kSide);
   const double noise = kPi / kScannedGrid.stacks / 3;
@@ -142,7 +144,8 @@ std::shared_ptr<const Surface> scan() {
   return make_surface(bench.scene, bench.passes.front().view);
 }
 
-// A mesh of 100,000 faces that somebody has made, where the working directory has one beside it: never needed.
+// A real mesh of 100,000 faces, used if the assets are beside the working directory; it is never
+// required.
 std::shared_ptr<const Surface> koala() {
   const char* path = "../shared/assets/meshes/obj/koala/koala.obj";
   if (!std::filesystem::exists(path)) return nullptr;

@@ -1,4 +1,5 @@
-// The back-face tests of D-9, on a closed surface that lies wholly in the picture.
+// The back-face tests that are compared (D-9), on a closed surface that is completely inside the
+// picture.
 #pragma once
 
 #include <algorithm>
@@ -24,18 +25,18 @@
 
 namespace glassbox::study::d09 {
 
-inline constexpr int kSide = 512;  // px
+inline constexpr int kSide = 512;  // in px
 
 using ObjectTriangle = std::array<Point<Object>, 3>;
 using ScreenTriangle = std::array<ScreenVertex, 3>;
 
-// A closed surface that lies wholly in the picture, carried to the screen.
+// A closed surface that is completely inside the picture, with its triangles on the screen.
 struct Surface {
   std::vector<ObjectTriangle> modelled;
   std::vector<ScreenTriangle> placed;
   Transform<Clip, Object> clip_from_object;
   ObjectViewer viewer;
-  double snapping_margin = 0;  // safe for every triangle of it
+  double snapping_margin = 0;  // large enough for all of its triangles
   Viewport viewport;
 };
 
@@ -59,7 +60,7 @@ inline void place(const Draw& draw, const View& view, Surface& surface) {
     surface.modelled.push_back(modelled);
     surface.placed.push_back(placed);
   }
-  // The snap moves by 2^-9 px; divide and viewport round by at most 3 u 512 px.
+  // Snapping moves a vertex by 2^-9 px; divide and viewport round by at most 3 u 512 px.
   constexpr double kDisplacement = 0x1p-9 + 3 * 0x1p-24 * kSide;
   surface.snapping_margin = snapping_margin(surface.clip_from_object, surface.viewer, view.viewport,
                                             largest_w * (1 + 0x1p-20), longest_edge, kDisplacement);
@@ -85,12 +86,12 @@ inline std::int64_t snapped_area(const ScreenTriangle& t) {  // positive: clockw
   return double_area(snap(t[0]), snap(t[1]), snap(t[2]));
 }
 
-// The snapped area alone decides (DESIGN 2): a front runs counter-clockwise.
+// The snapped area alone decides, as in the pipeline: a front face is counter-clockwise.
 inline bool shows_front(const ScreenTriangle& t) {
   return snapped_area(t) < 0;
 }
 
-// The same of exact integers that are none of the pipeline's.
+// The same with exact integers from code that is independent of the pipeline.
 inline bool shows_front_exactly(const ScreenTriangle& t) {
   __extension__ typedef __int128 Int128;
   return exact::turn<Int128>(exact::snapped(t)) < 0;
@@ -105,7 +106,7 @@ inline void keep_all(const Surface& surface, Keep& keep) {
   (void)surface;
 }
 
-// The slides' test in float: any vertex, the normal by a cross product (S4.29).
+// The test of the slides in float: any vertex, and the normal from a cross product (S4.29).
 inline void keep_by_dot(const Surface& surface, Keep& keep) {
   const auto& e = surface.viewer.eye_or_gaze;
   const Point<Object> eye(float(e.x), float(e.y), float(e.z));
@@ -119,18 +120,19 @@ inline void keep_by_area(const Surface& surface, Keep& keep) {
   for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = shows_front(surface.placed[i]);
 }
 
-// The filter in double, expansions where it cannot tell, and a margin for the snap.
+// The filter in double, exact expansions if it cannot decide, and a margin for snapping.
 inline void keep_by_exact_test(const Surface& surface, Keep& keep) {
   for (std::size_t i = 0; i < keep.size(); ++i)
     keep[i] = !certainly_back(test_back_face(surface.modelled[i], surface.viewer),
                               surface.snapping_margin);
 }
 
-// Neighbours in the mesh's order, in a ball, their normals in a cone.
+// Neighbouring triangles in the order of the mesh: they are inside a ball, and their normals are
+// inside a cone.
 struct Cluster {
   std::size_t first = 0, count = 0;
   Vector<Object, double> centre, axis;
-  double radius = 0, sine = 1;  // of the cone's half angle
+  double radius = 0, sine = 1;  // sine of the cone's half angle
 };
 inline constexpr std::size_t kClusterSize = 32;
 
@@ -170,8 +172,8 @@ inline std::vector<Cluster> make_clusters(const Surface& surface) {
   return clusters;
 }
 
-// A cluster is thrown away where the eye sees the back of every plane that its ball and cone allow: (c - eye) . axis >=
-// |c - eye| sin + r.
+// Rejects a cluster if the eye is behind every plane that its ball and cone allow: (c - eye) . axis
+// >= |c - eye| sin + r.
 inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& clusters,
                           Keep& keep) {
   for (const Cluster& cluster : clusters) {
@@ -184,11 +186,11 @@ inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& cl
 
 using Test = std::function<void(const Surface&, Keep&)>;
 
-// ---- filters: a bound says whether the value's sign is right, and expansions decide where it does not ----
+// ---- filters: a bound tells whether the value's sign is right; if not, expansions decide ----
 
 struct Filtered {
   bool back = false;
-  double bound = 0;  // of the error of (b - a) x (c - a) . (a - eye)
+  double bound = 0;  // bound for the error of (b - a) x (c - a) . (a - eye)
   bool used_exact = false;
 };
 using Filter = Filtered (*)(const ObjectTriangle&, const Vector<Object, double>& eye);
@@ -198,8 +200,9 @@ inline Filtered filter_in_double(const ObjectTriangle& t, const Vector<Object, d
   return {test.facing == Facing::kBack, test.bound, test.used_exact};
 }
 
-// In float, of an eye that is rounded to floats. Eight roundings on the way of each term: a difference in each of the three vectors,
-// two products, the difference of the two and two sums; gamma(8) times the sum of all terms taken positive, which is as rounded.
+// Computed in float, for an eye rounded to float. Each term has eight rounding errors: a difference
+// in each of the three vectors, two products, their difference, and two sums. So the bound is
+// gamma(8) times the sum of the sizes of all terms, which is itself rounded.
 inline Filtered filter_in_float(const ObjectTriangle& t, const Vector<Object, double>& eye) {
   const auto minus = [](const Point<Object>& p, const auto& q) {
     return std::array{p.x - float(q.x), p.y - float(q.y), p.z - float(q.z)};
@@ -219,9 +222,10 @@ inline Filtered filter_in_float(const ObjectTriangle& t, const Vector<Object, do
   return {filter_in_double(t, rounded).back, bound, true};
 }
 
-// The share of eyes, far away in all directions, from which a filter cannot tell: the cosine between normal and gaze is even in
-// [-1, 1], so that bound/(|normal| distance) of them are too near to the face's plane. That is rare; eyes are drawn from a slab
-// about the plane that is kSlab times as high, and what is found there counts for as much.
+// The share of eyes, far away in all directions, for which a filter cannot decide. The cosine
+// between normal and gaze is uniformly distributed in [-1, 1], so a share bound/(|normal| distance)
+// of the eyes is too near to the face's plane. That is rare, so eyes are drawn from a slab around
+// the plane that is kSlab times as high, and the result is weighted accordingly.
 struct Fallbacks {
   double measured = 0, expected = 0;
 };

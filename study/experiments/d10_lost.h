@@ -1,4 +1,5 @@
-// What D-10 draws, and what is lost of it where triangles are left out.
+// The scenes of the stereo-culling experiment (D-10), and what disappears from a picture if
+// triangles are left out.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,7 @@ namespace glassbox::study::d10 {
 
 // ---- what is lost ----
 
-// The scene of those triangles that are kept, each draw with a mesh of its own.
+// The scene with only the triangles that are kept; each draw has a mesh of its own.
 inline Scene subset(const Eyes& eyes, const std::vector<KeptOfDraw>& kept, bool left) {
   Scene scene = eyes.scene;
   scene.meshes.clear();
@@ -50,7 +51,7 @@ inline Framebuffer draw(const Scene& scene, const View& view) {
   return render_tiled(scene, view, distances_only(), {.threads = 1}).buffers;
 }
 
-// Per row and eye.
+// The number of lost pixels per row and eye.
 inline double lost_columns(const Eyes& eyes, const std::vector<KeptOfDraw>& kept) {
   double lost = 0;
   for (const bool left : {true, false}) {
@@ -72,7 +73,7 @@ inline View centre_view() {
   return make_view(camera, kWidth, kHeight).value();
 }
 
-// Thin upright strips, a quarter of a pixel wide, across more than the picture, `distance` away.
+// Thin upright strips, a quarter of a pixel wide, beyond both sides of the picture, at `distance`.
 inline Scene strips(double distance) {
   Scene scene;
   add_material(scene, "flat", {1, 1, 1, 1});

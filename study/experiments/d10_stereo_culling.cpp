@@ -1,4 +1,4 @@
-// D-10: by which frustum a pair of eyes culls, and what is lost.
+// Compares the frustum by which a stereo pair is culled, and what is lost (D-10).
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -22,7 +22,7 @@ namespace d10 {
 
 // ---- what is lost ----
 
-// One rectangle each: ground and sky, which are never wholly outside.
+// Ground and sky are single rectangles, which are never completely outside.
 bool is_backdrop(const Eyes& eyes, std::uint32_t id) {
   for (const Draw& draw : eyes.list.draws) {
     const std::uint32_t number = id - 1, count = draw.triangulation->numbered;
@@ -31,8 +31,8 @@ bool is_backdrop(const Eyes& eyes, std::uint32_t id) {
   return false;
 }
 
-// Pixels whose point the centre camera has beside its picture, by the parallax of their distance, backdrops left out; per row
-// and eye.
+// Counts the pixels whose point is outside the centre camera's picture, by the parallax of their
+// distance, without backdrops; per row and eye.
 double strip_columns(const Eyes& eyes) {
   double beside = 0;
   for (const bool left : {true, false}) {

@@ -1,4 +1,5 @@
-// The ways to cull of D-10: which triangles of a draw each submits, to the left eye and to the right one.
+// The ways to cull a stereo pair (D-10): which triangles of a draw each one submits to the left and
+// to the right eye.
 #pragma once
 
 #include <array>
@@ -19,9 +20,9 @@ struct Eyes {
   PreparedScene prepared;
   View centre, left, right;
   StereoPair pair;
-  DrawList list;  // of the centre
+  DrawList list;  // the draws of the centre camera
   std::vector<Draw> left_draws, right_draws;
-  // By draw: what the vertex stage makes of its positions.
+  // One entry per draw: the positions after the vertex stage.
   std::vector<ClipTable> centre_clip, left_clip, right_clip;
 };
 
@@ -44,7 +45,7 @@ inline std::shared_ptr<const Eyes> make_eyes(Scene scene, const View& centre,
   return eyes;
 }
 
-// ---- the ways to cull: which triangles of a draw are submitted, to the left eye and to the right one ----
+// ---- the ways to cull: the triangles of a draw that each eye gets ----
 
 using Kept = std::vector<std::uint8_t>;
 struct KeptOfDraw {
@@ -96,7 +97,8 @@ inline void cull_by_union(const Eyes& eyes, std::size_t draw, KeptOfDraw& kept) 
       [](const auto& codes) { return unseen_by_both(codes); }, kept.left);
 }
 
-// How far a ball's centre lies from a clip plane, in object space, less its radius: negative if all of it is outside.
+// The distance of a ball from a clip plane, in object space: that of its centre minus the radius.
+// It is negative if the whole ball is outside.
 inline double ball_distance(const ClipPlane& plane,
                             const Transform<Clip, Object, float>& clip_from_object,
                             const Vector<Object, double>& centre, double radius) {
@@ -110,7 +112,8 @@ inline double ball_distance(const ClipPlane& plane,
   return p[0] * centre.x + p[1] * centre.y + p[2] * centre.z + p[3] + radius * length;
 }
 
-// A ball about the box of the object, for all of its triangles at once; the rounding of the vertices is taken as 2^-16 of it.
+// Tests a ball around the object's bounding box, for all of its triangles at once; the rounding
+// error of the vertices is assumed to be 2^-16 of it.
 inline void cull_by_ball(const Eyes& eyes, std::size_t draw, KeptOfDraw& kept) {
   const Draw& d = eyes.list.draws[draw];
   const Box<Object>& box = d.prepared->bounds;

@@ -1,4 +1,4 @@
-// D-11's cards before a wall: a scene of which a warp's holes are known.
+// Cards in front of a wall (D-11): a scene for which the holes of a warp are known.
 #pragma once
 
 #include <array>
@@ -15,19 +15,20 @@ namespace glassbox::study::d11 {
 
 // ---- cards before a wall, all at distances whose parallax is a whole number of pixels ----
 //
-// Everything is made of cells of 4 x 4 px of the left picture, each of a colour of its own, so that a warp moves whole pixels
-// and errs in the holes alone. Their width is known: (W/2)(d/h) B (1/z_front - 1/z_back), the difference of the parallaxes.
+// Everything is made of cells of 4 x 4 px of the left picture, each with its own colour, so that a
+// warp moves whole pixels and has errors only in the holes. Their width is known: (W/2)(d/h) B
+// (1/z_front - 1/z_back), the difference of the parallaxes.
 
 inline constexpr int kWidth = 240, kHeight = 160, kCell = 4;
 inline constexpr double kWindow = 8;
 
 struct Card {
   int x, y, columns, rows;  // left picture, px, multiples of kCell
-  int parallax;             // px, at most 0: the wall's
+  int parallax;             // px, at most 0; the wall has 0
 };
 
-// Single cards leave holes that the wall fills from the second layer. Stacks of two with a common right edge leave some whose
-// wall is the third.
+// Single cards leave holes that the wall fills from the second layer. In some holes of stacks of
+// two cards with a common right edge, the wall is only in the third layer.
 inline std::vector<Card> cards() {
   std::vector<Card> all;
   for (int i = 0; i < 5; ++i) {
@@ -40,7 +41,8 @@ inline std::vector<Card> cards() {
   return all;
 }
 
-// 1/z = 1/f - p/(W (d/h) s) of parallax.h; d/h is the entry (0, 0) of the projection.
+// Inverts the formula in parallax.h: 1/z = 1/f - p/(W (d/h) s); d/h is the entry (0, 0) of the
+// projection.
 inline double distance_of(int parallax, const View& centre, const StereoPair& pair) {
   return 1 / (1 / pair.window -
               parallax / (kWidth * centre.clip_from_eye.at(0, 0) * pair.half_separation));
@@ -69,15 +71,16 @@ inline void add_cells(Mesh& mesh, const Card& card, const View& centre, const St
   }
 }
 
-// Pixels of the right picture that `layers` layers of the left one leave empty. A card shows `-parallax` columns of the wall
-// (or 4 of them of the card behind it, which is the second layer), beyond its right edge.
+// The number of pixels in the right picture that stay empty with `layers` layers of the left one.
+// Beyond its right edge, a card uncovers `-parallax` columns of the wall; in a stack, 4 of them
+// show the card behind, which is the second layer.
 inline double hole_pixels(int layers) {
   double pixels = 0;
   const std::vector<Card> all = cards();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Card& card = all[i];
     const bool stacked = i % 4 == 2, behind = i % 4 == 1;
-    // The front card's rows of the card behind are counted with the front card.
+    // Rows of the rear card that the front card also has are counted with the front card.
     const int rows = behind ? card.rows - all[i + 1].rows : card.rows;
     if (layers == 1) pixels += -card.parallax * rows;
     if (layers == 2 && stacked) pixels += 4 * card.rows;
@@ -85,8 +88,9 @@ inline double hole_pixels(int layers) {
   return pixels;
 }
 
-// Pixels that have another surface in the right picture than in the left one: what the cards cover in either. A stack's two cards cover
-// together what the one behind does.
+// The number of pixels that show another surface in the right picture than in the left one: those
+// that cards cover in either picture. The two cards of a stack together cover what the rear one
+// covers.
 inline double moved_pixels() {
   double pixels = 0;
   const std::vector<Card> all = cards();

@@ -1,7 +1,8 @@
-// Setting up a triangle for both eyes: what they share is computed once.
+// Sets up a triangle for both eyes; values that the eyes share are computed once.
 //
-// The eyes are apart along x alone (S0-03): a corner's y, depth and w are the same in both pictures, and with them the slopes of the
-// edges along x, the rows, and what is interpolated. x, the slopes along y, the area and the columns are each eye's own.
+// The eyes are separated along x only (S0-03). So a corner's y, depth and w are the same in both
+// pictures, and so are the slopes of the edges along x, the rows, and the interpolated values. Each
+// eye has its own x, slopes along y, area and columns.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace glassbox::study::d11 {
 
 using SetUp = std::optional<TriangleSetup>;
 
-// A triangle as both eyes have it on their screens.
+// A triangle on the screens of both eyes.
 struct PairTriangle {
   std::array<ScreenVertex, 3> left, right;
 };
@@ -32,7 +33,7 @@ inline std::array<SetUp, 2> set_up_each(const PairTriangle& t) {
   return {setup_triangle(t.left), setup_triangle(t.right)};
 }
 
-// As setup_triangle has it, with y, depth and w of the left eye for both.
+// The same result as setup_triangle, but y, depth and w of the left eye are used for both.
 class SharedSetup {
 public:
   explicit SharedSetup(const std::array<ScreenVertex, 3>& corners) : corners_(corners) {
@@ -55,7 +56,7 @@ public:
     TriangleSetup setup;
     setup.clockwise = area > 0;
     setup.double_area = setup.clockwise ? area : -area;
-    // Of corners as near, the first in the order of this eye.
+    // If several corners are nearest, the first one in the order of this eye is used.
     const std::size_t step = setup.clockwise ? 1 : 2;
     std::size_t first = nearest_;
     if (!setup.clockwise && nearest_ == 1 && corners_[2].position.z == corners_[1].position.z)
@@ -105,7 +106,7 @@ inline bool are_same(const SetUp& a, const SetUp& b) {
          a->bounds.y1 == b->bounds.y1;
 }
 
-// The triangles that no plane of either eye cuts.
+// The triangles that no clip plane of either eye cuts.
 inline std::vector<PairTriangle> pair_triangles(const d10::Eyes& eyes) {
   std::vector<PairTriangle> all;
   for (std::size_t i = 0; i < eyes.list.draws.size(); ++i) {

@@ -1,4 +1,5 @@
-// D-11: where a pair's second picture comes from: drawn, drawn together with the first, or warped from it.
+// Compares sources of a pair's second picture: drawn separately, drawn together with the first one,
+// or warped from it (D-11).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -51,7 +52,7 @@ Stage make_stage(std::string name, Scene scene, const View& centre, const Stereo
 
 struct Shown {
   Picture color;
-  Image<float> distance;  // infinite where nothing is
+  Image<float> distance;  // infinite for empty pixels
 };
 
 Shown shown(Framebuffer&& buffers) {
@@ -95,7 +96,7 @@ Shown warp_from_tiles(const Stage& s) {
 
 struct Way {
   const char* name;
-  int layers;  // that a warp has to take from; 0: no warp
+  int layers;  // number of layers that a warp uses; 0: no warp
   bool fill;
   bool exact;
   Shown (*right)(const Stage&);
@@ -122,11 +123,12 @@ constexpr const char* kSetup = "set-up";
 
 struct Errors {
   double rms = 0;        // in steps of 1/255, over red, green and blue
-  double holes = 0;      // of the pixels: where something should be, and nothing is
-  double disparity = 0;  // px: the largest error of the parallax of what is shown
+  double holes = 0;      // share of pixels that are empty but should not be
+  double disparity = 0;  // in px: the largest error of the parallax of visible pixels
 };
 
-// A float distance z is off by some units of its last place, and so its parallax, some 100 px/z, by less than this.
+// A float distance z has an error of a few units in its last place; the error of its parallax,
+// about 100 px/z, is smaller than this.
 constexpr double kLeastDisparity = 0x1p-12;
 
 double parallax_px(const Stage& s, float z) {
@@ -177,11 +179,13 @@ Stage card_stage() {
   return make_stage("cards before a wall", std::move(scene), centre, pair);
 }
 
-// Mean squares of bytes drawn evenly from 0 .. 255, and of the difference of two.
+// The mean square of uniformly random bytes in 0 .. 255, and that of the difference of two such
+// bytes.
 constexpr double kByteSquare = 255.0 * 511 / 6, kDifferenceSquare = (256.0 * 256 - 1) / 6;
 
-// Holes are black, or have the colour of another cell of the wall; what is elsewhere in the left picture has another cell's colour. The
-// wall is filled in where a card of 4 px more parallax is behind the front one.
+// Holes are black, or are filled with the colour of another cell of the wall; a pixel that shows
+// another surface in the left picture has another cell's colour. Where the rear card of a stack
+// should be visible, the filled hole shows the wall, whose parallax differs by 4 px.
 Errors predicted_on_cards(const Way& way) {
   constexpr double kPixels = kWidth * kHeight;
   if (way.exact) return {};
@@ -202,12 +206,12 @@ double square_of(const Rgba8& c) {
   return double(c.r) * c.r + double(c.g) * c.g + double(c.b) * c.b;
 }
 
-// What the left eye sees of a scene without a plan.
+// What the left eye sees, for a scene whose depths are not known by construction.
 struct LeftEye {
   std::vector<Layer> layers;
-  double mean_square = 0, variance = 0;  // of a byte of its picture, where something is
-  double opened = 0;      // columns that open beside edges in depth: a share of the picture
-  double parallaxes = 0;  // px from the nearest surface to the farthest
+  double mean_square = 0, variance = 0;  // of a byte of the picture, without empty pixels
+  double opened = 0;      // columns that become visible at depth edges, as a share of the picture
+  double parallaxes = 0;  // in px, from the nearest surface to the farthest
 };
 
 LeftEye seen_by_left_eye(const Stage& stage) {
@@ -215,10 +219,10 @@ LeftEye seen_by_left_eye(const Stage& stage) {
   const auto& [color, distance, depth, id] = seen.layers.front();
   double sum = 0, squares = 0, count = 0, near = HUGE_VAL, far = -HUGE_VAL;
   for (int y = 0; y < kHeight; ++y) {
-    double before = 0;  // the left border opens as an edge at the window would
+    double before = 0;  // the left border opens like an edge at the window's depth
     for (int x = 0; x < kWidth; ++x) {
       const float z = distance.at(x, y);
-      const double p = parallax_px(stage, z);  // of the sky, too
+      const double p = parallax_px(stage, z);  // also for the sky
       if (std::isfinite(z)) {
         const Rgba8& c = color.at(x, y);
         sum += c.r + c.g + c.b, squares += square_of(c), count += 3;
@@ -234,7 +238,7 @@ LeftEye seen_by_left_eye(const Stage& stage) {
   return seen;
 }
 
-// The share of a layer's pixels that have another one behind.
+// The share of a layer's pixels that have another layer behind them.
 double share_behind(const LeftEye& seen, std::size_t layer) {
   if (layer + 1 >= seen.layers.size()) return 0;
   const auto covered = [&](const Layer& each) {
@@ -244,12 +248,14 @@ double share_behind(const LeftEye& seen, std::size_t layer) {
   return covered(seen.layers[layer + 1]) / covered(seen.layers[layer]);
 }
 
-// Between many thin things a hole of the first layer shows, as anywhere in the left picture, the next layer, or the one after it. Holes
-// are black; filled ones, and what is seen in the left picture instead, have the colour of somewhere else.
+// Between many thin things, a hole of the first layer shows the next layer, or the one after it, as
+// often as any place of the left picture does. Holes are black; filled holes, and pixels that show
+// another surface in the left picture, have the colour of some other place.
 Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
   if (way.exact) return {};
   if (way.layers == 0) return {std::sqrt(2 * seen.variance), 0, seen.parallaxes};
-  // Of pixels thrown anywhere, one each, 1/e stay empty: no more do however far things move.
+  // If pixels are thrown at random places, 1/e of the places stay empty: the share of holes is not
+  // larger, however far things move.
   double share = std::min(seen.opened, std::exp(-1.0));
   for (int layer = 1; layer < way.layers; ++layer)
     share *= share_behind(seen, std::size_t(layer - 1));
@@ -257,7 +263,8 @@ Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
   return {std::sqrt(share * square), way.fill ? 0 : share, seen.parallaxes};
 }
 
-// Of 9858 pixels that one layer leaves open at 2 %, two leave 5893, and 4005 where back faces are culled.
+// With one layer at 2 %, 9858 pixels stay open; with two layers 5893, and 4005 with back-face
+// culling.
 const Finding kOwnBack{
     "a tree's second layer is its own back, which no hole shows; the third has what stands behind "
     "it, and fills more than other layers do",

@@ -1,4 +1,5 @@
-// D-12: ways to make an anaglyph: what they cost in colour, and what disturbs the eyes less for it.
+// Compares ways to make an anaglyph: their loss of colour, and how much less they disturb the eyes
+// in return (D-12).
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -38,7 +39,7 @@ struct Scenery {
   std::vector<Linear> colours;
 };
 
-// B.6's: white, grey, red, green, blue, yellow, cyan, magenta.
+// The colours white, grey, red, green, blue, yellow, cyan and magenta (B.6).
 Scenery eight_colours() {
   return {"eight colours",
           {{1, 1, 1},
@@ -95,7 +96,8 @@ Scenery leaves(Effort effort) {
                  [](const Linear& colour) { return colour; });
 }
 
-// Photographs lie beside the repository or nowhere: they are never needed, as leaves have their statistics.
+// Photographs are used if they are beside the repository. They are never required, because the
+// leaves picture has the same statistics.
 void add_photographs(Effort effort, std::vector<Scenery>& all) {
   for (const char* name : {"cones", "teddy"}) {
     const std::string path = fmt::format("../shared/assets/stereo/{}/im2.ppm", name);
@@ -112,7 +114,7 @@ double relative_luminance(const LightMatrix& lens, const Colour3& shown) {
   return times(lens, shown)[1] / times(lens, {1, 1, 1})[1];
 }
 
-// As Rivalry of rivalry.h has it, of any method.
+// Computed for any method, in the same way as Rivalry in rivalry.h.
 double mean_rivalry(const Show1& show, const Scenery& scenery) {
   const Colour3 white = show({1, 1, 1});
   const double left = relative_luminance(kRedLensLight, white),
@@ -124,7 +126,7 @@ double mean_rivalry(const Show1& show, const Scenery& scenery) {
                     relative_luminance(kCyanLensLight, shown) / right);
   }
   const double mean = sum / double(scenery.colours.size());
-  return mean < 0x1p-24 ? 0 : mean;  // colours are floats: this is their rounding
+  return mean < 0x1p-24 ? 0 : mean;  // colours are floats, so this is only their rounding error
 }
 
 double mean_difference(const Show1& show, const Scenery& scenery) {
@@ -139,7 +141,7 @@ double mean_difference(const Show1& show, const Scenery& scenery) {
 
 // ---- theory ----
 
-// Y_L/Y_Lw - Y_R/Y_Rw of a colour: linear in it where nothing is clamped.
+// Y_L/Y_Lw - Y_R/Y_Rw of a colour: linear in the colour unless values are clamped.
 double signed_rivalry(const Show1& show, const Linear& colour) {
   const auto share = [&](const LightMatrix& lens) {
     return relative_luminance(lens, show(colour)) / relative_luminance(lens, show({1, 1, 1}));
@@ -147,8 +149,8 @@ double signed_rivalry(const Show1& show, const Linear& colour) {
   return share(kRedLensLight) - share(kCyanLensLight);
 }
 
-// The mean of |x| of a normal x that has the mean and the deviation of a . c over the scenery, where a is what the channels have each by
-// itself.
+// The mean of |x| for a normally distributed x, with the mean and the deviation that a . c has over
+// the scenery, where a has the values of each channel alone.
 double predicted_rivalry(const Show1& show, const Scenery& scenery) {
   const Colour3 a{signed_rivalry(show, {1, 0, 0}), signed_rivalry(show, {0, 1, 0}),
                   signed_rivalry(show, {0, 0, 1})};
@@ -159,7 +161,7 @@ double predicted_rivalry(const Show1& show, const Scenery& scenery) {
     squares += x * x / double(scenery.colours.size());
   }
   const double deviation = std::sqrt(std::max(0.0, squares - mean * mean));
-  if (squares < 0x1p-48) return 0;  // the rounding of floats, as in mean_rivalry
+  if (squares < 0x1p-48) return 0;  // the rounding error of floats, as in mean_rivalry
   if (deviation == 0) return std::abs(mean);
   const double z = mean / deviation;
   return deviation * kMeanOfNormal * std::exp(-z * z / 2) + mean * std::erf(z / std::sqrt(2.0));
@@ -171,7 +173,7 @@ struct Method {
   std::string series;
   AnaglyphMethod method;
   Recolour recolour;
-  double rivalry = 0;  // of the eight colours, SPEC B.6
+  double rivalry = 0;  // of the eight colours (B.6)
 };
 
 std::vector<Method> methods(Effort effort) {
@@ -212,8 +214,9 @@ std::function<void(int)> work_of(const Method& method, const std::shared_ptr<con
   };
 }
 
-// Luminance of the other eye's channels through the lens over that of its own: red against cyan, .0136/.0876 and .0176/.3865. The
-// true anaglyph shows the right eye blue alone: .0018/.0876 and .0176/.0777.
+// The luminance of the other eye's channels through a lens, divided by that of the eye's own
+// channels: for red and cyan .0136/.0876 and .0176/.3865. The true anaglyph shows the right eye
+// only blue: .0018/.0876 and .0176/.0777.
 void add_ghosts(const Method& method, double parameter, const Viewing& viewing,
                 std::vector<Configuration>& all) {
   if (method.recolour.desaturate != 0) return;
@@ -246,7 +249,7 @@ std::vector<Configuration> configurations(Effort effort) {
       if (&scenery == &sceneries.front()) {
         predicted = method.rivalry;
       } else if (method.recolour.desaturate != 0) {
-        // Linear in the colour, and greys have none (S0-15).
+        // Rivalry is linear in the colour, and greys have none (S0-15).
         const double plain = mean_rivalry(by_matrix(seen.matrix, {}), scenery);
         predicted = plain * (1 - method.recolour.desaturate) * (1 - method.recolour.brighten);
       }
@@ -260,8 +263,8 @@ std::vector<Configuration> configurations(Effort effort) {
     }
     add_ghosts(method, mean_difference(show, sceneries.front()), seen, all);
   }
-  // One eye's goal is away from the other's by what the colour method leaves between them, and the least sum of two squares lies
-  // half way.
+  // The two eyes' goals are apart by the difference that the colour method leaves between them. The
+  // least sum of the two squared distances is at the midpoint.
   const Show1 optimum = LabOptimum();
   const Show1 colour = by_matrix(viewing(AnaglyphMethod::kMask).value().matrix, {});
   for (const Scenery& scenery : sceneries) {

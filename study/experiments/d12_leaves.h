@@ -1,8 +1,10 @@
-// A picture with the statistics of photographs, made of nothing but numbers (D-12).
+// A picture with the statistics of photographs that is computed from random numbers only (D-12).
 //
-// Dead leaves (Matheron 1968; Lee, Mumford and Huang 2001): discs that fall on each other, their radii r as r^-3, so that the picture looks
-// the same at every scale: edges are rare and sharp, surfaces between them plain. Colours as Ruderman, Cronin and Chiao (1998) found
-// them outdoors: light is log-normal, and varies several times as much as yellow to blue, and that as red to green.
+// Dead leaves (Matheron 1968; Lee, Mumford and Huang 2001): discs that fall on each other, with
+// radii r distributed as r^-3, so that the picture looks the same at every scale: edges are rare
+// and sharp, and surfaces between them are plain. The colours have the distribution that Ruderman,
+// Cronin and Chiao (1998) found outdoors: light is log-normal and varies several times as much as
+// yellow to blue, which in turn varies several times as much as red to green.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +17,11 @@
 
 namespace glassbox::study::d12 {
 
-// Linear light. Radii of 1 px to half the width.
+// In linear light. Radii are from 1 px to half the width.
 inline Image<Linear> make_leaves(int width, int height, std::uint64_t seed) {
   constexpr double kLight = 0.8, kYellowBlue = 0.25, kRedGreen = 0.12, kMiddle = 0.18;
   Random random(seed);
-  // Three even numbers have the deviation 1 and nearly a normal distribution.
+  // The sum of three uniform numbers has a standard deviation of 1 and is nearly normal.
   const auto normal = [&] {
     double sum = 0;
     for (int i = 0; i < 3; ++i) sum += random.between(-1, 1);
@@ -29,14 +31,14 @@ inline Image<Linear> make_leaves(int width, int height, std::uint64_t seed) {
   Image<Linear> picture(width, height, Linear{});
   Image<std::uint8_t> covered(width, height, 0);
   int left = width * height;
-  // The first disc lies on top: a pixel that has a colour keeps it.
+  // The first disc is on top: a pixel that has a colour keeps it.
   while (left > 0) {
     const double u = random.unit();
     const double radius = 1 / std::sqrt(u / (least * least) + (1 - u) / (most * most));
     const double x = random.between(-most, width + most), y = random.between(-most, height + most);
     const double light = std::log(kMiddle) + kLight * normal(), yellow = kYellowBlue * normal(),
                  red = kRedGreen * normal();
-    // Steps of 2^-12, as exp's last digit is its library's own.
+    // Rounds to steps of 2^-12, because the last digit of exp differs between libraries.
     const auto channel = [&](double logarithm) {
       return float(std::min(1.0, std::floor(std::exp(light + logarithm) * 0x1p12 + 0.5) * 0x1p-12));
     };

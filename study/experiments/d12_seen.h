@@ -1,4 +1,5 @@
-// What D-12's glasses make of a shown colour, and the methods that choose what is shown.
+// Computes how a shown colour looks through red and cyan glasses, and the methods that choose the
+// shown colours (D-12).
 #pragma once
 
 #include <algorithm>
@@ -39,8 +40,8 @@ inline LightMatrix inverse(const LightMatrix& m) {
   return adjugate;
 }
 
-// The colour that lens light stands for: X, Y, Z, each relative to what the lenses show of white, as the screen without
-// glasses would have to show it (von Kries).
+// The colour that belongs to the light behind a lens: X, Y, Z, each relative to the value for white
+// through the lenses, as a screen without glasses would have to show it (von Kries).
 class SeenThrough {
 public:
   explicit SeenThrough(const LightMatrix& lens)
@@ -62,7 +63,7 @@ private:
   Colour3 white_, screen_white_;
 };
 
-// Both lenses' light together: what the two eyes make of it.
+// The light of both lenses together, which is the colour that the two eyes combine.
 inline LightMatrix both_lenses() {
   LightMatrix sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -73,7 +74,7 @@ inline LightMatrix both_lenses() {
 
 // ---- methods ----
 
-// The linear light that is shown for a colour that both eyes have.
+// Returns the linear light that is shown for a colour that both eyes have.
 using Show1 = std::function<Colour3(const Linear&)>;
 
 inline Colour3 in_double(const Linear& c) {
@@ -95,8 +96,9 @@ inline double distance2(const Lab& a, const Lab& b) {
   return square(a.l - b.l) + square(a.a - b.a) + square(a.b - b.b);
 }
 
-// The shown colour that comes nearest to the wanted one in CIELAB, to each eye through its own lens (McAllister, Zhou and
-// Sullivan 2010): the sum of both squared distances, by a search with halving steps from the wanted colour itself.
+// The shown colour that is nearest to the wanted one in CIELAB, for each eye through its own lens
+// (McAllister, Zhou and Sullivan 2010): minimizes the sum of both squared distances by a search
+// with halving steps, starting at the wanted colour itself.
 class LabOptimum {
 public:
   Colour3 operator()(const Linear& colour) const {

@@ -1,4 +1,4 @@
-// How far a matrix of D-13 is from a rotation.
+// Measures how far a matrix is from a rotation (D-13).
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace glassbox::study {
 
-// R R^T - I, in twice the digits: of doubles, every product is split into its rounded value and the rest (fma).
+// An entry of R R^T - I with twice the digits of double: every product is split into its rounded
+// value and the rest (fma).
 inline double exact_dot(const std::array<double, 3>& a, const std::array<double, 3>& b,
                         double minus) {
   double sum = -minus, rest = 0;
@@ -18,7 +19,7 @@ inline double exact_dot(const std::array<double, 3>& a, const std::array<double,
     const double product = a[k] * b[k];
     rest += std::fma(a[k], b[k], -product);
     const double next = sum + product;
-    // Knuth's sum: what the addition lost.
+    // Knuth's sum: the part that the addition lost.
     const double shown = next - sum;
     rest += (sum - (next - shown)) + (product - shown);
     sum = next;

@@ -1,4 +1,4 @@
-// D-13: a rotation that is turned a little further, a million times.
+// Compares ways to turn a rotation a little further, a million times (D-13).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,8 @@ namespace d13 {
 
 // ---- the error ----
 
-// The largest of all moments, looked at a thousand times and just before renormalisations.
+// The largest defect over the whole run, measured a thousand times and just before
+// renormalisations.
 template <class Way>
 double largest_defect(int every, int steps) {
   Way way(every);
@@ -32,8 +33,9 @@ double largest_defect(int every, int steps) {
 
 // ---- the theory ----
 
-// R' = R S with S rounded: R S S^T R^T = R (I + E) R^T, and R E R^T is added at each step. R turns about the step's own axis
-// a, so that over a turn only what that leaves alone remains of E: p = a^T E a along the axis, and (trace E - p)/2 across.
+// R' = R S with a rounded S: R S S^T R^T = R (I + E) R^T, so each step adds R E R^T. R turns about
+// the step's own axis a, so over a full turn only the part of E that this rotation does not change
+// remains: p = a^T E a along the axis, and (trace E - p)/2 across it.
 template <class T>
 double drift_of_step() {
   const RotationMatrix<double> e = defect(step_matrix<T>());
@@ -46,20 +48,23 @@ double drift_of_step() {
   return std::sqrt(square(along) + 2 * square(across));
 }
 
-// A step rounds products and sums, 8/3 in squares for each entry. All entries of a rotation rounded once by rms 0.42 u are
-// 3.1 times that in R R^T - I (the mean fourth power of an entry is 1/5).
+// A step rounds products and sums, 8/3 in squares for each entry. If all entries of a rotation are
+// rounded once by rms 0.42 u, the error of R R^T - I is 3.1 times that (the mean fourth power of an
+// entry is 1/5).
 template <class T>
 double walk_squared(int steps) {
   return square(3.1 * rms_rounding<T>) * 8 / 3 * steps;
 }
-// What Gram and Schmidt leave, counted in the same way: both normalised rows have a length off by 1.5 roundings (divisions,
-// root, sum of squares), 2.9 in the diagonal, and the cross product has both of these and its own; with the six entries beside
-// the diagonal 48 in squares.
+// The error that Gram and Schmidt's method leaves, counted in the same way: the lengths of both
+// normalised rows have an error of 1.5 rounding errors (divisions, root, sum of squares), 2.9 in
+// the diagonal; the cross product has both of these and its own. With the six entries beside the
+// diagonal this gives 48 in squares.
 template <class T>
 double renormalised_squared() {
   return 48 * square(rms_rounding<T>);
 }
-// The largest of a thousand sums of three squares: where their distribution's 0.999 is, 16.3, over its mean.
+// The largest of a thousand sums of three squares: the 0.999 quantile of their distribution, 16.3,
+// divided by its mean.
 const double kLargestOfMany = std::sqrt(16.3 / 3);
 
 template <class T>
@@ -70,9 +75,10 @@ double predict_product(int every, int steps) {
          kLargestOfMany * std::sqrt(renormalised_squared<T>() + walk_squared<T>(carried));
 }
 
-// A normalised quaternion's length is off by 1.41 roundings (0.5 + 1 + 0.5 in squares: divisions, root, half of the sum).
-// Its matrix, I + |q|^2 (R - I) for a length near 1, is off by twice that times R - I, and R R^T - I by 2 (2 I - R - R^T) of it:
-// 8 sqrt 2 after half a turn. The largest deviation of the few hundred looks near there is 2.5 times the rms.
+// The length of a normalised quaternion has an error of 1.41 rounding errors (0.5 + 1 + 0.5 in
+// squares: divisions, root, half of the sum). For a length near 1 its matrix, I + |q|^2 (R - I),
+// has twice that error times R - I, and R R^T - I has 2 (2 I - R - R^T) times it: 8 sqrt 2 after
+// half a turn. The largest error in the few hundred samples near there is 2.5 times the rms.
 double predict_quaternion(int, int) {
   return 8 * std::sqrt(2.0) * 1.41 * 2.5 * rms_rounding<float>;
 }

@@ -1,4 +1,4 @@
-// The ways of D-13 to turn a rotation a little further at every step.
+// The ways to turn a rotation a little further at every step (D-13).
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 namespace glassbox::study {
 
 template <class T>
-using RotationMatrix = std::array<std::array<T, 3>, 3>;  // [row][column]
+using RotationMatrix = std::array<std::array<T, 3>, 3>;  // indexed [row][column]
 
 inline constexpr double kStepRadians = 0.01;
 
-// A hundredth of a radian about an axis that no coordinate axis is near.
+// A turn of a hundredth of a radian about an axis that is not near any coordinate axis.
 inline glm::dmat4 step_rotation() {
   return affine::rotation({1, 2, 3}, degrees_from_radians(kStepRadians)).value();
 }
@@ -42,7 +42,8 @@ RotationMatrix<T> operator*(const RotationMatrix<T>& a, const RotationMatrix<T>&
 
 // ---- the ways ----
 
-// The product as it comes, its rows made orthonormal again after every so many steps (Gram and Schmidt); 0: never.
+// The plain product; its rows are made orthonormal again after every `every` steps (Gram and
+// Schmidt), or never if it is 0.
 template <class T>
 class RotationProduct {
 public:
@@ -52,7 +53,7 @@ public:
     r_ = r_ * step_;
     if (every_ != 0 && ++since_ == every_) renormalise();
   }
-  // How far the next renormalisation finds it: the last moment before.
+  // Whether the error is largest now: in the last moment before the next renormalisation.
   bool is_worst() const { return every_ == 0 || since_ == every_ - 1; }
   const RotationMatrix<T>& matrix() const { return r_; }
 
@@ -76,7 +77,7 @@ private:
   RotationMatrix<T> r_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
-// A quaternion, normalised at every step, made into a matrix where one is wanted.
+// A quaternion that is normalised at every step and converted to a matrix on request.
 class RotationQuaternion {
 public:
   explicit RotationQuaternion(int) {

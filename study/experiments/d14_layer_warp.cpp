@@ -1,4 +1,5 @@
-// D-14: where the samples of a layered depth image come to: by products, by additions, in float, fixed point and double.
+// Compares ways to compute where the samples of a layered depth image are warped: by products or by
+// additions, in float, fixed point and double (D-14).
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -16,8 +17,8 @@ namespace d14 {
 
 constexpr const char* kMoved = "moved";
 
-// About 111,600 samples in 90,000 pixels: 1.24 for each, as the slides have it (S1-12). One image for each width, seen from several
-// places.
+// About 111,600 samples in 90,000 pixels, 1.24 per pixel as on the slides (S1-12). There is one
+// image for each width, seen from several places.
 struct Stage {
   views::LayeredImage image;
   std::vector<Eigen::Matrix4d> warps;
@@ -59,7 +60,8 @@ Stage make_stage(int width, int eyes) {
 
 // ---- errors ----
 
-// `value` minus the product of a row with (x, y, z, 1), to twice the digits of double: what each product and each sum lose is kept.
+// `value` minus the product of a row with (x, y, z, 1), with twice the digits of double: the part
+// that each product and each sum loses is kept.
 double beyond(double value, const Eigen::RowVector4d& row, double x, double y, double z) {
   double sum = value, rest = 0;
   const auto take_away = [&](double a, double b) {
@@ -77,8 +79,8 @@ double beyond(double value, const Eigen::RowVector4d& row, double x, double y, d
 }
 
 struct Errors {
-  double rms = 0;    // px, of both coordinates, before the division
-  double moved = 0;  // share of the samples
+  double rms = 0;    // in px, over both coordinates, before the division
+  double moved = 0;  // share of the samples that reach another pixel
 };
 
 template <class Way>
@@ -137,7 +139,7 @@ void add_way(const char* name, const std::shared_ptr<const Stage>& stage,
     mean.moved += one.moved / eyes;
   }
   const double samples = double(stage->image.samples()) * eyes;
-  // A share of which not a hundredth of a sample is expected is none.
+  // If not even a hundredth of a sample is expected to move, the share counts as 0.
   if (mean.moved * samples < 0.01) mean.moved = 0;
   const auto errors = once([stage] { return errors_of<Way>(*stage); });
   all.push_back({.series = name,

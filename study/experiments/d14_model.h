@@ -1,5 +1,6 @@
-// What D-14's ways are likely to be off by: each rounding within half a unit of the last place, evenly, and the same one again where the
-// same is added again to numbers of the same size.
+// Predicts the errors of the ways to warp samples (D-14). Each rounding error is uniformly
+// distributed within half a unit in the last place; it repeats if the same step is added again to a
+// number of the same size.
 #pragma once
 
 #include <algorithm>
@@ -13,24 +14,24 @@
 
 namespace glassbox::study::d14 {
 
-// The unit in the last place of T at a value.
+// The unit in the last place of a value in T.
 template <class T>
 double unit_at(double value) {
   return double(ulp(T(value)));
 }
-// Mean square of one rounding to T.
+// The mean square of one rounding error in T.
 template <class T>
 double rounding_at(double value) {
   return square(rms_of_step(unit_at<T>(value)));
 }
 
-// One coordinate along a row: a sum to which the same step is added again and again. Within a power of two each addition is rounded by
-// the same amount, so that n of them are off by n times as much; from one power of two to the next the amounts have nothing to do with
-// each other.
+// One coordinate along a row: a sum to which the same step is added repeatedly. Within a power of
+// two each addition has the same rounding error, so n of them have n times that error; the errors
+// in different powers of two are independent.
 template <class T>
 class Drift {
 public:
-  // A start that is off by `variance`.
+  // Starts with a value whose error has this variance.
   void begin(double value, double step, double variance = 0) {
     value_ = value, step_ = step, before_ = variance + rounding_at<T>(value);
     steps_ = alike_ = 0;
@@ -45,7 +46,7 @@ public:
       alike_ = 0;
       unit_ = unit;
     }
-    // A step that the sum can hold is added without rounding.
+    // A step that is a multiple of the sum's last unit is added without rounding.
     alike_ += std::remainder(double(T(step_)), unit) == 0 ? 0 : 1;
   }
   double value() const { return value_; }
@@ -66,7 +67,7 @@ double with_depth(double start, double start_variance, double depth, double z) {
          rounding_at<T>(start + z * depth);
 }
 
-// Mean squares of the error of one coordinate of a sample, for each way.
+// The mean squares of the error of one coordinate of a sample, for each way.
 template <class Way>
 struct Model;
 
@@ -142,7 +143,8 @@ private:
   int x_ = 0, y_ = 0;
 };
 
-// `kPlace` for x and y: the rounded step is added x times, the start, the column of depth and the product are rounded once.
+// `kPlace` for x and y: the rounded step is added x times; the start, the column of depth and the
+// product are rounded once.
 template <>
 struct Model<FixedPoint> {
   using Number = double;
@@ -161,18 +163,19 @@ private:
 };
 
 struct Predicted {
-  double mean_square = 0;  // px^2: of both coordinates, before the division
-  double moved = 0;        // share of the samples that come to another pixel
+  double mean_square = 0;  // px^2, over both coordinates, before the division
+  double moved = 0;        // share of the samples that reach another pixel
 };
 
-// How likely a coordinate comes to another pixel, if it lies anywhere in its own and its error e is normal: E min(1, |e|).
+// The probability that a coordinate reaches another pixel, if it is anywhere in its own pixel and
+// its error e is normally distributed: E min(1, |e|).
 inline double share_moved(double deviation) {
   const double pixel = 1 / deviation;
   return std::erfc(pixel / std::numbers::sqrt2) +
          kMeanOfNormal * deviation * -std::expm1(-pixel * pixel / 2);
 }
 
-// Over rows `every` apart of one warp; the error of a coordinate is (dX - x dW)/w.
+// Averages over every `every`-th row of one warp; the error of a coordinate is (dX - x dW)/w.
 template <class Way>
 Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, int every) {
   Predicted sum;
@@ -199,7 +202,7 @@ Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, in
              {std::pair(at.x() / w, x_of.variance(z)), std::pair(at.y() / w, y_of.variance(z))}) {
           const double before = (variance + square(place_px) * of_w) / square(w);
           sum.mean_square += before;
-          // The inverse of w and the product are rounded, too.
+          // The inverse of w and the product are rounded as well.
           const double after =
               before + rounding_at<T>(place_px) + square(place_px * w) * rounding_at<T>(1 / w);
           sum.moved += share_moved(std::sqrt(after));

@@ -1,4 +1,5 @@
-// D-14's ways to warp the samples of a layered depth image, row by row: start + z depth, and where start comes from (S1-08).
+// The ways to warp the samples of a layered depth image row by row (D-14): all compute start + z
+// depth (S1-08), but compute start in different ways.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace glassbox::study::d14 {
 
-// x w, y w and w in pixels of the other picture; z w is left to whoever draws.
+// x w, y w and w in pixels of the other picture; the caller that draws uses z w.
 template <class T>
 struct Warped {
   T x, y, z, w;
@@ -51,10 +52,10 @@ private:
   T x_ = 0, y_ = 0;
 };
 
-constexpr int kLine = 1 << 30;  // anew at each row
-constexpr int kNever = 0;       // rows follow from each other, too
+constexpr int kLine = 1 << 30;  // computed anew at each row
+constexpr int kNever = 0;       // rows also follow from each other
 
-// One step more for each pixel; begun anew every `Anchor` pixels.
+// Adds one step per pixel, and starts again from an exact value every `Anchor` pixels.
 template <class T, int Anchor>
 class Additions {
 public:
@@ -64,7 +65,7 @@ public:
         up_(T(-1) * column<T>(m, 1)),
         depth_(column<T>(m, 2)),
         row_(start_at<T>(m, 0, bottom)) {}
-  // Rows come from the bottom to the top.
+  // Rows are visited from bottom to top.
   void begin_row(int y) {
     y_ = y, x_ = 0;
     if constexpr (Anchor == kNever) {
@@ -88,7 +89,8 @@ private:
   int x_ = 0, y_ = 0;
 };
 
-// So many steps beyond a start that is computed anew every 64 pixels, in one product: what views/layers does.
+// Adds a multiple of the step, in one product, to a start that is computed anew every 64 pixels;
+// views/layers does the same.
 class Multiples {
 public:
   static constexpr int kAnchor = 64;
@@ -111,7 +113,8 @@ private:
   int x_ = 0, y_ = 0;
 };
 
-// Whole numbers: x w and y w in 2^-17 px, w and z w in 2^-27, depth in 2^-24. Additions are exact; the step is not.
+// Integers: x w and y w in units of 2^-17 px, w and z w in 2^-27, depth in 2^-24. Additions are
+// exact; the step is not.
 class FixedPoint {
 public:
   static constexpr double kPlace = 0x1p-17, kShare = 0x1p-27, kDepth = 0x1p-24;
@@ -140,7 +143,7 @@ private:
   Fixed right_, depth_, start_{};
 };
 
-// Calls visit(x, y, sample, where it comes to) for all samples in the packed order.
+// Calls visit(x, y, sample, warped place) for all samples in packed order.
 template <class Way, class Visit>
 void warp_all(const views::LayeredImage& image, const Eigen::Matrix4d& matrix, Visit&& visit) {
   const int width = image.camera.width, height = image.camera.height;

@@ -1,7 +1,8 @@
-// What D-15's footprints make of colours that have nothing to do with each other: each is a filter, and known by its weights.
+// Predicts the errors of sample footprints for colours that are independent of each other (D-15):
+// each footprint is a filter that is described by its weights.
 //
-// With colours c of mean m and variance s, independent from sample to sample, a sum of d c has the mean square s sum(d^2) + m^2 (sum d)^2.
-// Errors and differences between neighbours are such sums.
+// If the colours c of the samples are independent with mean m and variance s, a sum of d c has the
+// mean square s sum(d^2) + m^2 (sum d)^2. Errors and differences between neighbours are such sums.
 #pragma once
 
 #include <map>
@@ -12,7 +13,7 @@
 
 namespace glassbox::study::d15 {
 
-// Weights of samples (i, j) in a pixel; i to the right, j down.
+// The weights of samples (i, j) in a pixel; i counts to the right, j downwards.
 using Weights = std::map<std::pair<int, int>, double>;
 
 inline Weights minus(Weights a, const Weights& b) {
@@ -27,11 +28,11 @@ inline double mean_square(const Weights& differences) {
   return kVariance * squares + kMean * kMean * sum * sum;
 }
 
-// Where a sample comes to.
+// The place of a sample in the other picture.
 inline std::pair<double, double> place_of(int i, int j, const Magnification& m) {
   return {(i + 0.5) * m.x, (j + 0.5) * m.y};
 }
-// Samples that may reach a pixel, bottom row first, as they are drawn.
+// Visits the samples that may reach a pixel, bottom row first, in the order of drawing.
 template <class Visit>
 void visit_near(int u, int v, const Magnification& m, Visit&& visit) {
   constexpr int kReach = 8;
@@ -41,7 +42,7 @@ void visit_near(int u, int v, const Magnification& m, Visit&& visit) {
   }
 }
 
-// The first whose square (x - side/2, x + side/2] has the pixel's middle.
+// The first sample whose square (x - side/2, x + side/2] contains the pixel's centre.
 inline Weights weights_in(int u, int v, const Magnification& m, const Square& square) {
   Weights found;
   visit_near(u, v, m, [&](int i, int j) {
@@ -88,7 +89,7 @@ inline Weights weights_in(int u, int v, const Magnification& m, const Gaussian& 
   return normalised(std::move(found));
 }
 
-// What is there: how much of the pixel each sample's own pixel covers.
+// The true weights: how much of the pixel is covered by each sample's own pixel.
 inline Weights truth_in(int u, int v, const Magnification& m) {
   Weights found;
   visit_near(u, v, m, [&](int i, int j) {
@@ -102,13 +103,14 @@ inline Weights truth_in(int u, int v, const Magnification& m) {
 }
 
 struct Expected {
-  double holes = 0;          // a share of the pixels
+  double holes = 0;          // as a share of the pixels
   double mean_square = 0;    // of the error of a channel, (1/255)^2
   double gradient = 0;       // mean square of the difference to the pixel on the right
-  double true_gradient = 0;  // the same of what is there
+  double true_gradient = 0;  // the same for the true picture
 };
 
-// Over all places that a pixel can have to the samples: four pixels or the next multiple of both steps.
+// Averages over all positions of a pixel relative to the samples; they repeat after four pixels or
+// the next multiple of both steps.
 template <class Footprint>
 Expected expect(const Magnification& m, const Footprint& footprint) {
   const int period = 8;
@@ -120,7 +122,7 @@ Expected expect(const Magnification& m, const Footprint& footprint) {
       const Weights next = weights_in(u + 1, v, m, footprint), beyond = truth_in(u + 1, v, m);
       mean.holes += here.empty() ? share : 0;
       mean.mean_square += share * d15::mean_square(minus(here, there));
-      // A mean of several bytes is rounded to one.
+      // The mean of several bytes is rounded to a byte.
       if (here.size() > 1) mean.mean_square += share / 12;
       mean.gradient += share * d15::mean_square(minus(next, here));
       mean.true_gradient += share * d15::mean_square(minus(beyond, there));

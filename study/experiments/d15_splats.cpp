@@ -1,4 +1,4 @@
-// D-15: how large a sample of a layered depth image is drawn, and as what.
+// Compares sizes and shapes in which a sample of a layered depth image is drawn (D-15).
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -16,8 +16,9 @@ namespace d15 {
 
 constexpr const char *kRms = "rms", *kPsnr = "PSNR", *kSharpness = "sharpness";
 
-// A wall of n x n samples of independent colours, one behind each pixel of a parallel camera, and the same seen m times as large: nothing
-// but sampling is at work, and every pixel's place among the samples repeats.
+// A wall of n x n samples with independent colours, one behind each pixel of a parallel camera, and
+// the same wall magnified m times. So only sampling matters, and the positions of pixels relative
+// to the samples repeat.
 struct Stage {
   std::string name;
   Magnification m;
@@ -26,7 +27,7 @@ struct Stage {
 };
 
 Stage make_stage(int samples, double times, bool tilted) {
-  // Seen by the first eye at 60 degrees, the wall is 1/cos 60 = 2 times as wide.
+  // The first eye sees the wall at 60 degrees, so it is 1/cos 60 = 2 times as wide.
   const Magnification m{tilted ? 2 * times : times, times, times};
   Stage stage{tilted ? "wall at 60 degrees" : "wall", m, {}, {}};
   views::LayerCamera from;
@@ -45,16 +46,16 @@ Stage make_stage(int samples, double times, bool tilted) {
 // ---- the error ----
 
 struct Errors {
-  double holes = 0;      // a share
-  double rms = 0;        // of a channel, 1/255
-  double sharpness = 0;  // gradients' mean square over the true one's
+  double holes = 0;      // as a share
+  double rms = 0;        // of a channel, in 1/255
+  double sharpness = 0;  // mean square of the gradients divided by the true one
 };
 
 double channel(const Rgba8& c, int k) {
   return k == 0 ? c.r : k == 1 ? c.g : c.b;
 }
 
-// Pixels to which all samples that could reach them are there.
+// Uses only pixels for which all samples that could reach them exist.
 Errors errors_of(const Stage& stage, const Splatted& drawn) {
   const int margin = int(8 * std::max(stage.m.x, stage.m.y));
   const int height = stage.wall.camera.height;
@@ -124,7 +125,7 @@ void add_stage(int samples, double times, bool tilted, std::vector<Configuration
   add_footprint("1 x 1", stage, times, Square{1}, all);
   add_footprint("3 x 3", stage, times, Square{3}, all);
   add_footprint("square of side l", stage, times, Square{side}, all);
-  // sqrt(cos 0 / cos 60): as large in area as the sample is from there (S1-10).
+  // sqrt(cos 0 / cos 60): the square has the same area as the sample seen from there (S1-10).
   const double with_tilt = std::max(m.focal * std::sqrt(m.x / m.y), 1.0);
   if (tilted)
     add_footprint("square of side l, with the tilt", stage, times, Square{with_tilt}, all);

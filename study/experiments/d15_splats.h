@@ -1,4 +1,5 @@
-// D-15's footprints of a sample, around the place (x, y) where it comes to, in pixels of the picture.
+// The footprints of a sample (D-15) around the place (x, y) to which it is warped, in pixels of the
+// picture.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +12,17 @@
 
 namespace glassbox::study::d15 {
 
-// How much larger the other picture has a pixel of this one, to the right and down; along the gaze of a surface that faces both, alike.
+// How many times larger a pixel of this picture is in the other one, to the right and downwards.
+// The two values are the same for a surface that faces both eyes.
 struct Magnification {
   double x = 1, y = 1;
-  double focal = 1;  // F2 d1 / (F1 d2): what is known without the surface's tilt
+  double focal = 1;  // F2 d1 / (F1 d2), known without the surface's tilt
 };
 
 struct Pixels {
-  int left, top, right, bottom;  // right and bottom are beyond the last
+  int left, top, right, bottom;  // right and bottom are one beyond the last pixel
 };
-// Whose middles lie within half a width and half a height of (x, y).
+// The pixels whose centres are within half a width and half a height of (x, y).
 inline Pixels within(double x, double y, double half_width, double half_height) {
   const auto edge = [](double v) { return int(std::floor(v + 0.5)); };
   return {edge(x - half_width), edge(y - half_height), edge(x + half_width), edge(y + half_height)};
@@ -39,9 +41,10 @@ struct Square {
   }
 };
 
-// A disc about a square sample, as the other eye sees it: the ellipse through the corners of what the sample's pixel covers there.
+// A disc around a square sample as the other eye sees it: the ellipse through the corners of the
+// area that the sample's pixel covers there.
 struct Ellipse {
-  double half_width = 1, half_height = 1;  // px
+  double half_width = 1, half_height = 1;  // in px
   template <class Put>
   void operator()(double x, double y, Put&& put) const {
     const Pixels p = within(x, y, half_width, half_height);
@@ -56,7 +59,7 @@ struct Ellipse {
 
 // ---- footprints that are blended: put(u, v, weight) ----
 
-// One of four sizes, with weights that are powers of two (Shade et al. 1998, section 4.3).
+// Uses one of four sizes, with weights that are powers of two (Shade et al. 1998, section 4.3).
 struct FourSizes {
   int side = 1;
   static FourSizes of(double wanted) {
@@ -64,7 +67,8 @@ struct FourSizes {
     while (side < 7 && side < wanted) side += 2;
     return {side};
   }
-  // Of a pixel that is (a, b) from the middle one: a bell that falls to 1/e^2 at the rim, rounded to 1, 1/2 or 1/4.
+  // The weight of a pixel at (a, b) from the middle one: a bell that falls to 1/e^2 at the rim,
+  // rounded to 1, 1/2 or 1/4.
   double weight(int a, int b) const {
     const double rim = side / 2.0, bell = std::exp(-2 * (a * a + b * b) / (rim * rim));
     return bell >= 0.75 ? 1 : bell >= 0.375 ? 0.5 : 0.25;
@@ -78,10 +82,10 @@ struct FourSizes {
   }
 };
 
-// Elliptical weighted average (Heckbert 1989): a bell of half a pixel of the first picture's deviation, as it is seen, after one of half a
-// pixel of the other's.
+// Elliptical weighted average (Heckbert 1989): a bell with a deviation of half a pixel of the first
+// picture, warped, convolved with one of half a pixel of the other picture.
 struct Gaussian {
-  static constexpr double kReach = 3;  // deviations
+  static constexpr double kReach = 3;  // in standard deviations
   double deviation_x = 1, deviation_y = 1;
   static Gaussian of(const Magnification& m) {
     return {std::hypot(0.5 * m.x, 0.5), std::hypot(0.5 * m.y, 0.5)};
@@ -106,7 +110,8 @@ struct Splatted {
   Image<float> depth;  // 0: a hole
 };
 
-// What is nearer stays, of equally near ones the first; blended ones that are as near as each other are averaged.
+// The nearer sample stays, and the first one of equally near ones; blended samples at the same
+// distance are averaged.
 template <class Footprint>
 Splatted splat(const views::LayeredImage& image, const views::LayerCamera& to,
                const Footprint& footprint) {

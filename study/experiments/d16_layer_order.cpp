@@ -1,4 +1,5 @@
-// D-16: samples of a layered depth image by depth, in an occlusion-compatible order, and in the order in which they are packed.
+// Compares orders in which samples of a layered depth image are drawn: by depth, in an
+// occlusion-compatible order, and in packed order (D-16).
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -16,42 +17,50 @@ namespace glassbox::study {
 
 namespace d16 {
 
-constexpr int kSide = 128;  // px
+constexpr int kSide = 128;  // in px
 constexpr double kFocal = 128, kNear = 1e-3;
 
-// How the second eye has moved, and what it sees: samples at random pixels, whose places there are known without a matrix.
+// A movement of the second eye, and samples at random pixels whose places in its picture are known
+// without a matrix.
 struct Move {
   const char* name;
-  Eigen::Vector3d to;  // the eye, world units; the first is at 0 and looks along -z
-  // A random distance, and how many times as far from the middle of the picture a thing at that distance is seen from there.
+  Eigen::Vector3d to;  // second eye in world units; the first is at 0 and looks along -z
+  // Returns a random distance. Together with the movement it determines how many times farther from
+  // the middle of the picture an object is seen.
   double (*distance)(Random&);
-  int middle;  // px: a square around the picture's middle to which samples come from everywhere
-  // Wrong pixels of those that show something, at `layers` samples a pixel.
+  // px: side of the square in the middle of the picture that samples reach from all sides
+  int middle;
+  // The share of wrong pixels among those that show something, with `layers` samples per pixel.
   double (*order)(double layers);
   double (*packed)(double layers);
 };
 
-// Of pixels on which n samples fall, n as Poisson has it with mean `mean`: those with two or more, of those with any.
+// If the number of samples on a pixel has a Poisson distribution with this mean: the share of
+// pixels with two or more among those with any.
 double share_with_two(double mean) {
   return 1 - mean * std::exp(-mean) / (1 - std::exp(-mean));
 }
 
-// To the left by a unit: a parallax of n whole pixels at kFocal / n, to the right; what is packed later lies to the right, and is farther
-// where it comes to the same place: the farthest stays.
+// The eye moves one unit to the left. At the distance kFocal / n the parallax is n whole pixels to
+// the right. Samples that are packed later are further right, and of those that reach the same
+// pixel they are farther, so the farthest one stays.
 double at_whole_parallaxes(Random& random) {
   return kFocal / double(random.integer(1, 40));
 }
-// Ahead by a unit: seen r times as large with r/(r - 1) units to go, r from 1.5 to 2.5.
+// The eye moves one unit ahead. An object then appears r times as large if r/(r - 1) units were
+// left; r is from 1.5 to 2.5.
 double magnified(Random& random) {
   const double r = random.between(1.5, 2.5);
   return r / (r - 1);
 }
-// Back by a unit, half as large: r from 0.5 to 0.501, by which 32 pixels are moved by 1/30 px.
+// The eye moves one unit back, and objects appear half as large: r is from 0.5 to 0.501, which
+// moves a pixel 32 px from the middle by 1/30 px.
 double halved(Random& random) {
   const double r = random.between(0.5, 0.501);
   return r / (1 - r);
 }
-// The packed order goes up: below the epipole towards it, which is right, and above it away.
+// The packed order goes upwards: below the epipole it goes towards it, which is right; above it
+// goes away from it.
 double packed_ahead(double layers) {
   return share_with_two(layers * (1 / 1.5 - 1 / 2.5)) / 2;
 }
@@ -59,7 +68,8 @@ double packed_ahead(double layers) {
 const Move kMoves[] = {
     {"aside", {-1, 0, 0}, at_whole_parallaxes, 40, [](double) { return 0.0; }, share_with_two},
     {"ahead", {0, 0, -1}, magnified, 90, [](double) { return 0.0; }, packed_ahead},
-    // Four pixels come to one, and whose sample is the nearest has nothing to do with who is visited last.
+    // Four pixels are warped to one, and the nearest of the four samples is independent of the
+    // order of visits.
     {"back, a thin slab",
      {0, 0, 1},
      halved,
@@ -91,14 +101,15 @@ Stage make_stage(const Move& move, double layers) {
     const Rgba8 color = random_color(random);
     const auto depth = float(kNear / distance);
     if (!taken.emplace(x, y, depth).second) return;
-    // In the other picture: along the ray from the first eye, less the move.
+    // The place in the other picture: along the ray from the first eye, minus the movement.
     const double z = kNear / double(depth), left = z + move.to.z();
     const double X = (x + 0.5 - kSide / 2.0) * z / kFocal - move.to.x();
     const double Y = (y + 0.5 - kSide / 2.0) * z / kFocal;
     const int u = int(std::floor(X * kFocal / left + kSide / 2.0)),
               v = int(std::floor(Y * kFocal / left + kSide / 2.0));
     const bool is_inside = u >= 0 && v >= 0 && u < kSide && v < kSide;
-    // Of two that are as far neither is the nearest.
+    // If two samples are at the same distance, neither is the nearest, so the second one is left
+    // out.
     if (is_inside && z == nearest.at(u, v)) return;
     builder.add(x, y, depth, color);
     if (!is_inside || z > nearest.at(u, v)) return;
@@ -156,7 +167,8 @@ Image<Rgba8> draw(const Stage& stage) {
   return color;
 }
 
-// Pixels of the middle that show something else than what is nearest, of those that show something.
+// The share of pixels in the middle square that do not show the nearest sample, among those that
+// show something.
 double wrong_share(const Stage& stage, const Image<Rgba8>& drawn) {
   const int begin = (kSide - stage.move->middle) / 2;
   double wrong = 0, shown = 0;

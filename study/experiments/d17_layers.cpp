@@ -1,4 +1,5 @@
-// D-17: how many layers of how many eyes have what another eye sees, and what they take to store.
+// Measures how many layers of how many eyes contain what another eye sees, and how much memory they
+// need (D-17).
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -23,16 +24,17 @@ namespace d17 {
 using views::Layer;
 
 constexpr const char *kStorage = "storage", *kMerged = "merged";
-constexpr int kAllLayers = 14;  // of the leaves: with 3 on average one line in a million meets more
+// for the leaves: with 3 on average, one line in a million hits more
+constexpr int kAllLayers = 14;
 
-// What is seen from some eyes, peeled, and what another eye sees.
+// The layers seen from some eyes, peeled, and the picture of another eye.
 struct Stage {
   std::string name;
   std::vector<View> eyes;
-  std::vector<std::vector<Layer>> peeled;  // of each eye
+  std::vector<std::vector<Layer>> peeled;  // one list per eye
   View other;
   Layer seen;
-  double tolerance = 0;  // of a distance, as a share of it; 0: surfaces are told by their colour
+  double tolerance = 0;  // as a share of the distance; 0: surfaces are identified by their colour
 };
 
 RenderSettings plain() {
@@ -61,8 +63,10 @@ views::LayeredImage built(const Stage& stage, int layers, int eyes, double epsil
   return builder.pack();
 }
 
-// Whether one of the first layers of an eye has a surface of that colour, or, where surfaces are shaded, at that distance, where a point of
-// the world is seen: in the pixel or the one that is next to the point. Nothing for a point beside the picture.
+// Whether one of the first `layers` layers of an eye contains the surface that is seen at a point
+// of the world, in the pixel of that point or the nearest neighbouring pixel. The surface is
+// identified by its colour, or by its distance if surfaces are shaded. Returns nothing if the point
+// is outside the picture.
 std::optional<bool> has(const Stage& stage, std::size_t eye, int layers,
                         const Eigen::Vector4d& world, const Rgba8& color) {
   const views::LayerCamera camera = views::layer_camera(stage.eyes[eye]);
@@ -86,7 +90,8 @@ std::optional<bool> has(const Stage& stage, std::size_t eye, int layers,
   return false;
 }
 
-// Of the pixels in which the other eye sees what is within all first eyes' pictures, those whose surface none of their layers has.
+// The share of pixels whose surface is in none of the layers, among the pixels of the other eye's
+// picture that show something inside the pictures of all first eyes.
 double missing(const Stage& stage, int layers, int eyes) {
   const views::LayerCamera camera = views::layer_camera(stage.other);
   const Eigen::Matrix4d back = camera.screen_from_world.inverse();
@@ -121,7 +126,7 @@ std::string series_of(int eyes) {
 }
 
 struct Law {
-  double covered;  // T, surfaces on a line
+  double covered;  // T: mean number of surfaces on a line
   std::optional<Finding> of_missing = {};
 };
 
@@ -177,7 +182,7 @@ const Finding kTrees{
     "same tree on the way",
     0.2, 1};
 
-// A scene that is one: the eye of its camera, and one a little beside.
+// A built-in scene: the eye of its camera, and another one a little to the side.
 std::shared_ptr<const Stage> scene_stage(const char* name, double aside) {
   const Scene scene = make_builtin(name).value();
   Camera camera = scene.cameras.at(0);
@@ -188,7 +193,7 @@ std::shared_ptr<const Stage> scene_stage(const char* name, double aside) {
       make_stage(name, scene, {eye}, make_view(camera, 120, 90).value(), 6, 0.02));
 }
 
-// Surfaces on a line of the first eye.
+// The mean number of surfaces on a line of sight of the first eye.
 double surfaces_on_a_line(const Stage& stage) {
   return double(built(stage, kAllLayers, 1, 0).samples()) / double(stage.seen.color.pixels.size());
 }

@@ -1,4 +1,5 @@
-// D-17's leaves: small squares anywhere in a slab, of which it is known how many lie behind each other.
+// The leaves scene (D-17): small squares at random places in a slab; it is known how many of them
+// are behind each other.
 #pragma once
 
 #include <array>
@@ -14,18 +15,19 @@
 
 namespace glassbox::study::d17 {
 
-// Parallel eyes, one pixel a unit, and a slab 480 units deep. A line through it, from whatever eye, meets leaves as Poisson has it: 3 on
-// average, for three times the area is covered. Leaves are 6 units wide, and 160 units lie between two of them on a line: two lines that
-// meet in a point at 0.35 radian are a leaf apart after 17 units, so that but for a tenth of the leaves they have nothing to do with each
-// other.
+// Parallel eyes with one pixel per unit, and a slab 480 units deep. The number of leaves on a line
+// through it, from any eye, has a Poisson distribution with mean 3, because three times the area is
+// covered. Leaves are 6 units wide, and the mean distance of two of them on a line is 160 units.
+// Two lines that cross at an angle of 0.35 radian are a leaf's width apart after 17 units, so
+// except for a tenth of the leaves they meet independent ones.
 inline constexpr double kDepth = 480, kLeaf = 6, kCovered = 3, kAngle = 0.35;
 inline constexpr double kDistance = 400;  // from the eyes to the middle of the slab
-// Eyes stand beside each other: what the other one sees lies up to 240 tan 0.35 = 88 px further to the sides for the first, and twice that
-// for the second.
-inline constexpr int kSourceWidth = 464, kSeenWidth = 96, kHeight = 32;  // px
+// The eyes are side by side. The things that the other eye sees extend up to 240 tan 0.35 = 88 px
+// further to the sides for the first eye, and twice that for the second.
+inline constexpr int kSourceWidth = 464, kSeenWidth = 96, kHeight = 32;  // in px
 
 inline Scene leaves() {
-  constexpr double kHalfWidth = 330, kHalfHeight = 20;  // before all eyes
+  constexpr double kHalfWidth = 330, kHalfHeight = 20;  // covers the pictures of all eyes
   Scene scene;
   scene.materials[add_material(scene, "leaves", {1, 1, 1, 1})].unlit = true;
   Mesh mesh;
@@ -48,7 +50,7 @@ inline Scene leaves() {
 
 inline View eye_at_angle(double radians, int width) {
   Camera camera;
-  // The slab and no more lies between the planes of the eye in front of it.
+  // For the eye in front, the near and far planes are exactly the faces of the slab.
   const bool is_level = radians == 0;
   camera.lens = OrthographicLens{kHeight / 2.0, is_level ? kDistance - kDepth / 2 : 1.0,
                                  is_level ? kDistance + kDepth / 2 : 2 * kDistance};
@@ -61,15 +63,17 @@ inline View eye_at_angle(double radians, int width) {
 
 // ---- the laws ----
 
-// P(N >= k) for N of Poisson's distribution.
+// P(N >= k) for a Poisson distribution of N.
 inline double at_least(int k, double mean) {
   double term = std::exp(-mean), below = 0;
   for (int n = 0; n < k; ++n) below += term, term *= mean / (n + 1);
   return 1 - below;
 }
 
-// What one eye sees at the optical depth t it sees with the density e^-t, and there k layers of another eye end before with P(N >= k), of
-// which the mean is t: of what is seen, that none of `eyes` has. For one eye of an endless slab 2^-k.
+// One eye sees a surface at the optical depth t with the density e^-t. k layers of another eye end
+// in front of that surface with the probability P(N >= k), where t is the mean of N. The result is
+// the share of visible surfaces that none of `eyes` eyes has. For one eye and an endless slab it is
+// 2^-k.
 inline double missing_share(double covered, int layers, int eyes) {
   constexpr int kSteps = 2000;
   double sum = 0;
@@ -87,8 +91,9 @@ inline double kept_layers(double covered, int layers) {
   return sum;
 }
 
-// A sample at depth u, 1 in front and 0 behind, takes in what lies within epsilon u behind it: a counter that is dead for that long after
-// each count, which counts T/(1 + T epsilon u) of T a unit. The share that it misses of all.
+// A sample at depth u (1 in front, 0 behind) absorbs the samples within epsilon u behind it. This
+// is a counter with a dead time of that length after each count, which counts T/(1 + T epsilon u)
+// of T per unit. Returns the share that is absorbed.
 inline double merged_share(double covered, double epsilon) {
   return 1 - std::log1p(covered * epsilon) / (covered * epsilon);
 }

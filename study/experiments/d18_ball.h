@@ -1,4 +1,5 @@
-// What D-18 and D-19 reconstruct: a ball whose pictures are computed from its formula, pixel by pixel, and so is what they show.
+// The object that the voxel experiments (D-18, D-19) reconstruct: a ball. Its pictures are computed
+// pixel by pixel from the formula of the ball, and so are the distances in them.
 #pragma once
 
 #include <cmath>
@@ -23,7 +24,7 @@ struct Shown {
   std::vector<Image<float>> distances;  // along the gaze; infinite beside the object
 };
 
-// A colour that changes by some 6 levels over a fiftieth of the radius.
+// A colour that changes by about 6 levels over a fiftieth of the radius.
 inline Rgba8 color_at(const Vector3d& p) {
   const auto level = [](double a, double b) {
     const double wave = sin_cos_degrees(170 * a).sin * sin_cos_degrees(140 * b).cos;
@@ -32,14 +33,15 @@ inline Rgba8 color_at(const Vector3d& p) {
   return {level(p.x() + 0.3, p.y()), level(p.y() + 0.7, p.z()), level(p.z() + 0.1, p.x()), 255};
 }
 
-// The first place of a line p + t d, t > 0, on a ball around the origin; negative where there is none.
+// The smallest t > 0 at which the line p + t d meets the unit ball around the origin; negative if
+// there is none.
 inline double hit_ball(const Vector3d& p, const Vector3d& d) {
   const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - 1;
   const double root = b * b - a * c;
   return root > 0 ? (-b - std::sqrt(root)) / a : -1;
 }
 
-// On upright rods that stand around the ball, from its middle to above it.
+// The same for upright rods that are around the ball and extend from its middle to above it.
 inline double hit_rods(const Vector3d& p, const Vector3d& d) {
   double nearest = -1;
   for (int i = 0; i < 6; ++i) {
@@ -54,7 +56,8 @@ inline double hit_rods(const Vector3d& p, const Vector3d& d) {
   return nearest;
 }
 
-// `count` cameras on a circle 50 degrees above, 6 radii away, whose pictures are `side` px wide and have all of the box.
+// `count` cameras on a circle 50 degrees above the ground, 6 radii away; their pictures are `side`
+// px wide and show the whole box.
 inline Shown pictures_of(int count, int side, bool has_rods) {
   Shown shown;
   const double reach = has_rods ? 1.25 : 1;
@@ -76,7 +79,7 @@ inline Shown pictures_of(int count, int side, bool has_rods) {
     Image<float> distance(side, side, INFINITY);
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
-        // A ray whose t is the distance along the gaze.
+        // The ray is scaled so that t is the distance along the gaze.
         const Vector3d ray = camera.camera_from_world.transpose() *
                              views::ray_through(camera.intrinsic, {x + 0.5, y + 0.5});
         const Vector3d d = ray / ray.dot(-out);
@@ -97,7 +100,7 @@ inline Shown pictures_of(int count, int side, bool has_rods) {
   return shown;
 }
 
-// Voxels whose edge is a so-and-so-manieth of the ball's diameter.
+// A request with voxels whose edge is the ball's diameter divided by `across`.
 inline views::ColoringRequest request_for(const Shown& shown, int across) {
   views::ColoringRequest request;
   request.box = *shown.set.box;

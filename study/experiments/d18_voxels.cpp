@@ -1,4 +1,4 @@
-// D-18: voxel colouring by the size of its voxels and the number of its pictures.
+// Measures voxel colouring for different voxel sizes and numbers of pictures (D-18).
 #include <cmath>
 #include <memory>
 
@@ -34,12 +34,12 @@ const Way kWays[] = {
      }}};
 
 struct Found {
-  double surface = 0;   // mean distance, ball radii
-  double left_out = 0;  // RMS, levels
-  double looks = 0;     // voxels times pictures
+  double surface = 0;   // mean distance, in ball radii
+  double left_out = 0;  // RMS, in levels
+  double looks = 0;     // number of voxels times pictures
 };
 
-// The picture that is left out is of a camera between two others.
+// The picture that is left out is that of a camera between two others.
 Found found_by(const Way& way, int across, int pictures) {
   Shown shown = pictures_of(pictures, kSide, false);
   const views::CalibratedPicture left_out = shown.set.pictures.back();
@@ -57,18 +57,21 @@ Found found_by(const Way& way, int across, int pictures) {
           double(coloring->judged) * double(shown.set.pictures.size())};
 }
 
-// Of a point anywhere in a cube the distance to its centre is 0.480 of an edge in the mean (Robbins 1978): what is left where the voxel
-// of every point is coloured. A pixel has the colour of its centre, from which a point of it is (sqrt 2 + ln(1 + sqrt 2))/6 = 0.383 px
-// away in the mean: so far off is what a voxel is judged by, however small it is. The two have nothing to do with each other.
+// The mean distance of a random point in a cube from its centre is 0.480 of an edge (Robbins 1978):
+// this error remains if the voxel of every point is coloured. A pixel has the colour of its centre,
+// and the mean distance of its points from the centre is (sqrt 2 + ln(1 + sqrt 2))/6 = 0.383 px: a
+// voxel is judged with this error, however small it is. The two errors are independent.
 constexpr double kInCube = 0.4803, kInPixel = 0.3826;
 
 double predicted_distance(int across) {
-  const double pixel = 6 / (kSide * 2.6);  // radii, at the ball's middle
+  const double pixel = 6 / (kSide * 2.6);  // in radii, at the ball's middle
   return std::hypot(kInCube * 2.0 / across, kInPixel * pixel);
 }
 
-// Of a pixel that was read a colour and a matte, and a word that is swept; of each 4 x 4 of them a byte, and of up to 64 such tiles of a row two
-// words of bits; of the N^2 voxels of each of six faces what is known of a coloured one, and of a layer's of each that is looked at.
+// The memory: for each pixel that was read a colour and a matte, and a word for the sweep; a byte
+// for each tile of 4 x 4 pixels, and two words of bits for up to 64 such tiles of a row; a coloured
+// voxel for each of the N^2 voxels of six faces, and the data of each voxel of the layer that is
+// looked at.
 double predicted_bytes(int across, int pictures, int side) {
   const double pixels = double(side) * side * pictures, face = double(across) * across;
   const double tiles = side / 4.0, words = std::ceil(tiles / 64);
@@ -106,7 +109,7 @@ std::vector<Configuration> configurations(Effort effort) {
                      .predicted_error = voxels * (kPictures - 1)});
     }
   }
-  // Pictures of twice as many pixels as the ball has voxels.
+  // The pictures have twice as many pixels across as the ball has voxels.
   for (const int across : {16, 32, 64, 128}) {
     const int side = 2 * across;
     all.push_back({.series = "centre",

@@ -1,4 +1,4 @@
-// D-19: voxel colouring from coarse to fine, what it saves and what it loses.
+// Measures what coarse-to-fine voxel colouring saves and what it loses (D-19).
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -23,8 +23,8 @@ std::set<std::uint64_t> keys_of(const views::Coloring& coloring) {
 }
 
 struct Lost {
-  double share = 0;   // of the voxels that a whole sweep colours
-  double judged = 0;  // of all voxels, those of the finest level that are looked at
+  double share = 0;   // of the voxels that a complete sweep colours
+  double judged = 0;  // voxels of the finest level that are looked at, as a share of all
 };
 
 Lost lost_by(const Shown& shown, views::ColoringRequest request) {
@@ -37,8 +37,9 @@ Lost lost_by(const Shown& shown, views::ColoringRequest request) {
   return {1 - double(kept) / double(all.size()), double(fine.judged) / double(whole.judged)};
 }
 
-// The level before the finest has cells of two voxels. Those of the ball's surface and the ones around each are a shell, three cells
-// thick, of which the cameras above see some two thirds.
+// The level before the finest has cells of two voxels. The cells of the ball's surface and those
+// around each of them form a shell three cells thick, of which the cameras above see about two
+// thirds.
 double predicted_judged() {
   constexpr double kCell = 2, kDeep = 3, kSeen = 2.0 / 3;
   const double area = kPi * kAcross * kAcross;

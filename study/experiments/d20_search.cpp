@@ -1,4 +1,5 @@
-// D-20: what the epipolar constraint saves: a point of the other picture, sought along its row and in the whole picture.
+// Measures what the epipolar constraint saves: a point is searched for along its row, and in the
+// whole picture (D-20).
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,10 +12,10 @@
 namespace glassbox::study {
 namespace d20 {
 
-constexpr int kBits = 8;  // of a pixel's word
+constexpr int kBits = 8;  // size of a pixel's word
 
-// Words at random: the left picture's pixel (x, y) is the right one's (x - d, y), d one number for each row, below a quarter of the
-// width.
+// Random words: the left picture's pixel (x, y) equals the right one's (x - d, y), with a separate
+// d for each row, which is less than a quarter of the width.
 struct WordPair {
   int width = 0, height = 0, disparities = 0;
   std::vector<std::uint8_t> left, right;
@@ -39,11 +40,11 @@ struct WordPair {
 };
 
 struct Sought {
-  std::size_t at = 0;  // in the right picture
+  std::size_t at = 0;  // index in the right picture
   std::int64_t compared = 0;
 };
 
-// The word that differs in fewest bits, of equal ones the first.
+// The word that differs in the fewest bits; the first one if several do.
 template <class Next>
 Sought least_of(const WordPair& pair, std::uint8_t word, std::size_t first, std::size_t count,
                 Next next) {
@@ -72,11 +73,11 @@ Sought in_whole_picture(const WordPair& pair, int x, int y) {
                   [](std::size_t at) { return at + 1; });
 }
 
-// Left pixels that have all disparities, `most` of them at most or somewhat more.
+// Calls `ask` for some left pixels for which every disparity is possible, about `most` of them.
 template <class Ask>
 int for_some(const WordPair& pair, int most, Ask ask) {
-  const int step =
-      std::max(1, pair.width * pair.height / most) | 1;  // odd: all columns take their turn
+  // odd, so that all columns occur
+  const int step = std::max(1, pair.width * pair.height / most) | 1;
   int asked = 0;
   for (int i = step / 2; i < pair.width * pair.height; i += step) {
     if (i % pair.width < pair.disparities) continue;
@@ -104,7 +105,8 @@ double comparisons(int width, Search search) {
   return double(compared);
 }
 
-// The right one is the i-th of C candidates, each i as likely; an equal word before it, of probability 2^-b, is taken for it.
+// The right word is the i-th of C candidates, each i with the same probability. It is missed if an
+// equal word, with probability 2^-b each, is before it.
 double predicted_wrong(double candidates) {
   const double same = std::exp2(-kBits);
   return 1 - (1 - std::pow(1 - same, candidates)) / (candidates * same);
@@ -123,7 +125,7 @@ std::vector<Configuration> configurations(Effort effort) {
     };
     for (const Way& way : {Way{"along the row", along_row, disparities},
                            Way{"in the whole picture", in_whole_picture, pixels}}) {
-      // A million comparisons a call, or a picture's.
+      // A million comparisons per call, or those of a picture.
       const int timed = int(std::clamp(1e6 / way.candidates, 16.0, pixels));
       const WordPair pair(width);
       const int items = for_some(pair, timed, [](int, int) {});

@@ -1,4 +1,4 @@
-// D-21: how far apart two cameras should stand.
+// Measures how far apart two cameras should be (D-21).
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +11,13 @@ namespace glassbox::study {
 namespace d21 {
 
 constexpr int kWidth = 160, kHeight = 96;
-constexpr double kFocal = 160;              // px
-constexpr double kDepth = 5;                // of the wall's middle
+constexpr double kFocal = 160;              // in px
+constexpr double kDepth = 5;                // distance of the wall's middle
 constexpr double kSlope = 0.5;              // of the wall
-constexpr double kPillars = 0.75 * kDepth;  // in front of it
+constexpr double kPillars = 0.75 * kDepth;  // distance of the pillars, in front of the wall
 
-// A smooth random number in [0, 255] for each place of a surface: eight to a unit.
+// A smooth random number in [0, 255] for each place of a surface, with eight random values per
+// unit.
 double texture(double x, double y, std::uint64_t seed) {
   const double column = std::floor(8 * x), row = std::floor(8 * y);
   const auto code = [&](double i, double j) {
@@ -33,7 +34,8 @@ struct Seen {
   double code = 0, depth = 0;
 };
 
-// From a camera at (eye, 0, 0), along (x, y, 1): a pillar half a unit wide in every two units, or the wall Z = 5 + X/2.
+// Looks from a camera at (eye, 0, 0) along (x, y, 1): sees a pillar, which is half a unit wide in
+// every two units, or the wall Z = 5 + X/2.
 Seen look(double eye, double x, double y) {
   const double at = eye + kPillars * x;
   if (at - 2 * std::floor(at / 2) < 0.5) return {texture(at, kPillars * y, 1), kPillars};
@@ -45,11 +47,10 @@ struct Pair {
   Image<Rgba8> left{kWidth, kHeight}, right{kWidth, kHeight};
   Image<double> depth{kWidth, kHeight};  // of the left picture
   double baseline = 0,
-         shift =
-             0;  // shift: px that the right picture is moved by, so that the wall's middle stays
+         shift = 0;  // shift: px the right picture is moved to keep the wall's middle in place
 };
 
-// Four samples a pixel; noise of up to 3 codes.
+// Each pixel has four samples, and noise of up to 3 codes.
 Pair pictures(double baseline) {
   Pair pair;
   pair.baseline = baseline;
@@ -77,7 +78,7 @@ Pair pictures(double baseline) {
   return pair;
 }
 
-// Whatever the pair's disparities are, and a little more.
+// The range has all disparities of the pair and a small margin.
 views::MatchSettings settings_for(const Pair& pair) {
   const double product = kFocal * pair.baseline;
   double least = 0, most = 0;
@@ -91,8 +92,8 @@ views::MatchSettings settings_for(const Pair& pair) {
   return settings;
 }
 
-// RMS of Z/Z_true - 1 over all pixels, at most 1 each: also of those that the right camera does not see, because a picture of
-// distances has to have them.
+// The RMS of Z/Z_true - 1 over all pixels, limited to 1 for each. Pixels that the right camera does
+// not see count too, because a picture of distances needs a value for them.
 double depth_error(double baseline_over_depth) {
   const Pair pair = pictures(baseline_over_depth * kDepth);
   const auto match = views::match_pictures(pair.left, pair.right, settings_for(pair));
@@ -106,7 +107,7 @@ double depth_error(double baseline_over_depth) {
   return std::sqrt(squares / double(pair.depth.pixels.size()));
 }
 
-// Of a disparity of the matcher, where nothing but noise and the parts of a pixel is in its way: px.
+// The error of the matcher's disparity in px, if only noise and subpixel interpolation disturb it.
 constexpr double kDisparityError = 0.25;
 
 double predicted(double baseline_over_depth) {
@@ -117,23 +118,26 @@ double wall_at(double x) {
   return kDepth / (1 - kSlope * x);
 }
 
-// What the right camera does not see of the left picture, and how far off a guess of its depth is.
+// The part of the left picture that the right camera does not see, and the error of a guess of its
+// depth.
 struct Unseen {
   double share = 0;             // of the picture
-  double least = 0, worst = 0;  // RMS relative errors
+  double least = 0, worst = 0;  // RMS of the relative errors
 };
 
 Unseen unseen(double baseline_over_depth) {
   const double product = kFocal * baseline_over_depth * kDepth, edge = kWidth / 2 / kFocal;
   const double nearest = wall_at(-edge), farthest = wall_at(edge);
-  // One side of each pillar hides the wall; at both sides of the picture the wall is beside the other one.
-  const double behind = product * (1 / kPillars - 1 / kDepth);   // px
-  const double beside = product * (1 / nearest - 1 / farthest);  // px
-  const double period = 2 * kFocal / kPillars;                   // px, from pillar to pillar
+  // One side of each pillar hides the wall; at both sides of the picture, the wall is outside the
+  // other picture.
+  const double behind = product * (1 / kPillars - 1 / kDepth);   // in px
+  const double beside = product * (1 / nearest - 1 / farthest);  // in px
+  const double period = 2 * kFocal / kPillars;                   // in px, from pillar to pillar
   Unseen result{.share = std::min(behind / period + beside / kWidth, 1.0)};
-  // At least the wall goes on as it is where it is seen last, and leans away from that.
+  // The best guess continues the wall at the last distance that was seen, while the wall itself
+  // leans away from it.
   result.least = kSlope / kFocal * behind / std::sqrt(3.0);
-  // At worst it is taken for what is least like it in the whole picture.
+  // The worst guess is the distance in the whole picture that differs most.
   double squares = 0;
   for (int column = 0; column < kWidth; ++column) {
     const double z = wall_at((column + 0.5 - kWidth / 2) / kFocal);
@@ -143,11 +147,12 @@ Unseen unseen(double baseline_over_depth) {
   return result;
 }
 
-// Disparities that are less than views::kSmoothed apart are averaged over 25 pixels, which takes at most four fifths of an error that
-// is each pixel's own; from 0.1 on what is guessed counts. What both see fulfils the law to a factor of two, as everywhere, and the
-// squares add.
+// Disparities that differ by less than views::kSmoothed are averaged over 25 pixels, which removes
+// at most four fifths of an error that is independent in each pixel. From a ratio of 0.1 on, the
+// guessed pixels matter. The pixels that both cameras see follow the law within a factor of two, as
+// everywhere, and the squares add.
 std::optional<Finding> finding(double baseline_over_depth) {
-  const double step = kFocal * baseline_over_depth * kDepth * (1 / kPillars - 1 / kDepth);  // px
+  const double step = kFocal * baseline_over_depth * kDepth * (1 / kPillars - 1 / kDepth);  // in px
   if (step < double(views::kSmoothed)) {
     return Finding{"no step is so high that it would not be averaged away with its surroundings",
                    0.2, 0.5};

@@ -1,4 +1,5 @@
-// D-22: random samples against outliers, and what normalising does to eight points.
+// Compares random sampling (RANSAC) of five, seven and eight matches with outliers, and the
+// conditioning of eight points with and without normalising (D-22).
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +19,7 @@ struct Problem {
   views::Matches pixels, calibrated;
 };
 
-// A tenth of a pixel of noise, and outliers anywhere in the right picture.
+// Matches with a noise of a tenth of a pixel, and outliers at random places in the right picture.
 Problem problem(double outliers, std::uint64_t seed) {
   Random random(seed);
   Problem made{random_rig(random), {}, {}};
@@ -31,7 +32,7 @@ Problem problem(double outliers, std::uint64_t seed) {
   return made;
 }
 
-// Two pixels are far more than the noise, and far less than most outliers are off.
+// The threshold of two pixels is far above the noise and far below the error of most outliers.
 std::optional<views::RansacResult> sampled(const Problem& problem, views::Estimator estimator,
                                            std::uint64_t seed) {
   const bool by_five = estimator == views::Estimator::kFivePoint;
@@ -68,9 +69,9 @@ double median_condition(int count, bool normalised) {
 
 struct Conditions {
   int matches;
-  double raw, normalised;  // log10
+  double raw, normalised;  // as log10
 };
-// SPEC B.8.
+// The condition numbers that the literature gives (B.8).
 constexpr Conditions kConditions[] = {{8, 5.5, 2.3}, {20, 4.95, 1.8}, {50, 4.7, 1.6}};
 
 std::vector<Configuration> configurations(Effort effort) {

@@ -1,4 +1,4 @@
-// D-23: ways to triangulate, from parallel axes to cameras that look at each other.
+// Compares ways to triangulate, for parallel axes up to cameras that face each other (D-23).
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +10,7 @@
 namespace glassbox::study {
 namespace d23 {
 
-constexpr double kNoise = 1;  // px
+constexpr double kNoise = 1;  // in px
 constexpr double kPi = std::numbers::pi;
 
 struct Setup {
@@ -18,14 +18,16 @@ struct Setup {
   views::Vector3d point;
 };
 
-// A point 6 in front of the left camera. The right one is `away` from it, `angle` round it, and looks at it.
+// A point at distance 6 in front of the left camera. The right camera is `away` from the point, at
+// this angle around it, and looks at it.
 Setup converging(double degrees, double away) {
   const double half = degrees * kPi / 360, sine = std::sin(2 * half), cosine = std::cos(2 * half);
   const views::Vector3d point(0, 0, 6), centre(away * sine, 0, 6 - away * cosine);
   return {rig_at(centre, turned_by(0, std::tan(half), 0)), point};
 }
 
-// The point in the middle of both pictures, pixels with noise: mean and mean square of what comes out.
+// The point is in the middle of both pictures, and the pixels have noise: mean and mean square of
+// the triangulated points.
 struct Spread {
   views::Vector3d mean = views::Vector3d::Zero();
   double rms = 0;

@@ -1,4 +1,5 @@
-// D-24: a shiny thing in pictures from all around, and what is in between.
+// Compares ways to blend pictures of a shiny object from all around into a view between them
+// (D-24).
 #include <cmath>
 #include <map>
 #include <memory>
@@ -20,7 +21,7 @@ using views::Vector3d;
 
 constexpr const char *kJump = "jump", *kFiner = "finer";
 constexpr double kDegree = std::numbers::pi / 180;
-// Pictures are four times finer than the one in between, which leaves little for their resampling.
+// The pictures are four times finer than the view between them, so their resampling matters little.
 constexpr int kSize = 96, kTimesFiner = 4;
 constexpr Blend kAll[] = {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours};
 
@@ -36,11 +37,12 @@ std::string series_of(Blend blend) {
   return {};
 }
 
-// What is looked at, under a light that stands still. All of them have the same shape.
+// The surface of the object, lit by a fixed light. All objects have the same shape.
 enum class Surface {
-  kShiny,  // highlights go over it as the eye goes round
-  kDull,  // a place has the same light for all eyes: all that is left is the resampling of pictures
-  kOneColor,  // nor can resampling change anything: what is left would be pixels of something else
+  kShiny,  // highlights move over it as the eye moves
+  kDull,   // a point has the same light for all eyes: only the resampling of the pictures is left
+  // resampling changes nothing either: an error would come from pixels of something else
+  kOneColor,
 };
 const char* name_of(Surface surface) {
   constexpr const char* kNames[] = {"shiny teapot", "dull teapot", "teapot of one colour"};
@@ -83,7 +85,7 @@ views::PictureSet pictures_from(const Scene& scene, double start, double step, i
                           views::Matte::kDepth);
 }
 
-// Eight pictures so many degrees apart, and what is seen in the middle between the fourth and the fifth.
+// Eight pictures at equal angles, and the true view in the middle between the fourth and the fifth.
 class Ring {
 public:
   Ring(Surface surface, double degrees, int times_finer = kTimesFiner)
@@ -102,7 +104,7 @@ private:
 
   views::PictureSet known_;
   views::CalibratedPicture between_;
-  views::TexturedSurface surface_;  // of known_, so a ring stays where it is
+  views::TexturedSurface surface_;  // refers to known_, so a ring must not be moved
 };
 
 std::shared_ptr<const Ring> ring_of(Surface surface, double degrees,
@@ -112,9 +114,10 @@ std::shared_ptr<const Ring> ring_of(Surface surface, double degrees,
 
 // ---- weights over the middle between two views ----
 
-constexpr double kStep = 1e-6;  // radian
+constexpr double kStep = 1e-6;  // in radians
 
-// The largest change of a weight by a step over the middle between two of eight views on a great circle.
+// The largest change of a weight in a step across the middle between two of eight views on a great
+// circle.
 double jump_of(double degrees, Blend blend) {
   std::vector<Vector3d> directions;
   const auto at = [](double angle) { return Vector3d(std::sin(angle), 0, std::cos(angle)); };
@@ -129,8 +132,9 @@ double jump_of(double degrees, Blend blend) {
   return most;
 }
 
-// Of weights sin(d - x) and sin x over their sum, the derivative at the middle. Of neighbours at d/2, d/2, 3d/2, 3d/2 with the next at
-// 5d/2, w(a) = 1/a - 2/5d: the odd part of the nearest one's, 4/d^2, over the sum of all four, (8/3 + 16/15)/d = 56/15 d.
+// For the weights sin(d - x) and sin x divided by their sum: the derivative at the middle. For
+// neighbours at d/2, d/2, 3d/2, 3d/2, with the next one at 5d/2, w(a) = 1/a - 2/5d: the odd part of
+// the nearest one's derivative, 4/d^2, divided by the sum of all four, (8/3 + 16/15)/d = 56/15 d.
 double predicted_jump(double degrees, Blend blend) {
   const double d = degrees * kDegree;
   if (blend == Blend::kNearest) return 1;
@@ -138,8 +142,9 @@ double predicted_jump(double degrees, Blend blend) {
   return kStep * 4 * 15 / (56 * d);
 }
 
-// What a dull surface leaves is of the pictures' pixels, and that of a shiny one's light is added to it, in squares. The light goes with
-// the angle or its square; the constant is that of the widest spacing, where it is most of the error.
+// The error of a dull surface comes from the pixels of the pictures; a shiny one has the error of
+// its light in addition, and the squares add. The error of the light is proportional to the angle
+// or its square; the constant is taken from the widest spacing, where it is most of the error.
 class Law {
 public:
   Law(Blend blend, double widest, const Ring& dull, const Ring& shiny)
@@ -169,7 +174,7 @@ void add_spacing(Blend blend, double degrees, const Law& law, std::vector<Config
                    .work = [=](int) { consume(ring->drawn_by(blend)); }});
   };
   add(Surface::kShiny, shiny, law.at(degrees, dull->rms_of(blend)));
-  // The angle changes nothing of a dull surface.
+  // For a dull surface, the angle makes no difference.
   add(Surface::kDull, dull, resampling_at_widest);
   add(Surface::kOneColor, ring_of(Surface::kOneColor, degrees), 0);
   all.push_back({.series = series_of(blend),

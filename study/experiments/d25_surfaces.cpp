@@ -1,4 +1,5 @@
-// D-25: which table of marching cubes leaves holes, how many triangles each way makes, and how much volume it loses.
+// Compares marching-cubes tables and tetrahedra: which leave holes, how many triangles they make,
+// and how much volume they lose (D-25).
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -42,20 +43,21 @@ std::string series_of(Polygoniser polygoniser) {
 
 struct Solid {
   std::string name;
-  double size;          // in units of the axis: half of the lattice's width
-  double volume, area;  // of size 1 of the axis, to its powers 3 and 2
-  double lost;          // 1 - V / V_exact, times the square of the axis
+  double size;          // half of the lattice's width, in units of the axis
+  double volume, area;  // for the size 1 of the axis; they grow with its third and second power
+  double lost;          // (1 - V / V_exact) times the square of the axis
   std::function<double(const Vector3d& p, double scale)> depth;
 };
 
 const std::vector<Solid>& solids() {
-  // A linear interpolation of f along the lattice is too low by h^2/12 times the sum of f's second derivatives, on average over a cell; of a
-  // distance those sum to the surface's curvatures k1 + k2. So a solid loses h^2/12 times the integral of k1 + k2 over its surface:
-  // 8 pi r of a sphere, 4 pi^2 R of a torus whatever its tube.
+  // On average over a cell, linear interpolation of f along the lattice is too low by h^2/12 times
+  // the sum of f's second derivatives. For a distance, that sum is the sum of the surface's
+  // curvatures k1 + k2. So a solid loses h^2/12 times the integral of k1 + k2 over its surface: 8
+  // pi r for a sphere, 4 pi^2 R for a torus with any tube.
   static const std::vector<Solid> all{
       {"sphere", 1.0, 4 * kPi / 3, 4 * kPi, 8 * kPi / 12 / (4 * kPi / 3),
        [](const Vector3d& p, double scale) { return scale - p.norm(); }},
-      // The axis is the tube's radius; the ring's is 2.5 of it.
+      // The axis is the radius of the tube; the radius of the ring is 2.5 times that.
       {"torus", 3.5, 2.5 * 2 * kPi * kPi, 2.5 * 4 * kPi * kPi,
        4 * kPi * kPi * 2.5 / 12 / (2.5 * 2 * kPi * kPi), [](const Vector3d& p, double scale) {
          return scale - std::hypot(std::hypot(p.x(), p.y()) - 2.5 * scale, p.z());
@@ -63,12 +65,13 @@ const std::vector<Solid>& solids() {
   return all;
 }
 
-// Its middle is anywhere in a cell, and it is turned.
+// The solid is turned, and its centre is anywhere in a cell.
 ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
   const int count = int(std::ceil(2 * solid.size * scale)) + 4;
   ScalarField field(count, count, count);
   const Vector3d centre = Vector3d::Constant((count - 1) / 2.0) + middle;
-  // (1, 2, 2)/3, (2, 1, -2)/3, (2, -2, 1)/3: a turn without a rounded digit of its own.
+  // The rotation with the rows (1, 2, 2)/3, (2, 1, -2)/3, (2, -2, 1)/3, which needs no irrational
+  // entries.
   views::Matrix3d turn;
   turn << 1, 2, 2, 2, 1, -2, 2, -2, 1;
   turn /= 3;
@@ -83,7 +86,7 @@ ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
 
 struct Surfaces {
   double lost = 0;       // mean share of the volume
-  double triangles = 0;  // for each square of a lattice unit of the true surface
+  double triangles = 0;  // per square lattice unit of the true surface
 };
 
 Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, int places) {
@@ -101,9 +104,10 @@ Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, 
   return mean;
 }
 
-// A mesh has as many corners as edges of the lattice are crossed: on a square of area |n . e| for each direction e, whose mean over all n
-// is half of its length; and twice as many triangles as corners. Cubes have three directions of length 1; tetrahedra also three of
-// sqrt(2) and one of sqrt(3).
+// A mesh has as many corners as there are crossed lattice edges: a surface of area 1 with normal n
+// crosses |n . e| edges of each direction e, whose mean over all n is half of the length of e. It
+// has twice as many triangles as corners. Cubes have three directions of length 1; tetrahedra also
+// have three of sqrt(2) and one of sqrt(3).
 double predicted_triangles(Polygoniser polygoniser) {
   if (polygoniser == Polygoniser::kTetrahedra)
     return 3 + 3 * std::numbers::sqrt2 + std::numbers::sqrt3;
@@ -135,7 +139,7 @@ void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int pl
 
 constexpr int kSide = 9;  // corners of a random field
 
-// Its corners are inside with this probability.
+// A field whose corners are inside with this probability.
 ScalarField random_field(double share, Random& random) {
   ScalarField field(kSide, kSide, kSide);
   for (double& value : field.values)
@@ -143,7 +147,7 @@ ScalarField random_field(double share, Random& random) {
   return field;
 }
 
-// Open edges for each face of the lattice.
+// The number of open edges per face of the lattice.
 double holes_of(double share, Polygoniser polygoniser, int fields) {
   Random random(250);
   double holes = 0;
@@ -155,8 +159,10 @@ double holes_of(double share, Polygoniser polygoniser, int fields) {
   return holes / (3.0 * kSide * (kSide - 1) * (kSide - 1) * fields);
 }
 
-// A face is ambiguous with 2 p^2 q^2. A cell that has two corners there has more than four inside if three or four of its other four are; a
-// hole is four edges, where one cell of the two does and the other does not. Cells beyond the lattice never do.
+// A face is ambiguous with the probability 2 p^2 q^2. A cell with two of its corners inside on that
+// face has more than four inside if three or four of its other four corners are. A hole has four
+// edges, and appears where this holds for one of the two cells but not for the other. It never
+// holds beyond the lattice.
 double predicted_holes(double p, Polygoniser polygoniser) {
   if (polygoniser != Polygoniser::kNaive) return 0;
   const double q = 1 - p, more = 4 * p * p * p * q + p * p * p * p;

@@ -1,4 +1,5 @@
-// A mesh with fewer triangles: edges are collapsed, the one that moves the surface least first (Garland and Heckbert 1997).
+// Reduces the number of triangles of a mesh: edges are collapsed, starting with the one that moves
+// the surface least (Garland and Heckbert 1997).
 #pragma once
 
 #include <algorithm>
@@ -44,12 +45,13 @@ public:
   }
 
 private:
-  std::array<double, 6> a_{};  // xx, yy, zz, xy, yz, zx
+  std::array<double, 6> a_{};  // order of the entries: xx, yy, zz, xy, yz, zx
   glm::dvec3 b_{0, 0, 0};
   double c_ = 0;
 };
 
-// Corners at the same place are one; each vertex that is left stands where it stood, for those that have gone into it.
+// Corners at the same place count as one vertex. A remaining vertex stays at its place and replaces
+// those that were collapsed into it.
 class Decimation {
 public:
   explicit Decimation(const Mesh& mesh) {
@@ -75,7 +77,7 @@ public:
     for (std::uint32_t v = 0; v < places_.size(); ++v) offer_edges_of(v);
   }
 
-  // Until so many are left, or nothing more can be collapsed.
+  // Collapses edges until this many triangles are left, or until no more edge can be collapsed.
   void reduce_to(std::size_t triangles) {
     while (left_ > triangles && !offers_.empty()) {
       const Offer offer = offers_.top();
@@ -94,7 +96,7 @@ public:
     }
     return all;
   }
-  // The vertex that vertex `v` of the original has gone into.
+  // The vertex into which vertex `v` of the original was collapsed.
   std::uint32_t place_of(std::uint32_t v) const {
     while (into_[v] != v) v = into_[v];
     return v;
@@ -108,7 +110,7 @@ public:
     }
     return all;
   }
-  // The triangles at a vertex, and at its neighbours.
+  // The triangles at a vertex and at its neighbours.
   std::vector<Triangle> triangles_near(std::uint32_t v) const {
     std::vector<std::uint32_t> indices = around_[v];
     for (const std::uint32_t n : neighbours_of(v))
@@ -124,7 +126,7 @@ private:
   struct Offer {
     double cost;
     std::uint32_t gone, kept, version;
-    // The cheapest on top; equal ones in a fixed order.
+    // The cheapest offer is on top; offers with the same cost have a fixed order.
     bool operator<(const Offer& other) const {
       return std::tie(cost, gone, kept) > std::tie(other.cost, other.gone, other.kept);
     }
@@ -134,8 +136,9 @@ private:
     return glm::cross(places_[t[1]] - places_[t[0]], places_[t[2]] - places_[t[0]]);
   }
 
-  // Of the planes of a vertex' triangles; and, where the surface ends, of planes that stand on it along its edge, which count a
-  // hundredfold so that the edge stays.
+  // Adds up the planes of a vertex's triangles. At the border of the surface it adds planes that
+  // are perpendicular to the surface along the border edge; they count a hundred times, so that the
+  // border stays.
   void make_quadrics() {
     constexpr double kEdgeWeight = 100;
     quadrics_.resize(places_.size());
@@ -171,8 +174,8 @@ private:
     for (const std::uint32_t n : neighbours_of(v)) offer(v, n), offer(n, v);
   }
 
-  // As long as the two have no common neighbours but those of the triangles between them, the surface stays one; and no triangle may
-  // turn by more than 80 degrees.
+  // If the only common neighbours of the two are those of the triangles between them, the surface
+  // keeps its topology. In addition, no triangle may turn by more than 80 degrees.
   bool may_collapse(std::uint32_t gone, std::uint32_t kept) const {
     constexpr double kLeastCosine = 0.17;
     if (place_of(gone) != gone || place_of(kept) != kept) return false;
@@ -184,7 +187,7 @@ private:
     if (common != shared) return false;
     return std::ranges::all_of(around_[gone], [&](std::uint32_t index) {
       Triangle t = triangles_[index];
-      if (std::ranges::count(t, kept) > 0) return true;  // goes
+      if (std::ranges::count(t, kept) > 0) return true;  // it disappears
       const glm::dvec3 before = area_vector(t);
       std::ranges::replace(t, gone, kept);
       const glm::dvec3 after = area_vector(t);
@@ -214,15 +217,15 @@ private:
   }
 
   std::vector<glm::dvec3> places_;
-  std::vector<Triangle> triangles_;                 // {0, 0, 0}: gone
-  std::vector<std::vector<std::uint32_t>> around_;  // by vertex: its triangles
+  std::vector<Triangle> triangles_;                 // {0, 0, 0}: removed
+  std::vector<std::vector<std::uint32_t>> around_;  // per vertex: its triangles
   std::vector<std::uint32_t> into_, versions_;
   std::vector<Quadric> quadrics_;
   std::priority_queue<Offer> offers_;
   std::size_t left_ = 0;
 };
 
-// From p to the nearest point of a triangle (Ericson 2005, 5.1.5).
+// The distance from p to the nearest point of a triangle (Ericson 2005, 5.1.5).
 inline double distance_to(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
                           const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);

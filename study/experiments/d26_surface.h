@@ -1,4 +1,4 @@
-// The teapot's true surface: Bezier patches evaluated by de Casteljau's construction, in double.
+// The teapot's exact surface: Bezier patches evaluated by de Casteljau's construction, in double.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ public:
   }
 
   SurfacePoint at(double u, double v) const {
-    Curve across, along, bend;  // down the rows, at u
+    Curve across, along, bend;  // the curve down the rows, at u
     for (std::size_t row = 0; row < 4; ++row) {
       const CurvePoint p = de_casteljau(rows_[row], u);
       across[row] = p.at, along[row] = p.along, bend[row] = p.bend;

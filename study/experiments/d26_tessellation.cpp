@@ -1,4 +1,4 @@
-// D-26: into how many triangles a curved surface is cut.
+// Measures into how many triangles a curved surface should be divided (D-26).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,11 +30,11 @@ namespace glassbox::study {
 namespace d26 {
 
 constexpr int kWidth = 1280, kHeight = 720;
-constexpr int kFineLevel =
-    64;  // of the teapot whose outline counts as right: off by a 16th of what level 16 is
+// level of the teapot whose outline counts as exact: its error is a 16th of that of level 16
+constexpr int kFineLevel = 64;
 
 constexpr const char* kPatches = "teapot, 32 patches of level x level cells";
-// Measures.
+// The names of the measures.
 constexpr const char* kDeviation = "deviation";
 constexpr const char* kOutline = "outline";
 
@@ -43,7 +43,7 @@ View view_of_teapot() {
   return *make_view(camera, kWidth, kHeight);
 }
 
-// How many pixels a unit of length across the line of sight has there.
+// The number of pixels that a unit of length across the line of sight has at a place.
 class Magnification {
 public:
   Magnification() {
@@ -62,14 +62,15 @@ private:
 
 // ---- the error ----
 
-// A triangle and where its corners are on their patch.
+// A triangle, and where its corners are on their patch.
 struct Piece {
   std::size_t patch = 0;
   std::array<glm::dvec3, 3> corners;
   std::array<glm::dvec2, 3> uv;
 };
 
-// The faces come patch by patch; the last one of a patch is the only one with the corners (1, 1) and (1, 1 - 1/level).
+// The faces are stored patch by patch; only the last face of a patch has the corners (1, 1) and (1,
+// 1 - 1/level).
 template <class Visit>
 void for_each_piece(const Mesh& mesh, int level, const Visit& visit) {
   Piece piece;
@@ -79,7 +80,7 @@ void for_each_piece(const Mesh& mesh, int level, const Visit& visit) {
       const Corner& corner = mesh.corners[face.first + k];
       const TexCoord& uv = mesh.texcoords[corner.texcoord];
       piece.corners[k] = glm::dvec3(to_glm(mesh.positions[corner.position]));
-      // The place on the grid without the rounding of the texture coordinate.
+      // The place on the grid, without the rounding error of the texture coordinate.
       const glm::dvec2 cell(std::floor(double(uv.u) * level + 0.5),
                             std::floor(double(uv.v) * level + 0.5));
       piece.uv[k] = cell / double(level);
@@ -91,8 +92,9 @@ void for_each_piece(const Mesh& mesh, int level, const Visit& visit) {
   }
 }
 
-// From the middles of a triangle's sides and its centre to the surface there, along the surface's normal: what moves an
-// outline, from wherever it is seen. What lies along the surface moves nothing that can be seen.
+// The distance along the normal between the surface and a triangle, at the midpoints of its sides
+// and at its centre: this part of an error moves an outline, from any direction. A displacement
+// along the surface moves nothing visible.
 double largest_deviation_px(int level) {
   constexpr std::array<std::array<double, 3>, 4> kPlaces{
       {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1.0 / 3, 1.0 / 3, 1.0 / 3}}};
@@ -117,7 +119,7 @@ double largest_deviation_px(int level) {
 
 // ---- fewer triangles of a fine mesh ----
 
-// The teapot of this level, whose corners lie on the surface.
+// The level of the fine teapot, whose corners are on the surface.
 int source_level(Effort effort) {
   return effort == Effort::kFull ? 64 : 16;
 }
@@ -128,7 +130,8 @@ d26::Decimation decimated(int source, std::size_t triangles) {
   return mesh;
 }
 
-// From each corner of the fine mesh to the nearest triangle of those around what it has gone into.
+// The distance from each corner of the fine mesh to the nearest triangle around the vertex into
+// which it was collapsed.
 double largest_deviation_px(const d26::Decimation& mesh) {
   const Magnification magnification;
   double largest = 0;
@@ -180,7 +183,8 @@ Mask silhouette(const Scene& scene) {
   return mask;
 }
 
-// A curve of length l that runs in all directions crosses between 4 l/pi pairs of neighbours (Cauchy and Crofton).
+// A curve of length l that runs in all directions crosses 4 l/pi pairs of neighbouring pixels
+// (Cauchy and Crofton).
 double outline_px(const Mask& mask) {
   int crossings = 0;
   for (int y = 1; y < mask.height; ++y) {
@@ -192,7 +196,7 @@ double outline_px(const Mask& mask) {
   return crossings * kPi / 4;
 }
 
-// The area between the two outlines for each pixel of their length.
+// The area between the two outlines, per pixel of their length.
 double outline_shift_px(const Mask& mask) {
   static const Mask right = silhouette(make_teapot(kFineLevel));
   static const double length = outline_px(right);
@@ -203,8 +207,9 @@ double outline_shift_px(const Mask& mask) {
 
 // ---- the theory ----
 
-// A chord of length h in the parameters misses the middle of its arc by h^2/8 of the second derivative (the next term of
-// Taylor's series is that of h^4). Sides run along u, along v and along both.
+// A chord of length h in the parameters misses the middle of its arc by h^2/8 of the second
+// derivative (the next term of the Taylor series is of the order h^4). Sides run along u, along v
+// and along both.
 double predict_px(int level) {
   static const double largest_at_level_1 = [] {
     const Magnification magnification;
@@ -231,8 +236,8 @@ double predict_px(int level) {
   return largest_at_level_1 / (double(level) * level);
 }
 
-// Visits the surface at the middles of a grid on each patch, but for poles: the point, its normal of unit length, and its share of
-// the patch's parameters.
+// Visits the surface at the cell centres of a grid on each patch, except at poles: the point, its
+// unit normal, and its share of the patch's parameters.
 template <class Visit>
 void for_each_place(const Visit& visit) {
   constexpr int kGrid = 64;
@@ -249,8 +254,10 @@ void for_each_place(const Visit& visit) {
   }
 }
 
-// No triangles with their corners on a surface of curvature K are nearer to it than 2/(3 sqrt 3) of the integral of sqrt|K| over their
-// number: all are equilateral where the curvature is the measure (D'Azevedo and Simpson 1989). sqrt|K| dA is sqrt|L N - M^2| du dv.
+// Triangles with their corners on a surface of curvature K cannot be nearer to it than 2/(3 sqrt 3)
+// of the integral of sqrt|K|, divided by their number. The best ones are all equilateral if the
+// curvature is the measure of length (D'Azevedo and Simpson 1989). sqrt|K| dA is sqrt|L N - M^2| du
+// dv.
 double predict_least_px(std::size_t triangles) {
   static const double integral = [] {
     const Magnification magnification;
@@ -265,9 +272,11 @@ double predict_least_px(std::size_t triangles) {
   return 2 / (3 * std::sqrt(3.0)) * integral / double(triangles);
 }
 
-// An outline runs along sides, whose middles are off by h^2/8 of the second derivative along it and 2/3 of that on the mean; and from
-// corner to corner that are next to where the surface is seen edge-on, up to h/2 away and so off by h^2/24 of the one across it. With
-// the same mean for both, of those along u and v where the surface is edge-on: h^2/8.
+// An outline runs along sides: their midpoints have an error of h^2/8 of the second derivative
+// along the side, and 2/3 of that on average. It runs between corners next to the line where the
+// surface is seen edge-on, up to h/2 away from it, which adds an error of h^2/24 of the second
+// derivative across. With the same mean for both derivatives, along u and v where the surface is
+// edge-on, the sum is h^2/8.
 double predict_outline_px(int level) {
   static const double mean_at_level_1 = [] {
     const Magnification magnification;
@@ -288,7 +297,8 @@ double predict_outline_px(int level) {
   return mean_at_level_1 / (double(level) * level);
 }
 
-// The same of equilateral triangles, whose sides' middles are off by 3/4 of what they are in the middle.
+// The same for equilateral triangles, whose error at the midpoints of the sides is 3/4 of that at
+// the centre.
 double predict_least_outline_px(std::size_t triangles) {
   return predict_least_px(triangles) * 3 / 4;
 }
@@ -316,15 +326,15 @@ std::function<void(int)> frame_of(MakeScene make) {
   };
 }
 
-// The cheapest edge first is not the best set of triangles.
+// Collapsing the cheapest edge first does not give the best set of triangles.
 const Finding kGreedy{
     "edges are collapsed one after the other, by the mean of squares and not the largest distance",
     2, 8};
 
-// Largest deviation and outline of one mesh, at its number of triangles.
+// The largest deviation and the outline error of one mesh, at its number of triangles.
 struct Expected {
   double deviation_px = 0, outline_px = 0;
-  std::optional<Finding> finding = {};  // on the deviation
+  std::optional<Finding> finding = {};  // explains the deviation
 };
 void add_mesh(const std::string& series, std::size_t triangles, const MakeScene& make,
               const std::function<double()>& deviation_px, const Expected& expected,

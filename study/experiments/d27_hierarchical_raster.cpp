@@ -1,4 +1,5 @@
-// D-27: ways to walk over the pixels of a triangle. All of them are exact; they differ in how much they look at in vain.
+// Compares ways to visit the pixels of a triangle (D-27). All of them are exact; they differ in the
+// number of pixels that they test in vain.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,7 +21,8 @@ namespace d27 {
 
 __extension__ typedef __int128 Int128;
 
-// The definition, from the edges' own coefficients in 128 bits, for every pixel of the window, boxes not looked at.
+// Counts by the definition: the edges' coefficients in 128 bits, for every pixel of the window,
+// without bounding boxes.
 void count_by_definition(const TriangleSetup& t, Counts& counts) {
   for (int y = 0; y < kShapesSide; ++y) {
     for (int x = 0; x < kShapesSide; ++x) {
@@ -49,7 +51,7 @@ struct Kind {
   Triangles triangles;
   std::optional<Counts> reference = {};
 
-  // Counted when it is first asked for.
+  // Computed on the first request.
   const Counts& by_definition() {
     if (!reference) {
       reference.emplace(kShapesSide, kShapesSide);
@@ -69,7 +71,7 @@ Kind make_kind(const std::string& name, double size, int count) {
   return {name, std::move(compact)};
 }
 
-// Enough triangles that a call takes a fraction of a millisecond and more.
+// Enough triangles for a call to take at least a fraction of a millisecond.
 int count_for(double size, Effort effort) {
   const int usual = effort == Effort::kQuick ? 48 : 256;
   return size >= 100 ? usual / 4 : usual;

@@ -1,4 +1,4 @@
-// The walks of D-27 over the pixels of a triangle.
+// The ways to visit the pixels of a triangle (D-27).
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ inline std::int64_t least(const EdgeFunction& edge) {
 
 // ---- the ways ----
 
-// Every pixel of the box asks all three edges from the start.
+// Tests all three edges from scratch for every pixel of the box.
 inline void walk_box(const TriangleSetup& t, Counts& counts) {
   const PixelRect box = intersect(t.bounds, kWindow);
   for (int y = box.y0; y < box.y1; ++y) {
@@ -41,22 +41,22 @@ inline void walk_box(const TriangleSetup& t, Counts& counts) {
   }
 }
 
-// The pipeline's staged coverage: one addition for each edge and pixel of the box.
+// The pipeline's staged coverage: one addition per edge for each pixel of the box.
 inline void walk_incrementally(const TriangleSetup& t, Counts& counts) {
   for_each_covered(t, kWindow, [&](const Coverage& pixel) { ++counts.at(pixel.x, pixel.y); });
 }
 
-inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b > 0
+inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b must be > 0
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-// One span for each row, its ends by exact integer division.
+// Draws one span per row, whose ends are found by exact integer division.
 inline void walk_rows(const TriangleSetup& t, Counts& counts) {
   const PixelRect box = intersect(t.bounds, kWindow);
   for (int y = box.y0; y < box.y1; ++y) {
     std::int64_t x0 = box.x0, x1 = box.x1;
     for (const EdgeFunction& e : t.edges) {
-      // Pixel x is inside where first + step x >= 0.
+      // Pixel x is inside if first + step x >= 0.
       const std::int64_t first = value_at(e, 0, y) - least(e), step = e.a * kSubpixels;
       if (step > 0) x0 = std::max(x0, floor_div(-first + step - 1, step));
       if (step < 0) x1 = std::min(x1, floor_div(first, -step) + 1);
@@ -66,8 +66,8 @@ inline void walk_rows(const TriangleSetup& t, Counts& counts) {
   }
 }
 
-// Blocks of 8 x 8 pixels: given up, taken whole, or looked at pixel by pixel. The extremes of an edge function over a block
-// are at its corners.
+// Blocks of 8 x 8 pixels are rejected, accepted as a whole, or tested pixel by pixel. The extremes
+// of an edge function over a block are at its corners.
 inline void walk_blocks(const TriangleSetup& t, Counts& counts) {
   constexpr int kSide = 8;
   const PixelRect box = intersect(t.bounds, kWindow);
@@ -108,7 +108,8 @@ inline constexpr NamedWalk kWalks[] = {{"whole box, edges anew", walk_box},
 
 // ---- the tile engine's kernel ----
 
-// Draws into one tile as large as the window; where a triangle is seen tells which pixels it covers.
+// Draws into one tile as large as the window; the depth buffer of the tile shows which pixels a
+// triangle covers.
 inline void draw_over_lanes(const TriangleSetup& t, Reference reference, TileBuffer& tile) {
   static const Kernels& best = kernels(best_target());
   FragmentCounts ignored;

@@ -1,4 +1,5 @@
-// D-28: leaving out what a scene does not need, one decision of the plan at a time.
+// Measures what is saved by leaving out work that a scene does not need, one decision of the plan
+// after the other (D-28).
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ struct Planned {
   PreparedScene prepared = {};
   std::optional<Rendering> staged = {};
 
-  // Drawn when it is first asked for.
+  // Drawn on the first request.
   const Framebuffer& reference() {
     if (!staged) staged = render_staged(scene, view, settings);
     return staged->buffers;
@@ -58,7 +59,7 @@ std::shared_ptr<Planned> builtin(const std::string& name, const char* scene_name
   return make(scene_name, std::move(scene), view, settings);
 }
 
-// Turned by a right angle: most trees lie beside the picture.
+// The camera is turned by a right angle, so most trees are outside the picture.
 std::shared_ptr<Planned> forest_aside() {
   Scene scene = make_builtin("forest").value();
   Camera camera = scene.cameras.front();
@@ -71,7 +72,7 @@ std::shared_ptr<Planned> forest_aside() {
   return make("forest, looked past", std::move(scene), view, {});
 }
 
-// The near plane goes through its middle.
+// The near plane cuts the teapot in the middle.
 std::shared_ptr<Planned> cut_teapot() {
   Scene scene = make_builtin("teapot").value();
   Camera camera = frame(scene, double(kWidth) / kHeight).value();
@@ -81,13 +82,13 @@ std::shared_ptr<Planned> cut_teapot() {
   return make("teapot, cut by the near plane", std::move(scene), view, {});
 }
 
-// R11, smaller: a hundred spheres, none of which is seen.
+// A smaller version of the benchmark scene R11: a hundred spheres, none of which is visible.
 std::shared_ptr<Planned> behind_a_wall() {
   BenchScene bench = make_real_scene("R11", kWidth, kHeight).value();
   return make("100 spheres behind a wall", std::move(bench.scene), bench.passes.front().view, {});
 }
 
-// R10, smaller: cubes beside and behind each other.
+// A smaller version of the benchmark scene R10: cubes beside and behind each other.
 std::shared_ptr<Planned> many_cubes(int cubes) {
   BenchScene bench = make_real_scene("R10", kWidth, kHeight).value();
   bench.scene.instances.resize(std::size_t(cubes));
@@ -95,7 +96,7 @@ std::shared_ptr<Planned> many_cubes(int cubes) {
               {});
 }
 
-// 64 quads with one colour each, parallel and back to front, each an object of its own.
+// 64 parallel quads with one colour each, from back to front; each is an object of its own.
 std::shared_ptr<Planned> parallel_quads() {
   BenchScene bench = make_bench_scene("S4bf", kWidth, kHeight).value();
   const Mesh quads = bench.scene.meshes.front();
@@ -182,11 +183,13 @@ Configuration configuration(const std::string& series, bool on, Planner planner,
 struct OneDecision {
   const char* series;
   Planner planner;
-  std::vector<std::shared_ptr<Planned>> scenes;  // where it holds, then where it does not
+  // first those where the decision helps, then those where it does not
+  std::vector<std::shared_ptr<Planned>> scenes;
 };
 
 std::vector<OneDecision> decisions_on_scenes(Effort effort) {
-  // Fine enough that its triangles are small ones: large ones are made ready by the staged stages, whatever the plan says.
+  // Fine enough that its triangles are small: large ones are set up by the staged stages with every
+  // plan.
   const char* teapot_name = effort == Effort::kQuick ? "teapot" : "teapot:24";
   const auto teapot = builtin(teapot_name, "teapot", {});
   const auto depth = builtin(teapot_name, "teapot, depth only", depth_only());

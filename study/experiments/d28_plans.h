@@ -1,4 +1,4 @@
-// The plans of D-28: everything runs, but for one decision.
+// The plans of the elision experiment (D-28): nothing is left out except by one decision.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ std::vector<Plan> plan_only(std::span<const PlannedEye> eyes, bool) {
 inline std::vector<Plan> plan_nothing(std::span<const PlannedEye> eyes, bool) {
   return make_plans(eyes, false);
 }
-// Beside a plan with one decision, for which two are made: what planning costs is then on both sides.
+// Takes no decision. It makes two plans, like the functions with one decision, so that both sides
+// include the time of planning.
 inline void take_none(const Plan&, Plan&) {}
 
 template <class Copy>
@@ -60,14 +61,14 @@ inline void take_normals(const Plan& with, Plan& plan) {
     to.face_normals = from.face_normals;
   });
 }
-// Without highlights nobody asks where the surface is.
+// Without highlights, the position of the surface is not needed.
 inline void take_highlights(const Plan& with, Plan& plan) {
   for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
     to.highlights = from.highlights;
     to.eye_positions = from.eye_positions;
   });
 }
-// What is outside has no place in the other plan's order and keeps one here.
+// A draw outside the picture has no place in the other plan's order; here it is kept and gets one.
 inline void take_order(const Plan& with, Plan& plan) {
   std::vector<std::uint32_t> order = with.order;
   for (const std::uint32_t draw : plan.order) {
@@ -76,7 +77,7 @@ inline void take_order(const Plan& with, Plan& plan) {
   plan.order = std::move(order);
   plan.moved = with.moved;
 }
-// What is hidden is behind something that comes first.
+// The draws in front must come first, so this also takes the order.
 inline void take_hidden(const Plan& with, Plan& plan) {
   take_order(with, plan);
   for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = !from.hidden; });

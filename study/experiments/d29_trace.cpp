@@ -1,4 +1,4 @@
-// D-29: what watching a run costs.
+// Measures the cost of watching a run (D-29).
 #include <memory>
 
 #include <glassbox/mesh/builtin/scenes.h>
@@ -33,7 +33,7 @@ std::shared_ptr<const Watched> watched(const std::string& name, int width, int h
 
 // ---- ways to run it ----
 
-// Every stage calls, nobody keeps anything.
+// Every stage calls this observer, which stores nothing.
 class Counter : public Observer {
 public:
   void projected(const Draw&, std::uint32_t, Point<Clip>&) override { ++events; }
@@ -74,7 +74,7 @@ Rendering run_filtered(const Watched& w) {
 Rendering run_dumped(const Watched& w) {
   return trace(w.scene, w.view, w.settings, TraceFilter{}).rendering;
 }
-// Every stage asks whoever watches, who has nothing to say.
+// Every stage calls an observer that does nothing.
 Rendering run_watched(const Watched& w) {
   Observer nothing;
   return render_staged(w.scene, w.view, w.settings, &nothing);
@@ -82,7 +82,7 @@ Rendering run_watched(const Watched& w) {
 
 struct Way {
   const char* name;
-  double records;  // the axis
+  double records;  // value on the axis
   Rendering (*run)(const Watched&);
 };
 constexpr Way kWays[] = {{"compiled out: nobody watches", 0, run_untraced},

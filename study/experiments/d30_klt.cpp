@@ -1,4 +1,4 @@
-// D-30: what a pixel of several bands loses with the components that are dropped.
+// Measures what a pixel with several bands loses if components are dropped (D-30).
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,7 +12,7 @@
 namespace glassbox::study {
 namespace d30 {
 
-// What all configurations share.
+// The data that all configurations share.
 struct Planet {
   views::Bands bands;
   views::Klt klt;
@@ -23,7 +23,7 @@ std::shared_ptr<const Planet> planet_of(int width) {
   return std::make_shared<const Planet>(Planet{std::move(bands), std::move(klt)});
 }
 
-// Three standard deviations on both sides in 255 steps.
+// Six standard deviations, three on each side, in 255 steps.
 double step_of(const views::Klt& klt, int component) {
   return 6 * std::sqrt(klt.eigenvalues[component]) / 255;
 }
@@ -37,7 +37,7 @@ views::Bands as_bytes(views::Bands components, const views::Klt& klt) {
   return components;
 }
 
-// Of values that are spread evenly between two steps.
+// The mean square rounding error of values that are uniformly distributed between two steps.
 double rounding_of(const views::Klt& klt, int kept) {
   double sum = 0;
   for (int k = 0; k < kept; ++k) sum += step_of(klt, k) * step_of(klt, k) / 12;
@@ -54,7 +54,8 @@ views::Bands from_bytes(const Planet& planet, int kept) {
       planet.bands);
 }
 
-// As they are, those of most variance first; the mean stands for the others.
+// The bands themselves, ordered by variance, the largest first; the mean replaces those that are
+// left out.
 std::vector<int> bands_by_variance(const views::Klt& klt) {
   std::vector<int> order;
   for (int b = 0; b < int(klt.mean.size()); ++b) order.push_back(b);
@@ -76,7 +77,8 @@ double variance_without(const views::Klt& klt, int kept) {
   return sum;
 }
 
-// Bytes add what rounding to them adds, within a tenth where their steps are small beside what they store.
+// Storing components as bytes adds the rounding error to the loss, within a tenth as long as the
+// steps are small compared with the stored values.
 std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
   const double added = rounding_of(klt, kept) / klt.dropped(kept);
   if (added < 0.5) return std::nullopt;
@@ -88,7 +90,8 @@ std::vector<Configuration> configurations(Effort effort) {
   const auto planet = planet_of(effort == Effort::kFull ? 256 : 128);
   const views::Klt& klt = planet->klt;
   std::vector<Configuration> all;
-  // With all of them nothing but rounding is left, of which the theory says nothing.
+  // If all components are kept, only rounding errors are left, and the theory does not predict
+  // those.
   for (int kept = 1; kept < planet->bands.count(); ++kept) {
     const auto add = [&](const char* series, auto again, double predicted,
                          std::optional<Finding> finding) {

@@ -1,4 +1,4 @@
-// D-31's pixels that a triangle covers in part: the exact share, and the samples that estimate it.
+// Pixels that a triangle covers partly (D-31): the exact share, and the samples that estimate it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace glassbox::study::d31 {
 
-// A triangle in whole 1/256 px, in the order that makes its edge functions positive inside, and one pixel that it touches.
+// A triangle in whole 1/256 px, in the order that makes its edge functions positive inside, and one
+// pixel that it touches.
 struct Piece {
   std::array<SnappedVertex, 3> corners;
   std::array<EdgeFunction, 3> edges;
@@ -26,7 +27,7 @@ struct Piece {
 template <class T>
 using Polygon = std::vector<std::array<T, 2>>;
 
-// Keeps what lies at sign * p[axis] >= sign * limit.
+// Keeps the part with sign * p[axis] >= sign * limit.
 template <class T>
 Polygon<T> clip_to(const Polygon<T>& polygon, std::size_t axis, int limit, int sign) {
   Polygon<T> kept;
@@ -44,7 +45,7 @@ Polygon<T> clip_to(const Polygon<T>& polygon, std::size_t axis, int limit, int s
   return kept;
 }
 
-// From the pixel's own corner: small numbers lose less.
+// Computes relative to the pixel's own corner, because small numbers lose less to rounding.
 template <class T>
 T covered_share(const Piece& piece) {
   Polygon<T> polygon;
@@ -64,7 +65,7 @@ T covered_share(const Piece& piece) {
 
 // ---- samples ----
 
-using Positions = std::vector<std::array<int, 2>>;  // 1/256 px from the pixel's corner
+using Positions = std::vector<std::array<int, 2>>;  // in 1/256 px from the pixel's corner
 
 inline Positions standard(int samples) {
   Positions positions;
@@ -73,16 +74,18 @@ inline Positions standard(int samples) {
   return positions;
 }
 
-// As near to a square of cells as a power of two allows.
+// The number of columns and rows of cells, as close to a square as a power of two allows.
 inline std::array<int, 2> cells(int samples) {
   const int rows = samples == 1 ? 1 : samples <= 4 ? samples / 2 : 4;
   return {samples == 4 ? 2 : samples / rows, samples == 4 ? 2 : rows};
 }
 
-// A turned grid that fills the pixel, so that its neighbours' samples go on with it: of the lattice of S + 1 points that a row
-// advances by k columns, those but the one in the corner, one to each of S columns and S rows. For 4 and 16 samples, where S + 1
-// is a sum of two squares, it is a square lattice turned by arctan(1/2) and arctan(1/4). (S points of an unbounded lattice, those
-// nearest to the centre, fill no pixel: 16 of them did worse than 8.)
+// A rotated grid that fills the pixel, so that the samples of neighbouring pixels continue it. It
+// is a lattice of S + 1 points, in which each row advances by k columns, without the point in the
+// corner: one sample in each of S columns and S rows. For 4 and 16 samples, where S + 1 is a sum of
+// two squares, it is a square lattice rotated by arctan(1/2) and arctan(1/4). (The S points of an
+// unbounded lattice that are nearest to the centre do not fill a pixel: 16 of them did worse than
+// 8.)
 inline Positions rotated(int samples) {
   const int k = samples == 2 ? 2 : samples == 4 ? 3 : samples == 8 ? 7 : 4;
   const auto place = [&](int i) { return (2 * i + 1) * kSubpixels / (2 * samples); };
@@ -104,7 +107,8 @@ inline constexpr NamedPattern kPatterns[] = {{Pattern::kStandard, "D3D standard"
                                              {Pattern::kJittered, "jittered"},
                                              {Pattern::kRotated, "rotated grid"}};
 
-// The sample positions of pixel number `pixel`. Patterns that are the same in all pixels come ready made.
+// Computes the sample positions of pixel number `pixel`. Patterns that are the same in all pixels
+// are already in `positions`.
 inline void place_samples(Pattern pattern, std::size_t pixel, Positions& positions) {
   const int samples = int(positions.size());
   if (pattern == Pattern::kStandard || pattern == Pattern::kRotated) return;

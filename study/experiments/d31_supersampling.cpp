@@ -1,4 +1,4 @@
-// D-31: how well samples at points estimate what share of a pixel a triangle covers.
+// Measures how well point samples estimate the share of a pixel that a triangle covers (D-31).
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -27,7 +27,7 @@ namespace d31 {
 
 using Triangles = std::vector<std::array<ScreenVertex, 3>>;
 
-// A star of long wedges about the middle.
+// A star of long wedges around the middle.
 Triangles star_chart() {
   constexpr int kWedges = 36;
   constexpr double kMiddle = 128.3, kRadius = 120;
@@ -44,7 +44,8 @@ Triangles star_chart() {
   return star;
 }
 
-// The built-in forest's trees, as its first camera's pipeline places them; what is clipped is left out.
+// The trees of the built-in forest, on the screen of its first camera; triangles that would be
+// clipped are left out.
 Triangles forest() {
   const Scene scene = make_forest();
   const PreparedScene prepared = prepare(scene, Transfer::kNone);
@@ -70,12 +71,13 @@ Triangles forest() {
 
 struct Samples {
   std::vector<Piece> pieces;
-  std::vector<double> exact;  // the share, by rationals, rounded once; 0 < share < 1
+  std::vector<double> exact;  // the share, in rationals, rounded once; 0 < share < 1
   double squares = 0;         // mean of c (1 - c)
   double nearest = 0;         // mean of min(c, 1 - c)^2
 };
 
-// `most` pixels that are partly covered, evenly picked among the pixels that the edges' boxes meet.
+// At most `most` partly covered pixels, evenly chosen among the pixels in the bounding boxes of the
+// edges.
 Samples partly_covered(const Triangles& triangles, std::size_t most) {
   std::vector<Piece> all;
   for (const auto& triangle : triangles) {

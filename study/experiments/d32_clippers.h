@@ -1,5 +1,6 @@
-// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the viewing pyramid in eye space
-// and once with those of the box in clip space (S3-11). All else is the same.
+// Two versions of Sutherland and Hodgman's clipping algorithm (D-32): with the planes of the
+// viewing pyramid in eye space, and with those of the box in clip space (S3-11). Everything else is
+// the same.
 #pragma once
 
 #include <array>
@@ -12,18 +13,19 @@
 
 namespace glassbox::study::d32 {
 
-inline constexpr std::size_t kPlanes = 6;              // left, right, bottom, top, near, far
-inline constexpr double kWidth = 1024, kHeight = 683;  // px
+inline constexpr std::size_t kPlanes = 6;              // order: left, right, bottom, top, near, far
+inline constexpr double kWidth = 1024, kHeight = 683;  // in px
 
-// A perspective whose entries are floats, so that both spaces have the same pyramid exactly.
+// A perspective projection whose entries are floats, so that both spaces have exactly the same
+// pyramid.
 struct Lens {
   float a = 0, b = 0;           // x' = a x, y' = b y, w = -z
   float depth = 0, offset = 0;  // z' = depth z + offset
   float near = 0, far = 0;
 };
 
-// Rounding may bend a sliver, which then crosses a plane more than twice: of n corners with k inside there are at most
-// 2 min(k, n - k) crossings, and a cut leaves no more than 3n/2.
+// Rounding may bend a sliver so that it crosses a plane more than twice. If k of n corners are
+// inside, there are at most 2 min(k, n - k) crossings, and clipping leaves at most 3n/2 corners.
 constexpr std::size_t most_vertices() {
   std::size_t most = 3;
   for (std::size_t plane = 0; plane < kPlanes; ++plane) most = most * 3 / 2;
@@ -31,10 +33,10 @@ constexpr std::size_t most_vertices() {
 }
 inline constexpr std::size_t kMostVertices = most_vertices();
 
-// What clipping leaves, in clip space.
+// The result of clipping, in clip space.
 struct Outline {
   std::array<Point<Clip>, kMostVertices> vertices;
-  // The plane that made the vertex last; -1: it came so.
+  // The plane that created the vertex last; -1: an original vertex.
   std::array<std::int8_t, kMostVertices> cut_by{};
   std::size_t count = 0;
 };
@@ -53,7 +55,7 @@ struct EyeSpace {
 
   Vertex enter(const Point<Eye>& p) const { return p; }
   Point<Clip> leave(const Vertex& v) const { return to_clip(lens, v); }
-  // A product and a sum for each side of the pyramid.
+  // Needs a product and a sum for each side of the pyramid.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
       case 0:
@@ -70,7 +72,7 @@ struct EyeSpace {
         return double(lens.far) + double(v.z);
     }
   }
-  // x = -+z/a can only be rounded: what was computed stays.
+  // x = -+z/a can only be rounded, so the computed x stays.
   void put_on(std::size_t plane, Vertex& v) const {
     if (plane == 4) v.z = -lens.near;
     if (plane == 5) v.z = -lens.far;
@@ -87,7 +89,7 @@ struct ClipSpace {
 
   Vertex enter(const Point<Eye>& p) const { return to_clip(lens, p); }
   Point<Clip> leave(const Vertex& v) const { return v; }
-  // A sum, or nothing.
+  // Needs a sum, or nothing.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
       case 0:
@@ -104,7 +106,7 @@ struct ClipSpace {
         return double(v.w) - double(v.z);
     }
   }
-  // x = -+w and so on, exactly.
+  // Sets x = -+w and so on, exactly.
   void put_on(std::size_t plane, Vertex& v) const {
     if (plane < 2) v.x = plane == 0 ? -v.w : v.w;
     if (plane == 2 || plane == 3) v.y = plane == 2 ? -v.w : v.w;
@@ -131,7 +133,8 @@ struct Polygon {
   }
 };
 
-// The crossing is the same from both ends of the edge (SPEC B.1), in double and rounded once.
+// The crossing is the same from both ends of the edge (B.1): it is computed in double and rounded
+// once.
 template <class Space>
 Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& polygon) {
   std::array<double, kMostVertices> distances;
@@ -152,7 +155,7 @@ Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& 
   return kept;
 }
 
-// Outcodes first: most triangles are inside of all planes, or outside of one.
+// Tests outcodes first, because most triangles are inside all planes or outside one.
 template <class Space>
 void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
   Polygon<Space> polygon;
@@ -179,7 +182,7 @@ void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
 
 // ---- the error ----
 
-// How far a vertex lies from the edge of the picture that cut it, px.
+// The distance in px between a vertex and the edge of the picture that has cut it.
 inline double off_the_edge(const Point<Clip>& p, int plane) {
   const double along = double(plane < 2 ? p.x : p.y) / double(p.w);
   const double half_side = (plane < 2 ? kWidth : kHeight) / 2;
@@ -190,7 +193,8 @@ inline double off_the_edge(const Point<Clip>& p, int plane) {
 
 Lens course_lens();
 
-// Around random places in the picture and a little beside it, at all depths, with edges of about `size` picture widths.
+// Triangles around random places in the picture and slightly outside it, at all depths, with edges
+// of about `size` picture widths.
 std::vector<EyeTriangle> random_triangles(double size, std::size_t count);
 
 }  // namespace glassbox::study::d32

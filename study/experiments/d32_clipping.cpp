@@ -1,4 +1,5 @@
-// D-32: clipping against the viewing pyramid in eye space, or against the box in clip space (S3-11).
+// Compares clipping against the viewing pyramid in eye space with clipping against the box in clip
+// space (D-32, S3-11).
 #include <algorithm>
 #include <cmath>
 
@@ -78,7 +79,8 @@ void add_series(std::vector<Configuration>& all, const char* series, double pred
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  // Three roundings of relative size u each: the crossing's x and z, and the projection's product.
+  // Three rounding errors of relative size u each: the crossing's x and z, and the product of the
+  // projection.
   const double bound = 3 * double(unit_roundoff<float>) * kWidth / 2;
   add_series<EyeSpace>(all, "eye space, the pyramid", bound, effort);
   add_series<ClipSpace>(all, "clip space, the box", 0, effort);

@@ -1,4 +1,4 @@
-// The experiments, one file each.
+// The list of all experiments; each is in its own file.
 #pragma once
 
 #include "study/experiment/experiment.h"
@@ -6,7 +6,8 @@
 namespace glassbox::study {
 
 #define ENTRY(name) Experiment name();
-#include <experiments.inc>  // ENTRY(d01_vertex_stage) and so on, for each file (CMakeLists.txt)
+// has ENTRY(d01_vertex_stage) and so on, one for each file (CMakeLists.txt)
+#include <experiments.inc>
 #undef ENTRY
 
 }  // namespace glassbox::study

@@ -1,4 +1,5 @@
-// Layered depth images of random samples, and cameras with short numbers: for D-14 to D-16.
+// Cameras with simple numbers for layered depth images, and samples of random colours (D-14 to
+// D-16).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,8 @@
 
 namespace glassbox::study {
 
-// `focal_px` is the focal length in pixels; the gaze goes through the middle of the picture, and depth is near/distance.
+// `focal_px` is the focal length in pixels; the gaze goes through the middle of the picture, and
+// depth is near/distance.
 inline views::LayerCamera perspective_camera(int width, int height, double focal_px, double near,
                                              const Eigen::Isometry3d& eye_from_world) {
   Eigen::Matrix4d screen_from_eye;
@@ -23,7 +25,7 @@ inline views::LayerCamera perspective_camera(int width, int height, double focal
   return {screen_from_eye * eye_from_world.matrix(), width, height};
 }
 
-// A colour for a number of 24 bits.
+// A random 24-bit colour.
 inline Rgba8 random_color(Random& random) {
   const auto channel = [&] { return std::uint8_t(random.integer(0, 255)); };
   const std::uint8_t r = channel(), g = channel(), b = channel();

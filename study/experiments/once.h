@@ -1,4 +1,4 @@
-// For errors of several measures that come from one computation.
+// Computes a value only once that several measures use.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace glassbox::study {
 
-// What `make` gives, made when it is first asked for and kept; copies share it. For one thread.
+// The result of `make`, computed on the first request and then kept; copies share it. Not
+// thread-safe.
 template <class Make>
 auto once(Make make) {
   using Made = std::invoke_result_t<Make>;

@@ -14,11 +14,12 @@ namespace glassbox::study {
 
 enum class Shape { kCompact, kSliver };
 
-// Where their centres are spread, in px: a square from (0, 0).
+// The centres are spread over a square from (0, 0) with this side, in px.
 inline constexpr int kShapesSide = 256;
 
-// Triangle `index` of a stream: three corners about a random centre. Compact: on a circle of diameter `size_px`, a third of
-// a turn apart give or take a sixth. Slivers: `size_px` long and half a pixel wide, in any direction. The last triangle is the
+// Triangle `index` of a stream: three corners around a random centre. Compact triangles have their
+// corners on a circle of diameter `size_px`, a third of a turn apart, plus or minus a sixth.
+// Slivers are `size_px` long and half a pixel wide, in any direction. The last triangle is the
 // nearest.
 inline std::array<ScreenVertex, 3> random_triangle(Shape shape, double size_px,
                                                    std::uint64_t stream, std::uint64_t index,
@@ -41,7 +42,7 @@ inline std::array<ScreenVertex, 3> random_triangle(Shape shape, double size_px,
   return corners;
 }
 
-// Those of `count` triangles that have an area after the snap.
+// The triangles among `count` that still have an area after snapping.
 inline std::vector<TriangleSetup> random_triangles(Shape shape, double size_px,
                                                    std::uint64_t stream, int count) {
   std::vector<TriangleSetup> triangles;

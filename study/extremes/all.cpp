@@ -3,7 +3,8 @@
 namespace glassbox::study {
 
 #define ENTRY(name) ExtremeCase name();
-#include <extreme_cases.inc>  // ENTRY(c01_up_along_gaze) and so on, for each file of cases/ (CMakeLists.txt)
+// has ENTRY(c01_up_along_gaze) and so on, one for each file in cases/ (CMakeLists.txt)
+#include <extreme_cases.inc>
 #undef ENTRY
 
 const std::vector<ExtremeCase>& extreme_cases() {

@@ -1,4 +1,4 @@
-// Cases put to their judges.
+// Runs the judges of the extreme cases.
 #pragma once
 
 #include <string_view>
@@ -11,21 +11,23 @@ namespace glassbox::study {
 struct CaseResult {
   const ExtremeCase& what;
   Outcome ours, naive;
-  std::vector<Outcome> mutants;  // in the order of the case's
-  std::vector<Outcome> drawn;    // in the order of the drawers; empty: does not show in a picture
+  std::vector<Outcome> mutants;  // in the order of the case
+  // in the order of the drawers; empty: the case does not show in a picture
+  std::vector<Outcome> drawn;
 
   bool ours_passes() const { return ours.passes(); }
   bool naive_fails() const { return !naive.passes(); }
   int mutants_caught() const;
   int drawn_right() const;
-  // All four as they should be. A mutant that passes its case is one that the case is no test for.
+  // Whether all four results are as expected. A mutant that passes means that the case does not
+  // test for it.
   bool holds() const;
 };
 
-// The case must outlive the result. The same to the last digit in every run.
+// The case must outlive the result. Every run gives the same result to the last digit.
 CaseResult run(const ExtremeCase& extreme);
 
-// By its id in either case, such as "C-38" or "c-38"; null: none.
+// Finds a case by its id, such as "C-38" or "c-38"; null if there is none.
 const ExtremeCase* find_case(std::string_view id);
 
 }  // namespace glassbox::study

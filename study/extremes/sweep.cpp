@@ -5,7 +5,8 @@
 namespace glassbox::study {
 
 #define ENTRY(name) Sweep name();
-#include <sweeps.inc>  // ENTRY(s1_near_far) and so on, for each file of sweeps/ (CMakeLists.txt)
+// has ENTRY(s1_near_far) and so on, one for each file in sweeps/ (CMakeLists.txt)
+#include <sweeps.inc>
 #undef ENTRY
 
 const std::vector<Sweep>& sweeps() {

@@ -1,5 +1,5 @@
-// Stiffness as curves: error and bound against the one parameter that makes a problem hard, for each way of doing it, and
-// the place from which a way is of no use any more.
+// Stiffness as curves: error and bound over the one parameter that makes a problem hard, for
+// several methods, and the parameter from which on a method is no longer usable.
 #pragma once
 
 #include <functional>
@@ -12,37 +12,38 @@ namespace glassbox::study {
 struct SweepPoint {
   double parameter = 0;
   double error = 0;             // infinity: no answer
-  std::optional<double> bound;  // none: the theory gives no guarantee there
+  std::optional<double> bound;  // none: the theory guarantees nothing there
 };
 
-// One way: "float", "24 bits", "camera-relative".
+// The curve of one method, for example "float", "24 bits" or "camera-relative".
 struct SweepSeries {
   std::string name;
-  bool ours = false;  // what the pipeline does
+  bool ours = false;  // the method of the pipeline
   std::vector<SweepPoint> points = {};
-  // The first parameter whose error is beyond what the sweep tolerates; none where it never is.
+  // The first parameter whose error is greater than the sweep tolerates; none if it never is.
   std::optional<double> gives_up = {};
 };
 
 struct Sweep {
-  std::string name;      // "near-far", as the command takes it
-  std::string title;     // "Far plane over near plane"
+  std::string name;      // for example "near-far", as the command expects it
+  std::string title;     // for example "Far plane over near plane"
   std::string question;  // one sentence
   std::string axis, axis_unit = {};
   std::string error, error_unit = {};
-  std::string reference;  // against what
-  std::string bound;      // its formula, with the source
-  std::string tolerance;  // when a way gives up, in words
+  std::string reference;  // what the error is measured against
+  std::string bound;      // formula of the bound, with its source
+  std::string tolerance;  // in words: when a method gives up
   std::function<std::vector<SweepSeries>()> series;
 };
 
-// In the order of the specification.
+// All sweeps, in the order of their numbers.
 const std::vector<Sweep>& sweeps();
 
-// Points within their bounds: of every series that has them, for a bound holds for naive code too.
+// Whether all points are within their bounds. This is true for every series that has bounds,
+// because a bound holds for naive code too.
 bool within_bounds(const SweepSeries& series);
 
-// Fills in `gives_up`: the first point, in the order given, whose error is above the tolerance.
+// Sets `gives_up` to the first point, in the given order, whose error is above the tolerance.
 SweepSeries with_limit(SweepSeries series, double tolerance);
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// Attributes that are interpolated wrongly over a triangle, and texture coordinates that are wrapped wrongly.
+// Wrong ways to interpolate attributes over a triangle, and to wrap texture coordinates.
 #pragma once
 
 #include <array>
@@ -15,14 +15,15 @@ namespace glassbox::study::naive {
 
 // ---- over a triangle ----
 
-// As if the screen were the surface: perspective is forgotten.
+// Interpolates linearly on the screen, which ignores perspective.
 inline float affine(const TriangleSetup& t, const Coverage& pixel, const std::array<float, 3>& a) {
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += float(pixel.edges[k]) * t.inverse_area * a[k];
   return sum;
 }
 
-// The reciprocal that SSE's rcpss promises: 12 bits (1.5 2^-12), here by truncation, the same on every machine.
+// The reciprocal with the accuracy of SSE's rcpss: 12 bits (1.5 2^-12). It is truncated here, so
+// that it is the same on every machine.
 inline float raw_reciprocal(float x) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(1.0f / x) & 0xfffff000u);
 }
@@ -34,12 +35,12 @@ inline float over_w(const TriangleSetup& t, const Coverage& pixel, const std::ar
   }
   return sum;
 }
-// The right formula with a reciprocal of half the digits.
+// The right formula, but with a reciprocal that has half of the digits.
 inline float with_raw_reciprocal(const TriangleSetup& t, const Coverage& pixel,
                                  const std::array<float, 3>& a) {
   return over_w(t, pixel, a) * raw_reciprocal(over_w(t, pixel, {1, 1, 1}));
 }
-// a/w is linear on the screen, and so is 1/w, but not w.
+// Wrong because w is interpolated linearly: only a/w and 1/w are linear on the screen.
 inline float with_linear_w(const TriangleSetup& t, const Coverage& pixel,
                            const std::array<float, 3>& a) {
   return over_w(t, pixel, a) *
@@ -48,26 +49,27 @@ inline float with_linear_w(const TriangleSetup& t, const Coverage& pixel,
 
 // ---- texels along one axis ----
 
-// Scaled first, as a 32-bit integer that wraps round, and the remainder as C has it: negative for negatives.
+// Scales first, to a 32-bit integer that wraps around; then takes C's remainder, which is negative
+// for negative numbers.
 inline int scaled_then_wrapped(Wrap, float t, int size) {
   const auto scaled = std::int32_t(std::uint32_t(std::int64_t(double(t) * size)));
   return std::abs(scaled % size);
 }
-// The right order, but truncated in place of rounded down.
+// The right order of steps, but it truncates instead of rounding down.
 inline int truncated(Wrap wrap, float t, int size) {
   if (wrap == Wrap::kClampToEdge) return t < 0 ? 0 : t >= 1 ? size - 1 : int(t * float(size));
   const float whole = wrap == Wrap::kRepeat ? std::trunc(t) : 2 * std::trunc(t * 0.5f);
   const int texel = std::abs(int((t - whole) * float(size)));
   return texel < size ? texel : 2 * size - 1 - texel;
 }
-// Scaled in float before the whole part is taken away: blocks of texels far from 0.
+// Scales in float before it subtracts the whole part: far from 0, blocks of texels become the same.
 inline int scaled_in_float(Wrap, float t, int size) {
   const float scaled = t * float(size) + 0.25f;
   const float whole = float(size) * std::floor(scaled / float(size));
   const int texel = int(std::floor(scaled - whole));
   return texel < 0 ? 0 : texel >= size ? size - 1 : texel;
 }
-// The mirror is put through the middle of the outermost texels, which then appear once in place of twice.
+// Mirrors about the centres of the outermost texels, which then appear once instead of twice.
 inline int mirrored_about_texels(Wrap wrap, float t, int size) {
   const int texel = int(std::floor(t * float(size)));
   const auto modulo = [](int n, int m) { return ((n % m) + m) % m; };

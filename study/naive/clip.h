@@ -1,4 +1,5 @@
-// Clipping as one first writes it: Sutherland and Hodgman with one thing wrong at a time.
+// Clipping as beginners first write it: Sutherland and Hodgman's algorithm with one error at a
+// time.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,7 @@ inline Point<Clip> mixed(const Point<Clip>& a, const Point<Clip>& b, float s, fl
   return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z, s * a.w + t * b.w};
 }
 
-// a + t (b - a): from the other end it rounds differently.
+// Computes a + t (b - a), which rounds differently if it starts from the other end.
 inline Point<Clip> from_first_end(const Point<Clip>& a, float d_a, const Point<Clip>& b,
                                   float d_b) {
   const float t = d_a / (d_a - d_b);
@@ -29,7 +30,7 @@ inline Point<Clip> from_first_end(const Point<Clip>& a, float d_a, const Point<C
           a.w + t * (b.w - a.w)};
 }
 
-// (1 - t) a + t b: closer, and still not the same from both ends.
+// Computes (1 - t) a + t b: a smaller error, but still not the same from both ends.
 inline Point<Clip> weighted_by_t(const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
   const float t = d_a / (d_a - d_b);
   return mixed(a, b, 1 - t, t);
@@ -40,7 +41,7 @@ using Crossing = Point<Clip> (*)(const Point<Clip>&, float, const Point<Clip>&, 
 struct Clipper {
   Crossing crossing = from_first_end;
   bool on_plane_is_inside = true;
-  std::size_t capacity = 64;  // further vertices are lost
+  std::size_t capacity = 64;  // vertices beyond this number are lost
 };
 
 inline Outline clip(const Clipper& clipper, const std::array<ClipVertex, 3>& triangle,
@@ -63,7 +64,7 @@ inline Outline clip(const Clipper& clipper, const std::array<ClipVertex, 3>& tri
   return polygon;
 }
 
-// Divide first, and think later.
+// Does not clip at all: it leaves the triangle as it is, to be divided by w.
 inline Outline nothing(const std::array<ClipVertex, 3>& triangle, std::span<const ClipPlane>) {
   return {triangle[0].position, triangle[1].position, triangle[2].position};
 }

@@ -1,4 +1,5 @@
-// Rasterizers that go wrong. The parts of the right one (snap, edge functions, tie rule) can be exchanged one by one.
+// Rasterizers with errors. The parts of the right one (snapping, edge functions, tie rule) can be
+// exchanged one by one.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,9 @@ namespace glassbox::study::naive {
 
 // ---- float edge functions ----
 
-// The cross product in float on positions that were not snapped, and >= 0 for "inside": what most rasterizers in
-// tutorials do. Rounding gives neighbours different answers, and both have what lies on their common edge.
+// Computes the cross product in float from positions that are not snapped, and counts >= 0 as
+// "inside", as most tutorials do. Rounding gives two neighbours different answers, and both draw
+// the pixels exactly on their common edge.
 inline void float_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
   const auto cross = [](const Point<Screen>& a, const Point<Screen>& b, float x, float y) {
     return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
@@ -34,8 +36,8 @@ inline void float_covers(const ScreenTriangle& t, const PixelRect& window, const
   }
 }
 
-// The edge functions and the tie rule are right, but each cross product is one of float differences from the edge's first
-// vertex, which neighbours do not share.
+// The edge functions and the tie rule are right, but each cross product uses float differences from
+// the first vertex of the edge, and neighbours do not share that vertex.
 inline bool float_difference_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                                     bool owns_zero) {
   const float ax = float(a.x) / 256, ay = float(a.y) / 256;
@@ -44,7 +46,8 @@ inline bool float_difference_inside(const SnappedVertex& a, const SnappedVertex&
   return edge > 0 || (edge == 0 && owns_zero);
 }
 
-// 32 bits do for a picture of 2048 pixels with 4 bits of subpixels; with 8, edge functions overflow and wrap.
+// 32 bits are enough for a picture of 2048 pixels with 4 subpixel bits; with 8 subpixel bits, the
+// edge functions overflow and wrap around.
 inline bool int32_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                          bool owns_zero) {
   const auto wrapped = [](std::int64_t n) { return std::int64_t(std::int32_t(std::uint32_t(n))); };
@@ -63,7 +66,8 @@ inline bool exact_inside(const SnappedVertex& a, const SnappedVertex& b, int x, 
 
 // ---- the right rasterizer in parts ----
 
-// Whether a point on the edge from a to b, of a triangle that runs clockwise on the screen, belongs to it.
+// Whether a point exactly on the edge from a to b belongs to the triangle, which runs clockwise on
+// the screen (top-left rule).
 inline bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
   return a.y > b.y || (a.y == b.y && b.x > a.x);
 }
@@ -73,10 +77,10 @@ struct CoverageParts {
   bool (*inside)(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                  bool owns_zero) = exact_inside;
   bool (*owns)(const SnappedVertex& a, const SnappedVertex& b) = top_left;
-  bool rule_before_orientation = false;  // edges are classed in the order in which they came
+  bool rule_before_orientation = false;  // edges are classified before the winding is corrected
 };
 
-// As pipeline_covers where no part is exchanged.
+// The same as pipeline_covers if no part is exchanged.
 inline void covers_with(const CoverageParts& parts, const ScreenTriangle& t,
                         const PixelRect& window, const Visit& visit) {
   SnappedTriangle v;
@@ -122,28 +126,28 @@ inline bool owns_all(const SnappedVertex&, const SnappedVertex&) {
 inline bool owns_none(const SnappedVertex&, const SnappedVertex&) {
   return false;
 }
-// Watertight, but other pixels than everybody else's.
+// Has no gaps and no overlaps, but picks other pixels than all other rasterizers.
 inline bool bottom_right(const SnappedVertex& a, const SnappedVertex& b) {
   return !top_left(a, b);
 }
-// Horizontal edges belong to nobody.
+// Horizontal edges belong to no triangle.
 inline bool left_only(const SnappedVertex& a, const SnappedVertex& b) {
   return a.y > b.y;
 }
 
-// Towards zero: left of column 0 everything moves to the right.
+// Truncates towards zero: left of column 0 everything moves to the right.
 inline std::int32_t snap_truncating(float pixels) {
   return std::int32_t(pixels * 256.0f);
 }
-// Halves away from zero, as std::round has it.
+// Rounds halves away from zero, like std::round.
 inline std::int32_t snap_away(float pixels) {
   return std::int32_t(std::round(pixels * 256.0f));
 }
-// Halves to even, as the processor rounds.
+// Rounds halves to even, like the processor.
 inline std::int32_t snap_to_even(float pixels) {
   return std::int32_t(std::nearbyint(pixels * 256.0f));
 }
-// The sum with a half is rounded itself: 0.49999997 becomes 1, and from 2^15 px on the half is lost.
+// Rounds the sum with a half once more: 0.49999997 becomes 1, and from 2^15 px on the half is lost.
 inline std::int32_t snap_float_half(float pixels) {
   return std::int32_t(std::floor(pixels * 256.0f + 0.5f));
 }

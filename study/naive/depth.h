@@ -1,4 +1,4 @@
-// Depths that go wrong: over a triangle, and on their way into the buffer.
+// Wrong ways to compute depth over a triangle and to convert it for the depth buffer.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace glassbox::study::naive {
 
-// The gradient of depth over the screen, per pixel, from edge functions over the area in float.
+// The gradient of depth on the screen, per pixel: edge functions divided by the area, in float.
 struct Gradient {
   float x = 0, y = 0;
 };
@@ -21,7 +21,8 @@ inline Gradient depth_gradient(const TriangleSetup& t) {
   return g;
 }
 
-// d = A x + B y + C. C is what remains of large numbers, and every triangle of a plane has another one.
+// d = A x + B y + C. C is a small difference of large numbers, and it differs between the triangles
+// of the same plane.
 inline float plane_depth(const TriangleSetup& t, const Coverage& pixel) {
   const Gradient g = depth_gradient(t);
   float c = 0;
@@ -29,8 +30,8 @@ inline float plane_depth(const TriangleSetup& t, const Coverage& pixel) {
   return g.x * (float(pixel.x) + 0.5f) + g.y * (float(pixel.y) + 0.5f) + c;
 }
 
-// d = d0 + A (x - x0) + B (y - y0), from the pixel in the corner of the triangle's box: outside of the triangle, where
-// depth may be anything.
+// d = d0 + A (x - x0) + B (y - y0), starting from the corner pixel of the triangle's bounding box.
+// That pixel is outside the triangle, where the depth may have any value.
 inline float depth_from_corner(const TriangleSetup& t, const Coverage& pixel) {
   const Gradient g = depth_gradient(t);
   const std::int64_t x = std::int64_t(t.bounds.x0) * 256 + 128;
@@ -42,8 +43,8 @@ inline float depth_from_corner(const TriangleSetup& t, const Coverage& pixel) {
   return corner + g.x * float(pixel.x - t.bounds.x0) + g.y * float(pixel.y - t.bounds.y0);
 }
 
-// Weights times depths in the order in which the vertices came: the same triangle, begun at another vertex, has other
-// depths by an ulp.
+// Adds weights times depths in the order in which the vertices are given: if the same triangle
+// starts with another vertex, its depths change by an ulp.
 inline float depth_in_given_order(const TriangleSetup& t, const Coverage& pixel) {
   std::array<float, 3> term{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -58,14 +59,14 @@ inline bool in_front_or_equal(std::uint32_t incoming, std::uint32_t stored) {
 
 // ---- 24 bits ----
 
-// 1.0 becomes 2^24, of which 24 bits keep 0: the far plane is nearest.
+// 1.0 becomes 2^24, whose lowest 24 bits are 0: the far plane becomes the nearest depth.
 inline std::uint32_t unorm24_wrapping(float z) {
   return std::uint32_t(double(z) * 0x1p24) & 0xffffffu;
 }
 inline std::uint32_t unorm24_truncating(float z) {
   return std::uint32_t(double(z) * 16777215.0);
 }
-// The sum with a half is rounded to 24 bits itself.
+// The sum with a half is itself rounded to 24 bits.
 inline std::uint32_t unorm24_in_float(float z) {
   return std::uint32_t(z * 16777215.0f + 0.5f);
 }

@@ -1,4 +1,4 @@
-// Components of bands that go wrong.
+// Wrong ways to compute the principal components of image bands.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace glassbox::study::naive {
 
 // ---- covariance ----
 
-// E[x y] - E[x] E[y], in one pass: what is left of two large numbers that are nearly the same.
+// E[x y] - E[x] E[y] in one pass: the difference of two large numbers that are nearly equal.
 template <class F>
 Eigen::MatrixXd covariance_by_moments(const views::Bands& bands) {
   const int count = bands.count();
@@ -35,13 +35,14 @@ Eigen::MatrixXd covariance_by_moments(const views::Bands& bands) {
   return covariance;
 }
 
-// Of a sample instead of all there is: a sum of eigenvalues that were dropped is then no error of these pixels.
+// The covariance of a sample instead of the whole population: the sum of the dropped eigenvalues is
+// then not the error of these pixels.
 inline Eigen::MatrixXd covariance_of_a_sample(const views::Bands& bands) {
   const double pixels = double(bands.pixels());
   return views::moments_of(bands).covariance * (pixels / (pixels - 1));
 }
 
-// The mean is not taken away.
+// The mean is not subtracted.
 inline Eigen::MatrixXd covariance_about_zero(const views::Bands& bands) {
   const views::Moments moments = views::moments_of(bands);
   return moments.covariance + moments.mean * moments.mean.transpose();
@@ -49,12 +50,13 @@ inline Eigen::MatrixXd covariance_about_zero(const views::Bands& bands) {
 
 // ---- what components are compared by ----
 
-// The first vectors, as if each eigenvalue had one.
+// Compares the first eigenvectors as if each were unique, although equal eigenvalues share a whole
+// plane of them.
 inline double angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return views::angle_between(a.col(0), b.col(0));
 }
 
-// Eigenvalues may be equal, signs are thought to be the only choice that is left.
+// Assumes that the eigenvectors are unique up to their sign, although eigenvalues may be equal.
 inline double largest_angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   double largest = 0;
   for (Eigen::Index i = 0; i < a.cols(); ++i)
@@ -62,7 +64,7 @@ inline double largest_angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::Ma
   return largest;
 }
 
-// cos(x) is 1 for all x below the root of the unit roundoff.
+// cos(x) rounds to 1 for all x below the square root of the unit roundoff.
 inline double angle_by_cosine(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   const Eigen::MatrixXd cosines = a.transpose() * b;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(cosines);

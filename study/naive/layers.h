@@ -1,4 +1,4 @@
-// Layered depth images that are packed, merged, warped and splatted as one first writes it.
+// Layered depth images that are packed, merged, warped and splatted as beginners first write it.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,11 @@ namespace glassbox::study::naive {
 
 // ---- the loop over all samples ----
 
-// How a sample is drawn, in double; each member is right, until a mutant changes it.
+// Describes how a sample is drawn, in double. Each member has the right value until a mutant
+// changes it.
 struct SplatLoop {
-  // px, of a sample that is w = d2/d1 times as far from the second eye; `zoom` is F2/F1.
+  // The side in px of a sample whose distance from the second eye is w = d2/d1 times its distance
+  // from the first; `zoom` is F2/F1.
   std::function<double(double zoom, double w)> side = [](double zoom, double w) {
     return std::clamp(zoom / w, 1.0, double(views::kLargestSplat));
   };
@@ -29,8 +31,8 @@ struct SplatLoop {
     return w > 0 && z <= 1;
   };
   bool compares_depth = true;
-  bool back_to_front = true;  // within a pixel
-  // The order of visits; empty: as it is packed.
+  bool back_to_front = true;  // order within a pixel
+  // The order in which columns and rows are visited; empty: as they are packed.
   std::vector<int> columns = {}, rows = {};
 };
 
@@ -82,8 +84,8 @@ inline SplatPicture splat(const views::LayeredImage& image, const views::LayerCa
 
 // ---- merging ----
 
-// While the list of a pixel is built: whatever comes is put into the first sample that is near to it. What is left depends on who
-// came first.
+// Merges while the list of a pixel is built: each new depth goes into the first sample that is near
+// to it. The result depends on the order in which the depths arrive.
 inline std::vector<float> merged_as_they_come(const std::vector<float>& depths, double epsilon) {
   std::vector<float> kept;
   for (const float depth : depths) {
@@ -100,7 +102,8 @@ inline std::vector<float> merged_as_they_come(const std::vector<float>& depths, 
   return kept;
 }
 
-// Sorted, and each compared with its neighbour, which may have gone itself: a chain of near ones becomes one, however long it is.
+// Sorts, then compares each depth with its neighbour, which may have been merged itself: a chain of
+// near depths becomes a single sample, however long the chain is.
 inline std::vector<float> merged_along_the_chain(std::vector<float> depths, double epsilon) {
   std::ranges::sort(depths, std::greater<>());
   std::vector<float> kept;
@@ -112,7 +115,7 @@ inline std::vector<float> merged_along_the_chain(std::vector<float> depths, doub
   return kept;
 }
 
-// The nearest of those that are merged is not the one that stays: things grow back from the eye.
+// The depth that stays is not the nearest of the merged ones, so surfaces move away from the eye.
 inline std::vector<float> merged_from_behind(std::vector<float> depths, double epsilon) {
   std::ranges::sort(depths);
   std::vector<float> kept;
@@ -125,7 +128,7 @@ inline std::vector<float> merged_from_behind(std::vector<float> depths, double e
 
 // ---- packing ----
 
-// What is in each pixel, from back to front, pixels in the packed order.
+// The depths in each pixel, from back to front; the pixels are in packed order.
 using PixelLists = std::vector<std::vector<float>>;
 
 struct Packed {
@@ -133,7 +136,7 @@ struct Packed {
   std::vector<float> depth;
 };
 
-// How many samples a pixel has, in a byte: 256 of them are none.
+// Stores the number of samples per pixel in a byte: 256 samples become 0.
 inline Packed packed_by_byte_counts(const PixelLists& pixels) {
   Packed packed;
   std::uint32_t next = 0;
@@ -146,7 +149,7 @@ inline Packed packed_by_byte_counts(const PixelLists& pixels) {
   return packed;
 }
 
-// Only pixels that have samples get an offset.
+// Stores an offset only for pixels that have samples.
 inline Packed packed_without_empty_pixels(const PixelLists& pixels) {
   Packed packed;
   packed.first.assign(pixels.size() + 1, 0);
@@ -159,7 +162,8 @@ inline Packed packed_without_empty_pixels(const PixelLists& pixels) {
   return packed;
 }
 
-// The offset of a pixel's last sample, as if each had one: below the first pixel it is minus one.
+// Stores the index of each pixel's last sample, as if every pixel had one: for an empty first pixel
+// it is minus one.
 inline Packed packed_by_last_samples(const PixelLists& pixels) {
   Packed packed;
   for (const std::vector<float>& here : pixels) {

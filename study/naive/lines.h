@@ -1,4 +1,4 @@
-// Lines that go wrong at their ends.
+// Lines with wrong pixels at their ends.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace glassbox::study::naive {
 
-// From the rounded first pixel to the rounded last one, both drawn: lines that go on from one another draw their joint
-// twice.
+// Draws from the rounded first pixel to the rounded last one, including both: lines that continue
+// each other draw the joint twice.
 inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
   int x = a.x >> 8, y = a.y >> 8;
   const int x1 = b.x >> 8, y1 = b.y >> 8;
@@ -33,7 +33,7 @@ inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Visi
   }
 }
 
-// The right rule, and the pixel in whose diamond the line ends.
+// The right rule, plus the pixel in whose diamond the line ends.
 inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
                                  const Visit& visit) {
   for_each_line_pixel(a, b, {-64, -64, 64, 64}, [&](const LinePixel& p) { visit(p.x, p.y); });
@@ -41,7 +41,8 @@ inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
   if (in_diamond(b, x, y)) visit(x, y);
 }
 
-// The right rule without the diamond that the line starts in, past its centre.
+// The right rule without the diamond in which the line starts, if it starts past the diamond's
+// centre.
 inline void line_without_start(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
   const LineSetup line = setup_line(a, b);
   for (int major = line.first; major < line.end; ++major) {

@@ -1,4 +1,4 @@
-// Dense matching that goes wrong.
+// Wrong ways to do dense stereo matching.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace glassbox::study::naive {
 
-// The least difference of single greys along the row. What lies beside the right picture is clamped into it, and every pixel has a
-// disparity.
+// Takes the smallest difference of single grey values along the row. Positions outside the right
+// picture are clamped to its border, and every pixel gets a disparity.
 inline Image<float> match_clamped(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const views::DisparityRange& range) {
   Image<float> disparity(left.width, left.height);
@@ -33,7 +33,7 @@ inline Image<float> match_clamped(const Image<Rgba8>& left, const Image<Rgba8>& 
   return disparity;
 }
 
-// The mean of all squared differences, of what is unknown as well.
+// The mean of all squared differences, including pixels whose value is unknown.
 inline double rms_of_all(const Image<float>& disparity, const Image<float>& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i)
@@ -41,7 +41,8 @@ inline double rms_of_all(const Image<float>& disparity, const Image<float>& trut
   return std::sqrt(sum / double(truth.pixels.size()));
 }
 
-// f B/d: parallel principal axes are taken for principal points in the same column.
+// f B/d: it assumes that the principal points are in the same column, which parallel axes alone do
+// not guarantee.
 inline double depth_without_offset(double disparity, const views::Calibration& calibration) {
   return calibration.focal_px * calibration.baseline / disparity;
 }

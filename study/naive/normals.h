@@ -1,4 +1,4 @@
-// Normals and facing as one first writes them.
+// Normals and facing tests as beginners first write them.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ inline Vector<Object, double> first_corner(std::span<const Point<Object>> polygo
   return {m.x, m.y, m.z};
 }
 
-// S4.33 as it stands: sums of raw coordinates, which cancel only at the end.
+// Newell's sums of raw coordinates, which cancel only at the end, exactly as on the slide (S4.33).
 template <class T>
 Vector<Object, double> raw_newell(std::span<const Point<Object>> polygon) {
   T x = 0, y = 0, z = 0;
@@ -29,7 +29,7 @@ Vector<Object, double> raw_newell(std::span<const Point<Object>> polygon) {
   return {double(x), double(y), double(z)};
 }
 
-// Newell's sums with one sign changed: differences times differences.
+// Newell's sums with one sign changed: differences are multiplied by differences.
 inline Vector<Object, double> newell_of_differences(std::span<const Point<Object>> polygon) {
   Vector<Object, double> m;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -48,18 +48,18 @@ inline Vector<Object, double> open_newell(std::span<const Point<Object>> polygon
     const Vector<Object, float> a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
     m.x += (double(a.y) - double(b.y)) * (double(a.z) + double(b.z));
     m.y += (double(a.z) - double(b.z)) * (double(a.x) + double(b.x));
-    m.z += (double(a.x) - double(b.x)) * (double(a.x) + double(b.x));  // x where y belongs
+    m.z += (double(a.x) - double(b.x)) * (double(a.x) + double(b.x));  // x instead of y
   }
   return m;
 }
 
-// S4.32 as it stands: (V1 - V2) x (V3 - V2) points the other way.
+// (V1 - V2) x (V3 - V2), exactly as on the slide; it points the other way (S4.32).
 inline Vector<Object, double> slide_32(std::span<const Point<Object>> polygon) {
   const auto m = cross(polygon[0] - polygon[1], polygon[2] - polygon[1]);
   return {m.x, m.y, m.z};
 }
 
-// (P - eye) . m in T, with whatever sign rounding leaves.
+// (P - eye) . m in T, with whichever sign remains after rounding.
 template <class T>
 Facing facing(std::span<const Point<Object>> polygon, const ObjectViewer& viewer) {
   using V = Vector<Object, T>;

@@ -1,4 +1,4 @@
-// Surfaces of fields and layered images of polygons as one first writes them.
+// Isosurfaces of scalar fields, and layered images of polygons, as beginners first write them.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ using views::ScalarField;
 
 // ---- tables ----
 
-// Cells with more than four corners inside have the triangles of the opposite case, as they are.
+// Cells with more than four corners inside get the triangles of the opposite case without any
+// change.
 inline CellTable table_of_opposites_not_turned() {
   CellTable table = views::naive_table();
   for (unsigned inside = 0; inside < table.size(); ++inside) {
@@ -32,7 +33,7 @@ inline CellTable table_of_opposites_not_turned() {
   return table;
 }
 
-// A face is cut one way by the cell below it and the other way by the cell above.
+// The cell below a face cuts it one way, the cell above it the other way.
 inline CellTable table_by_sides() {
   CellTable table;
   for (unsigned inside = 0; inside < table.size(); ++inside)
@@ -40,8 +41,8 @@ inline CellTable table_by_sides() {
   return table;
 }
 
-// The border of each polygon is right, and its triangles are a fan from the first corner: diagonals lie on faces, where the cell beside
-// has the same ones.
+// The border of each polygon is right, but its triangles are a fan from the first corner: the
+// diagonals lie on cell faces, where the neighbouring cell has the same diagonals.
 inline CellTable table_of_fans() {
   CellTable table;
   for (unsigned inside = 0; inside < table.size(); ++inside) {
@@ -76,8 +77,9 @@ inline CellTable table_of_fans() {
 
 // ---- ties ----
 
-// Corners exactly where the field, linear along each edge of the lattice, has the level: at a corner of the lattice whose value is the level
-// as many of them meet as it has edges.
+// Puts each corner exactly where the field, linear along each lattice edge, has the level. If the
+// value at a lattice corner is the level itself, as many corners coincide there as the lattice
+// corner has edges.
 inline PolygonMesh placed_exactly(PolygonMesh mesh, const ScalarField& field, double level) {
   for (views::Vector3d& p : mesh.positions) {
     int axis = 0;
@@ -92,7 +94,7 @@ inline PolygonMesh placed_exactly(PolygonMesh mesh, const ScalarField& field, do
   return mesh;
 }
 
-// Corners in one place made one, and triangles that have one of them twice thrown away.
+// Merges corners at the same place, and removes triangles that then have a corner twice.
 inline PolygonMesh welded(const PolygonMesh& mesh) {
   PolygonMesh all;
   std::map<std::array<double, 3>, std::uint32_t> places;
@@ -112,12 +114,13 @@ inline PolygonMesh welded(const PolygonMesh& mesh) {
 
 // ---- layered images ----
 
-// One pixel's list, as it is kept while polygons come and go. Each member is right, until a mutant changes it.
+// The list of one pixel, which changes as polygons are added and deleted. Each member has the right
+// value until a mutant changes it.
 struct PixelList {
-  bool keeps_all = true;          // else the nearest alone
-  bool sorts = true;              // else in the order of arrival
-  bool breaks_ties_by_id = true;  // else the last of equally near ones is in front
-  bool deletes_behind = true;     // else what is hidden stays
+  bool keeps_all = true;          // false: only the nearest
+  bool sorts = true;              // false: in the order of arrival
+  bool breaks_ties_by_id = true;  // false: among equally near ones, the last is in front
+  bool deletes_behind = true;     // false: hidden samples are not deleted
 };
 
 class NaiveIdLayers {

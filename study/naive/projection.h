@@ -1,4 +1,4 @@
-// Projections as one first writes them, and depth that went through too many hands.
+// Projections as beginners first write them, and depth that is rounded too often.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace glassbox::study::naive {
 
-// gluPerspective from the manual page, in float, unchecked: n = f divides by zero, f = infinity gives NaN.
+// gluPerspective as in the manual page, in float and unchecked: n = f divides by zero, f = infinity
+// gives NaN.
 inline Transform<Clip, Eye> unchecked_perspective(float fovy_degrees, float aspect, float near,
                                                   float far) {
   const float scale = 1 / std::tan(fovy_degrees * 3.14159265f / 360);
@@ -21,7 +22,8 @@ inline Transform<Clip, Eye> unchecked_perspective(float fovy_degrees, float aspe
   return m;
 }
 
-// Depth by the standard matrix and by OpenGL's, each in float from there on, made reversed afterwards.
+// Computes depth with the standard matrix or with OpenGL's, both in float, and reverses it
+// afterwards.
 inline float depth_reversed_afterwards(const Point<Clip>& standard) {
   return 1 - standard.z / standard.w;
 }

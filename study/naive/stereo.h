@@ -1,4 +1,4 @@
-// Pairs of pictures that go wrong.
+// Stereo pairs with errors.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace glassbox::study::naive {
 
 // ---- two passes over one buffer ----
 
-// The right eye's pass tests against the depths that the left eye's has left behind: what is nearer there punches holes
-// into the right eye's picture.
+// The right eye is tested against the depths that the left eye has left in the buffer: nearer
+// objects of the left eye punch holes into the right eye's picture.
 inline Image<Rgba8> anaglyph_without_clearing_depth(const Framebuffer& left,
                                                     const Framebuffer& right,
                                                     const Rgba8& background) {
@@ -30,7 +30,7 @@ inline Image<Rgba8> anaglyph_without_clearing_depth(const Framebuffer& left,
   return shown;
 }
 
-// Depth is cleared between the passes, and colour with it: nothing is left of the left eye.
+// Clears not only depth between the passes but colour as well: nothing remains of the left eye.
 inline Image<Rgba8> anaglyph_with_colour_cleared(const Framebuffer& right,
                                                  const Rgba8& background) {
   Image<Rgba8> shown = right.color;
@@ -40,14 +40,15 @@ inline Image<Rgba8> anaglyph_with_colour_cleared(const Framebuffer& right,
 
 // ---- anaglyphs in bytes ----
 
-// A number that does not fit wraps round: negative reds are bright.
+// A number that does not fit wraps around: negative values of red become bright.
 inline std::uint8_t wrapped_byte(double value) {
   return std::uint8_t(std::int64_t(std::lround(value * 255)) & 255);
 }
 
 // ---- changes of the window ----
 
-// The low-pass works on the distance in place of its inverse, which parallax is linear in.
+// A low-pass filter of the distance instead of its inverse, although parallax is linear in the
+// inverse.
 class FilterOfDistance {
 public:
   explicit FilterOfDistance(double frames) : share_(1 / (1 + frames)) {}

@@ -1,4 +1,4 @@
-// A picture drawn tile by tile that goes wrong at the tiles' borders.
+// Draws a picture tile by tile, with errors at the borders of the tiles.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace glassbox::study::naive {
 
 struct TileRules {
-  // A triangle is drawn in the tiles that its vertices lie in, and nowhere between.
+  // A triangle is drawn only in the tiles that contain its vertices, not in those between.
   bool only_tiles_of_vertices = false;
-  // Tiles end there in place of at their last pixel: pixels are drawn twice, or not at all.
+  // Each tile ends this many pixels after its last pixel: pixels are drawn twice, or not at all.
   int pixels_too_far = 0;
 };
 

@@ -1,4 +1,4 @@
-// Matrices as one first multiplies them.
+// Matrix products as beginners first write them.
 #pragma once
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -10,12 +10,12 @@ namespace glassbox::study::naive {
 
 // ---- products ----
 
-// The product the other way round: B A where A B is meant.
+// The product in the wrong order: B A instead of A B.
 inline glm::dmat4 premultiplied(const glm::dmat4& a, const glm::dmat4& b) {
   return b * a;
 }
 
-// World positions in float: the grid of floats at a large offset is coarser than the object.
+// World positions in float: far from the origin, the spacing of floats is coarser than the object.
 inline Point<Eye> through_float_world(const Transform<Eye, World>& eye_from_world,
                                       const Transform<World, Object>& world_from_object,
                                       const Point<Object>& p) {
@@ -23,7 +23,7 @@ inline Point<Eye> through_float_world(const Transform<Eye, World>& eye_from_worl
   return round_to_float(eye_from_world) * world;
 }
 
-// One matrix, but multiplied in float: both translations are rounded before they cancel.
+// One combined matrix, but multiplied in float: both translations are rounded before they cancel.
 inline Point<Eye> composed_in_float(const Transform<Eye, World>& eye_from_world,
                                     const Transform<World, Object>& world_from_object,
                                     const Point<Object>& p) {
@@ -32,13 +32,13 @@ inline Point<Eye> composed_in_float(const Transform<Eye, World>& eye_from_world,
 
 // ---- normals ----
 
-// By the matrix of the positions.
+// Transforms normals with the matrix of the positions.
 inline Normal<World> normal_by_matrix(const Transform<World, Object>& m, const Normal<Object>& n) {
   const glm::mat3 linear(m.columns);
   return Normal<World>(linear * to_glm(n));
 }
 
-// By the inverse transpose: 1/0 for a map that flattens.
+// Transforms normals with the inverse transpose: it is 1/0 for a map that flattens.
 inline Normal<World> normal_by_inverse_transpose(const Transform<World, Object>& m,
                                                  const Normal<Object>& n) {
   return Normal<World>(glm::inverseTranspose(glm::mat3(m.columns)) * to_glm(n));
@@ -48,13 +48,13 @@ inline glm::dmat3 cofactors(const glm::dmat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-// Cofactors without the determinant's sign: inward under a mirror.
+// Uses cofactors without the sign of the determinant: normals of a mirrored model point inwards.
 inline Normal<World> normal_without_sign(const Transform<World, Object>& m,
                                          const Normal<Object>& n) {
   return Normal<World>(glm::mat3(cofactors(glm::dmat3(m.columns))) * to_glm(n));
 }
 
-// Cofactors with rows and columns exchanged.
+// Uses cofactors with rows and columns exchanged.
 inline Normal<World> normal_by_transposed_cofactors(const Transform<World, Object>& m,
                                                     const Normal<Object>& n) {
   const glm::dmat3 linear(m.columns);

@@ -1,4 +1,4 @@
-// Geometry of two views that goes wrong.
+// Two-view geometry with errors.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@ using views::Matrix3d;
 
 // ---- eight points ----
 
-// The equations of pixels as they are: products of some 10^5 beside 1.
+// The eight-point equations in raw pixels: products of about 10^5 stand beside 1.
 inline Matrix3d fundamental_raw(const Matches& pixels) {
   const auto fit = views::fit_fundamental(pixels, views::Conditioning::kRaw);
   return fit ? fit->matrix : Matrix3d::Zero();
 }
 
-// Carried back by the normalisers of the other picture.
+// Undoes the normalisation with the matrices exchanged: each picture gets the matrix of the other.
 inline Matrix3d fundamental_carried_back_crosswise(const Matches& pixels) {
   const auto normal = views::normalised(pixels);
   if (!normal) return Matrix3d::Zero();
@@ -35,14 +35,14 @@ inline Matrix3d fundamental_carried_back_crosswise(const Matches& pixels) {
   return normal->left.transpose() * m * normal->right;
 }
 
-// What was solved for is the matrix of the normalised points; nobody carries it back.
+// Returns the matrix of the normalised points: the normalisation is not undone.
 inline Matrix3d fundamental_not_carried_back(const Matches& pixels) {
   const auto normal = views::normalised(pixels);
   return normal ? views::with_rank_two(views::linear_fit(normal->matches)->matrix)
                 : Matrix3d::Zero();
 }
 
-// The eigenvector of A^T A, whose condition is that of A, squared.
+// The eigenvector of A^T A, whose condition number is the square of that of A.
 template <class T>
 Matrix3d matrix_by_normal_equations(const Matches& matches) {
   const Eigen::Matrix<T, Eigen::Dynamic, 9> rows = views::design_matrix(matches).cast<T>();
@@ -54,7 +54,8 @@ Matrix3d matrix_by_normal_equations(const Matches& matches) {
   return matrix;
 }
 
-// Singular values are made equal for the normalised points, and differ once that is carried back.
+// Makes the singular values equal for the normalised points; undoing the normalisation makes them
+// different again.
 inline Matrix3d essential_made_before_carrying_back(const Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
   if (!normal) return Matrix3d::Zero();
@@ -62,7 +63,8 @@ inline Matrix3d essential_made_before_carrying_back(const Matches& calibrated) {
   return normal->right.transpose() * m * normal->left;
 }
 
-// Of rank 2, but with two singular values that differ: an F, and no E.
+// The matrix has rank 2 but two different singular values: it is a fundamental matrix, not an
+// essential one.
 inline Matrix3d essential_of_rank_two(const Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
   if (!normal) return Matrix3d::Zero();
@@ -72,12 +74,13 @@ inline Matrix3d essential_of_rank_two(const Matches& calibrated) {
 
 // ---- what kind of pair it is ----
 
-// Whatever eight points allow is a pair of cameras.
+// Accepts every result of the eight points as a general pair of cameras.
 inline views::PairKind always_general(const views::PairJudgement&) {
   return views::PairKind::kGeneral;
 }
 
-// A rotation is a homography, and homographies come of planes: five points will do.
+// A rotation is a homography, and so is a plane: this code takes a rotation for a plane and uses
+// five points.
 inline views::PairKind turned_is_a_plane(const views::PairJudgement& judged) {
   return judged.kind == views::PairKind::kTurned ? views::PairKind::kPlane : judged.kind;
 }
@@ -88,7 +91,7 @@ inline views::RelativePose first_of_four(const Matrix3d& essential, const Matche
   return views::poses_of(essential)[0];
 }
 
-// Both signs of T, but only one of the rotations.
+// Tries both signs of T, but only one of the two rotations.
 inline views::RelativePose one_rotation(const Matrix3d& essential, const Matches& calibrated) {
   const auto poses = views::poses_of(essential);
   return views::in_front_of_both(poses[0], calibrated) >=
@@ -97,7 +100,8 @@ inline views::RelativePose one_rotation(const Matrix3d& essential, const Matches
              : poses[1];
 }
 
-// The pose for which most points have a positive depth in the left camera; the right one is not asked.
+// Chooses the pose for which most points have a positive depth in the left camera; the right camera
+// is not tested.
 inline views::RelativePose in_front_of_left(const Matrix3d& essential, const Matches& calibrated) {
   views::RelativePose best;
   int most = -1;
@@ -112,8 +116,8 @@ inline views::RelativePose in_front_of_left(const Matrix3d& essential, const Mat
   return best;
 }
 
-// Two lines of sight as equations, solved by division: parallel ones divide by 0, and what lies behind is not told from what lies
-// in front.
+// Intersects two lines of sight by solving equations with a division: parallel lines divide by 0,
+// and points behind the cameras are not told apart from points in front.
 inline views::Triangulated by_division(const views::Match& pixels, const views::StereoRig& rig) {
   const views::Rays rays = views::rays_of(pixels, rig.left_intrinsic, rig.right_intrinsic);
   const Eigen::Vector3d d = rays.left, e = rig.pose.rotation.transpose() * rays.right;

@@ -1,5 +1,5 @@
-// Voxel colouring as one writes it first, and with what is easily left out of it: a loop over voxels in layers along z, each looked up
-// at the pixel of its centre.
+// Voxel colouring as beginners first write it, and with steps that are easily forgotten: a loop
+// over voxels in layers along z, where each voxel is looked up at the pixel of its centre.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@
 
 namespace glassbox::study::naive {
 
-// What is done right, unless it is changed.
+// Each member has the right value, unless a mutant changes it.
 struct PlainSweep {
-  bool hides = true;             // what is coloured hides what is behind it
-  bool nearest_first = true;     // layers away from the cameras
-  bool asks_masks = true;        // a voxel on background is none
-  bool below = true;             // sigma < T; else sigma <= T
-  std::int64_t least_views = 2;  // fewer pictures say nothing
+  bool hides = true;             // coloured voxels hide those behind them
+  bool nearest_first = true;     // visits the layers in order of distance from the cameras
+  bool asks_masks = true;        // rejects voxels that project to the background
+  bool below = true;             // accepts sigma < T; false: sigma <= T
+  std::int64_t least_views = 2;  // with fewer views, nothing is decided
 };
 
 using VoxelKeys = std::set<std::uint64_t>;

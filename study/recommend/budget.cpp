@@ -27,7 +27,7 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-// "0.05" or "1/255".
+// Reads a number such as "0.05" or a fraction such as "1/255".
 std::optional<double> share_of(std::string_view text) {
   const auto slash = text.find('/');
   if (slash == std::string_view::npos) return number_of(text);

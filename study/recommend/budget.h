@@ -1,4 +1,4 @@
-// How much error is acceptable, of what.
+// The error that a user accepts, for each quantity.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@ namespace glassbox::study {
 
 enum class Quantity { kPosition, kDepth, kColour };
 
-std::string_view name_of(Quantity quantity);  // "position"
-std::string_view unit_of(Quantity quantity);  // "px", empty for shares
+std::string_view name_of(Quantity quantity);  // for example "position"
+std::string_view unit_of(Quantity quantity);  // for example "px"; empty for shares
 
 struct Budget {
   Quantity quantity = Quantity::kPosition;
-  double limit = 0;  // errors are to be below it
+  double limit = 0;  // errors must be smaller than this
 };
 
-// "position<0.05px, depth<1e-4, colour<1/255": each quantity once at most, limits above 0, fractions welcome.
+// Reads for example "position<0.05px, depth<1e-4, colour<1/255". Each quantity may appear once;
+// limits must be greater than 0 and may be fractions.
 Result<std::vector<Budget>> parse_budgets(const std::string& text);
 
 }  // namespace glassbox::study

@@ -32,7 +32,8 @@ Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer) {
 
 namespace {
 
-// What is a pixel wide in pictures of any size would be thinner when the picture is made smaller.
+// Whether the scene has lines or points, which are one pixel wide in a picture of any size: they
+// would become thinner when the picture is made smaller.
 bool has_pixel_wide_things(const Scene& scene, const RenderSettings& settings) {
   return settings.wireframe || std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
            return !mesh.lines.empty() || !mesh.points.empty();
@@ -74,7 +75,7 @@ double color_error(const Image<Rgba8>& picture, const Image<Rgba8>& reference) {
     for (int x = 0; x < picture.width; ++x) {
       const Rgba8 &a = picture.at(x, y), &b = reference.at(x, y);
       const int red = a.r - b.r, green = a.g - b.g, blue = a.b - b.b;
-      sum += red * red + green * green + blue * blue;  // integers: exact in any order
+      sum += red * red + green * green + blue * blue;  // a sum of integers: exact in any order
     }
   }
   return std::sqrt(sum / (3.0 * picture.width * picture.height)) / 255;

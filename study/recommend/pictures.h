@@ -1,4 +1,4 @@
-// Whole pictures: their colours against many more samples.
+// Compares whole pictures with a reference that has many more samples.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,27 @@
 
 namespace glassbox::study {
 
-// The view that is asked for, in a picture `factor` times as wide and high. Its depth range is the settings' format's.
+// Makes the requested view for a picture `factor` times as wide and high. Its depth range is that
+// of the depth format in `settings`.
 using ViewOf = std::function<Result<View>(const RenderSettings& settings, int factor)>;
 
 struct ReferencePicture {
   Image<Rgba8> image;
-  int factor = 1;  // it was drawn that much wider and higher
+  int factor = 1;  // how many times wider and higher it was drawn
   DepthFormat depth = DepthFormat::kFloat32Reversed;
 };
 
-// The nearest to the right picture that there is: drawn up to 4 x 4 times as large with 16 samples a pixel, and averaged in
-// light. Its shading, and how its textures are filtered, are as asked for; so is its depth
-// format where the view cannot be had with the most exact one, reversed floats.
+// The best approximation of the correct picture: drawn up to 4 x 4 times as large with 16 samples a
+// pixel, and averaged in linear light. Shading and texture filters are those of `settings`; so is
+// the depth format if the view is impossible with the most exact one, reversed floats.
 Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& view,
                                            const RenderSettings& settings);
 
-// Every block of factor x factor pixels averaged in linear light, encoded again.
+// Averages each block of factor x factor pixels in linear light and encodes the mean again.
 Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer);
 
-// The root mean square difference of red, green and blue, 1 for the whole range of a byte. Both have the same size.
+// The root mean square difference of red, green and blue; 1 for the whole range of a byte. Both
+// pictures have the same size.
 double color_error(const Image<Rgba8>& picture, const Image<Rgba8>& reference);
 
 }  // namespace glassbox::study

@@ -28,7 +28,7 @@ Transform<World, Object> world_from_object(const Scene& scene, const Draw& draw)
   return scene.nodes[scene.instances[draw.instance].node].world_from_node;
 }
 
-// All three matrices are exactly the doubles that the pipeline starts from.
+// All three matrices have exactly the double values from which the pipeline starts.
 exact::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& view,
                                                const Draw& draw) {
   return exact::exactly<Decimal>(view.clip_from_eye) *
@@ -43,7 +43,8 @@ Where where(const exact::Vector4<Decimal>& clip) {
   return abs(clip[0]) <= clip[3] && abs(clip[1]) <= clip[3] ? Where::kInside : Where::kBeside;
 }
 
-// Of the eye-space distance, from clip z (rows 2 and 3 of a projection read z and w of eye space alone).
+// The eye-space distance of a point in clip space. It needs only z and w, because rows 2 and 3 of a
+// projection use nothing but z and w of eye space.
 double distance_of(const View& view, const exact::Vector4<Decimal>& clip) {
   if (view.perspective) return double(clip[3]);
   return double((Decimal(view.clip_from_eye.at(2, 3)) - clip[2]) /
@@ -63,7 +64,8 @@ RightPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::
 
 // ---- ways to compute it ----
 
-// The vertices that are looked at, a column each, in runs of one draw: what a loop over them may take several at a time of.
+// The chosen vertices, one array per coordinate, grouped into runs of the same draw: a loop over
+// them can be vectorized.
 struct VertexColumns {
   struct Run {
     std::size_t draw = 0, first = 0, end = 0;
@@ -72,12 +74,12 @@ struct VertexColumns {
   std::vector<float> x, y, z;  // object space
 };
 
-// On the screen, snapped.
+// Positions on the screen after snapping.
 struct ScreenColumns {
   std::vector<double> x, y;
 };
 
-// All vertices, snapped to so many steps to a pixel.
+// Computes the positions of all vertices and snaps them to `steps` steps per pixel.
 using PlaceAll = std::function<void(const VertexColumns&, double steps, ScreenColumns&)>;
 
 template <class T>
@@ -97,7 +99,7 @@ Transform<Target, Source, T> as(const Transform<Target, Source>& m) {
   return Transform<Target, Source, T>(glm::mat<4, 4, T>(m.columns));
 }
 
-// To the nearest of so many steps to a pixel, a power of two.
+// Rounds to the nearest of `steps` steps per pixel; `steps` is a power of two.
 double snapped(double px, double steps) {
   return std::floor(px * steps + 0.5) * (1 / steps);
 }
@@ -108,7 +110,8 @@ struct Arithmetic {
   PlaceAll place_all;
 };
 
-// One loop for each run, with `make(draw)` making what carries a vertex of the draw to the screen.
+// Runs one loop for each run; `make(draw)` returns the function that transforms a vertex of this
+// draw to the screen.
 template <class Make>
 PlaceAll by_runs(Make make) {
   return [make](const VertexColumns& vertices, double steps, ScreenColumns& to) {
@@ -123,7 +126,7 @@ PlaceAll by_runs(Make make) {
   };
 }
 
-// Matrices rounded to T, applied one after the other.
+// Applies the matrices one after the other, each rounded to T.
 template <class T>
 PlaceAll separately(const Scene& scene, const View& view, const std::vector<Draw>& draws) {
   return by_runs([&scene, &view, &draws](std::size_t draw) {
@@ -134,7 +137,7 @@ PlaceAll separately(const Scene& scene, const View& view, const std::vector<Draw
   });
 }
 
-// The pipeline's own functions; the anchor is taken away as project_vertex() does.
+// Uses the pipeline's own functions; the anchor is subtracted as in project_vertex().
 PlaceAll as_render_does(const View& view, const std::vector<Draw>& draws) {
   return by_runs([&view, &draws](std::size_t draw) {
     return [matrix = draws[draw].clip_from_anchored, anchor = draws[draw].anchor,
@@ -160,19 +163,19 @@ VertexColumns columns_of(const std::vector<Draw>& draws, const std::vector<Right
   return all;
 }
 
-// In pixels.
+// The largest distance, in pixels.
 double largest_distance(const ScreenColumns& found, const std::vector<RightPlace>& places) {
   double largest = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double off = std::hypot(found.x[i] - places[i].x, found.y[i] - places[i].y);
-    largest = off <= largest ? largest : off;  // NaN stays
+    largest = off <= largest ? largest : off;  // a NaN is kept
   }
   return largest;
 }
 
 // ---- depth ----
 
-// The depth that a code stands for, in [0, 1].
+// The depth that a code of this format represents, in [0, 1].
 double depth_of(DepthFormat format, std::uint32_t code) {
   switch (format) {
     case DepthFormat::kFloat32:
@@ -187,7 +190,8 @@ double depth_of(DepthFormat format, std::uint32_t code) {
   return std::nan("");
 }
 
-// depth = -a + b/w in perspective, and a z + b in parallel projection, a and b the entries of clip z's row.
+// Inverts depth = -a + b/w (perspective) or depth = a z + b (parallel projection); a and b are the
+// entries of the matrix row for clip z.
 double distance_at(const View& view, double depth) {
   const double a = view.clip_from_eye.at(2, 2), b = view.clip_from_eye.at(2, 3);
   if (!view.perspective) return (b - depth) / a;
@@ -206,7 +210,7 @@ Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, st
   SceneVertices vertices(scene, view);
   std::size_t all = 0;
   for (const Draw& draw : vertices.list_.draws) all += draw.mesh->positions.size();
-  // Ten times as many are tried as are wanted, because most of a scene may be out of sight.
+  // Ten times as many vertices as needed are examined, because most of a scene may be out of sight.
   const std::size_t step = std::max<std::size_t>(1, all / (10 * most));
   std::vector<RightPlace> inside, beside;
   std::size_t number = 0;

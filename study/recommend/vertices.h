@@ -1,4 +1,4 @@
-// Positions and depths of a scene's vertices: how far from the right ones several ways to compute them come.
+// Measures the errors of a scene's vertex positions and depths, for several ways to compute them.
 #pragma once
 
 #include <vector>
@@ -13,28 +13,32 @@
 
 namespace glassbox::study {
 
-// Where a vertex is, to the nearest double of 50 digits' answer.
+// The exact place of a vertex: computed with 50 digits and rounded to the nearest double.
 struct RightPlace {
   std::size_t draw = 0;
   std::uint32_t vertex = 0;
   double x = 0, y = 0;  // px
-  double distance = 0;  // along the gaze, from the eye
+  double distance = 0;  // distance from the eye along the gaze
 };
 
-// The scene's vertices as one view has them.
+// The vertices of a scene as seen in one view.
 class SceneVertices {
 public:
-  // Looks at `most` vertices that are in the picture, evenly spread over the tables; at those beyond the picture's sides
-  // where it has none inside. The scene must outlive it. An error where no vertex is between the near and far planes.
+  // Takes `most` vertices inside the picture, evenly spread over the tables; if there are none,
+  // vertices beside the picture. The scene must outlive this object. An error if no vertex is
+  // between the near and far planes.
   static Result<SceneVertices> of(const Scene& scene, const View& view, std::size_t most = 4000);
 
-  // The largest distance on the screen of where render snaps a vertex to from where it is, in pixels.
+  // The largest distance on the screen between the place to which glassbox render snaps a vertex
+  // and its exact place, in pixels.
   double position_error() const;
-  // Vertex arithmetic and subpixel bits, by their errors alone: render has one way, and what the others would cost it is not what a
-  // loop of their own costs.
+  // Compares ways of vertex arithmetic and numbers of subpixel bits, by their errors only. They are
+  // not timed: glassbox render has one way, and the time of a separate loop would not show what
+  // another way costs inside render.
   Comparison positions() const;
-  // The largest error of the distances that a depth buffer of this format gives back: a share of the distance, for parallel
-  // projections of the distance between the planes. The view's depth range must be the format's.
+  // The largest error of the distances that a depth buffer of this format gives back, as a share of
+  // the distance, or for parallel projections of the distance between the planes. The view must
+  // have the depth range of the format.
   double depth_error(DepthFormat format) const;
 
   std::size_t count() const { return places_.size(); }

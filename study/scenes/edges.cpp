@@ -8,7 +8,7 @@ namespace glassbox::study {
 
 namespace {
 
-constexpr int kX = 0, kY = 1, kW = 3;  // rows of clip space
+constexpr int kX = 0, kY = 1, kW = 3;  // indices of rows in clip space
 
 bool differs_around(const Image<std::uint32_t>& id, int x, int y) {
   const std::uint32_t here = id.at(x, y);
@@ -37,7 +37,7 @@ void mark_differences(const Image<std::uint32_t>& a, const Image<std::uint32_t>&
   }
 }
 
-// The picture moves by -offset; screen y runs down.
+// The picture moves by -offset; screen y points down.
 View seen_at(View view, const SampleOffset& offset) {
   const double x = -2.0 * offset.x / kSubpixels / view.viewport.width();
   const double y = 2.0 * offset.y / kSubpixels / view.viewport.height();

@@ -1,4 +1,5 @@
-// Where a picture has edges: the pixels that another program, which rounds otherwise, may give to another triangle.
+// Finds the pixels at edges of a picture: a program that rounds differently may give them to
+// another triangle.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +10,14 @@
 
 namespace glassbox::study {
 
-// Sets 1 where `id` has two values or more in the pixel's 3 x 3 neighbourhood.
+// Sets `edge` to 1 where the 3 x 3 neighbourhood of the pixel has two values of `id` or more.
 void mark_edges(const Image<std::uint32_t>& id, Image<std::uint8_t>& edge);
 
-// Sets 1 where the two images differ.
+// Sets `edge` to 1 where the two images differ.
 void mark_differences(const Image<std::uint32_t>& a, const Image<std::uint32_t>& b,
                       Image<std::uint8_t>& edge);
 
-// The view in which pixel centres see what the samples at `offset` see.
+// The view in which pixel centres show what samples at `offset` show in `view`.
 View seen_at(View view, const SampleOffset& offset);
 
 }  // namespace glassbox::study

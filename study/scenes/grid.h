@@ -1,4 +1,4 @@
-// An ellipsoid of as many triangles as one likes.
+// Makes an ellipsoid of any number of triangles.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 namespace glassbox::study {
 
 struct Grid {
-  int stacks = 2;  // from pole to pole, at least 2
-  int slices = 3;  // around, at least 3
-  int band = 0;    // quads of a column band; 0: rows, from the north pole down
+  int stacks = 2;  // number from pole to pole, at least 2
+  int slices = 3;  // number around the axis, at least 3
+  int band = 0;    // width of a column band in quads; 0: row by row, from the north pole down
 };
 
 inline std::uint64_t triangles_of(const Grid& grid) {
   return 2 * std::uint64_t(grid.slices) * std::uint64_t(grid.stacks - 1);
 }
 
-// Semi-axes (1.7, 1, 1), poles on y, counter-clockwise seen from outside. Every corner has one index, into positions and
-// normals alike. Trigonometry in double, stored as float.
+// Semi-axes (1.7, 1, 1), poles on the y axis, counter-clockwise seen from outside. Each corner has
+// the same index for its position and its normal. Trigonometry is computed in double and stored as
+// float.
 Mesh make_ellipsoid(const Grid& grid);
 
 }  // namespace glassbox::study

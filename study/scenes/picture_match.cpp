@@ -44,10 +44,12 @@ void mark_covered(const Image<std::uint32_t>& depth, Image<std::uint8_t>& covere
   }
 }
 
-// Two programs snap an edge's ends up to 1/256 px apart, so that of the pixels in a row, or a column, that an edge crosses, the
-// nearest one changes sides with a probability of up to 2/256, and so does each of its samples, for each eye. Three pixels of it
-// count as the edge's: 2/768 of them, of which half as many again are allowed, and two more where there are hardly any. What may differ
-// elsewhere may differ there as well.
+// Two programs may snap the ends of an edge up to 1/256 px apart. In each row or column that the
+// edge crosses, the pixel nearest to the edge then changes sides with a probability of up to 2/256;
+// the same is true for each of its samples and for each eye. Three pixels per row count as edge
+// pixels, so the expected share is 2/768. This function allows half as many again (3/768 = 1/256),
+// plus two pixels for pictures with hardly any edges, plus the share that is allowed away from
+// edges.
 std::uint64_t PictureMatch::allowed_at_edges() const {
   return 2 + edges * std::uint64_t(bounds.samples * bounds.eyes) / 256 +
          std::uint64_t(bounds.beyond_share * double(edges));

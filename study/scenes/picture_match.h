@@ -1,4 +1,4 @@
-// Whether two programs have drawn the same thing.
+// Decides whether two programs have drawn the same picture.
 #pragma once
 
 #include <array>
@@ -10,45 +10,51 @@ namespace glassbox::study {
 
 struct Picture {
   Image<Rgba8> color;
-  Image<std::uint8_t> covered;  // 1 where the last pass drew anything, at the pixel's centre
+  Image<std::uint8_t> covered;  // 1 where the last pass drew something at the pixel's centre
 };
 
-// How far two programs' pictures of a scene may be apart. docs/benchmark.md says where the numbers come from.
+// The allowed differences between two programs' pictures of a scene. docs/benchmark.md explains the
+// numbers.
 struct MatchBounds {
-  // A channel of the same colour may differ by so much: both round a byte once, and llvmpipe's light and texture filters have
-  // some 8 bits of their own.
-  int same_color = 2;  // 1/255
-  // Of the pixels away from edges so many may differ by more, and by how much at most.
+  // The allowed difference of a channel of the same colour: both programs round a byte once, and
+  // llvmpipe computes light and texture filters with about 8 bits.
+  int same_color = 2;  // in 1/255
+  // The share of the pixels away from edges that may differ by more than that, and the largest
+  // difference allowed for them.
   double beyond_share = 0;
   int beyond = 255;
-  int samples = 1;  // of a pixel
-  int eyes = 1;     // that draw into the picture, each with edges of its own
+  int samples = 1;  // per pixel
+  int eyes = 1;     // number of eyes drawn into the picture, each with its own edges
 };
 
 struct JudgedPicture {
   Picture picture;
-  // 1 where another triangle, or nothing, is seen at one of the pixel's eight neighbours.
+  // 1 where one of the pixel's eight neighbours shows another triangle, or nothing.
   Image<std::uint8_t> edge;
   MatchBounds bounds;
 };
 
-// Sets 1 where the depth is not that of an empty buffer.
+// Sets `covered` to 1 where the depth is not that of an empty buffer.
 void mark_covered(const Image<std::uint32_t>& depth, Image<std::uint8_t>& covered);
 
 struct PictureMatch {
   MatchBounds bounds;
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0, peer_covered = 0;
-  // Edges that show: within a pixel of them are two colours that are not the same, or something and nothing.
+  // The number of visible edge pixels: within one pixel of them there are two different colours, or
+  // a covered and an uncovered pixel.
   std::uint64_t edges = 0;
   std::uint64_t coverage_differs = 0;
-  // Of the pixels that both or neither covers: by more than the bounds' same_color.
+  // The number of pixels that both or neither covers, and whose colours differ by more than
+  // same_color of the bounds.
   std::uint64_t color_differs = 0;
-  // Of these two, those that are not at an edge: covered otherwise, or coloured otherwise, and by how much at most.
+  // The pixels of these two kinds that are not at an edge (covered by only one program, or with
+  // different colours), and the largest difference of their colours.
   std::uint64_t covered_away_from_edges = 0, colored_away_from_edges = 0;
-  int largest_away_from_edges = 0;  // 1/255
-  int largest_elsewhere = 0;        // 1/255, where neither differs
-  // By how much the colours away from edges differ: pixels, by 1/255.
+  int largest_away_from_edges = 0;  // in 1/255
+  int largest_elsewhere = 0;        // in 1/255, of pixels that count as neither
+  // A histogram of the colour differences away from edges: entry i counts the pixels that differ by
+  // i/255.
   std::array<std::uint64_t, 256> differences{};
 
   std::uint64_t differing() const { return coverage_differs + color_differs; }
@@ -59,7 +65,7 @@ struct PictureMatch {
   bool same() const;
 };
 
-// Both pictures have the same size.
+// Compares two pictures of the same size.
 PictureMatch match(const JudgedPicture& ours, const Picture& theirs);
 
 }  // namespace glassbox::study

@@ -46,7 +46,7 @@ Rgba color_of(std::uint64_t index, float alpha) {
   return {shade_of(1, index), shade_of(2, index), shade_of(3, index), alpha};
 }
 
-// Upright, its centre at the origin, facing +z.
+// An upright rectangle, centred at the origin, facing +z.
 Mesh make_pane(double width, double height, std::uint32_t material, double repeat = 1) {
   Mesh mesh;
   mesh.name = "pane";
@@ -63,7 +63,8 @@ Mesh only_mesh_of(Scene made, std::uint32_t material) {
 
 // ---- R9 to R12 ----
 
-// Panes one behind the other, in front of a wall; the file has them in no order.
+// Panes of glass one behind the other, in front of a wall; the file lists them in no particular
+// order.
 Scene make_glass() {
   Scene scene = empty_scene("glass");
   const std::uint32_t wall = add_material(scene, "wall", {1, 1, 1, 1});
@@ -113,7 +114,7 @@ Scene make_hidden() {
   return scene;
 }
 
-// Two rows of five before the eye, the others behind it and to its sides.
+// Two rows of five objects in front of the eye; the others are behind it and beside it.
 Scene make_scattered() {
   Scene scene = empty_scene("scattered");
   scene.meshes.push_back(

@@ -41,12 +41,12 @@ struct Frame {
 RenderSettings bench_settings() {
   RenderSettings settings;
   settings.transfer = Transfer::kNone;
-  settings.background = {26, 31, 38, 255};  // 0.10, 0.12, 0.15
-  settings.want_depth = true;               // as the peers do
+  settings.background = {26, 31, 38, 255};  // about 0.10, 0.12 and 0.15
+  settings.want_depth = true;               // because the peers also write depth
   return settings;
 }
 
-// Every scene here has a camera that make_view accepts.
+// Every scene in this file has a camera that make_view accepts.
 View view_of(const Camera& camera, const Frame& frame) {
   return make_view(camera, frame.width, frame.height).value();
 }
@@ -58,7 +58,7 @@ View perspective_view(double eye_z, double near, const Frame& frame) {
   return view_of(camera, frame);
 }
 
-// The turn about y first, then the one about x.
+// Rotates about y first, then about x.
 Transform<World, Object> turned(double about_x, double about_y) {
   const SinCos x = sin_cos(about_x), y = sin_cos(about_y);
   Transform<World, World> pitch;
@@ -86,7 +86,8 @@ BenchScene ellipsoid_scene(std::string name, const Grid& grid, double shift_x) {
   Transform<World, Object> placed = turned(0.5, 0.3);
   placed.at(0, 3) = shift_x;
   add_object(bench.scene, make_ellipsoid(grid), placed);
-  // 0.9 of what makes a white surface white; it points where the light goes.
+  // The light has 0.9 of the strength that makes a white surface white; the vector is the direction
+  // in which the light travels.
   add_directional(bench.scene, "light", unit({-1, -1, -2}), 0.9 * kPi);
   return bench;
 }
@@ -108,7 +109,8 @@ BenchScene anaglyph_scene(std::string name, const Frame& frame) {
 
 // ---- S3: a textured cube that fills the picture ----
 
-// The face towards `out`; u x v = out. Four vertices of its own, two triangles.
+// Adds the face whose normal is `out`; u x v = out. It has four vertices of its own and two
+// triangles.
 void add_cube_face(Mesh& mesh, const std::array<double, 3>& out, const std::array<double, 3>& u,
                    const std::array<double, 3>& v) {
   constexpr std::array<std::array<int, 2>, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -154,7 +156,8 @@ Rgba quad_color(int k) {
   return {channel(37 * k + 20), channel(91 * k + 50), channel(153 * k + 90), 1};
 }
 
-// In eye space, where the orthographic camera of overdraw_scene stands: clip x and y are +-1, and depth is -z.
+// The positions are in the eye space of overdraw_scene's orthographic camera: clip x and y are +-1,
+// and depth is -z.
 void add_screen_quad(Mesh& mesh, int k, double aspect) {
   const double depth = (1 + (-0.96875 + 1.9375 * k / (kQuads - 1))) / 2;
   const auto first = std::uint32_t(mesh.positions.size());
@@ -197,7 +200,9 @@ BenchScene make(std::string_view name, const Frame& frame) {
   if (name == "S5") return seen_once(ellipsoid_scene(known, kFineGrid, 0), frame, kNoColors);
   if (name == "S6") return anaglyph_scene(known, frame);
   if (name == "S7") {
-    // Ten units to the right: the frustum ends at 3.4 there. Its box would show that; its triangles are to.
+    // The ellipsoid is ten units to the right, outside the frustum, which ends at 3.4 there. Its
+    // bounding box would be rejected at once, so that test is switched off: its triangles are to be
+    // rejected one by one.
     BenchScene bench = seen_once(ellipsoid_scene(known, kFineGrid, 10), frame);
     bench.reject_objects = false;
     return bench;

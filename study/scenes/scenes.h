@@ -1,5 +1,5 @@
-// The scenes of the benchmark (docs/benchmark.md): any program can make them again, and each loads one part of a
-// rasterizer.
+// The scenes of the benchmark (docs/benchmark.md). Any program can build them, and each one puts
+// load on one part of a rasterizer.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace glassbox::study {
 
-// The scene drawn once, into the picture that the passes before it have left, with an empty depth buffer.
+// One pass draws the whole scene on top of the earlier passes' picture, with an empty depth buffer.
 struct BenchPass {
   View view;
   ColorMask mask;
@@ -32,10 +32,10 @@ struct BenchStereo {
 struct BenchScene {
   std::string name;
   Scene scene;
-  RenderSettings settings;  // without the mask, which is the pass's
+  RenderSettings settings;  // without the colour mask, which each pass has
   std::vector<BenchPass> passes;
-  std::optional<BenchStereo> stereo;  // whose eyes the two passes are
-  bool reject_objects = true;         // whether a mesh that is seen nowhere may be left out whole
+  std::optional<BenchStereo> stereo;  // set if the two passes are the eyes of a pair
+  bool reject_objects = true;  // whether a mesh outside the frustum may be rejected as a whole
 
   int width() const { return int(passes.front().view.viewport.width()); }
   int height() const { return int(passes.front().view.viewport.height()); }
@@ -47,25 +47,27 @@ struct BenchSceneName {
 std::span<const BenchSceneName> bench_scene_names();
 
 bool is_bench_scene(std::string_view name);
-// Names are the same in either case.
+// Compares names without regard to upper and lower case.
 bool same_name(std::string_view a, std::string_view b);
 
-// "S1" to "S7", in either case; no such name is an error. Width and height in px.
+// Makes the scene "S1" to "S7" (upper or lower case). Width and height are in px. An unknown name
+// is an error.
 Result<BenchScene> make_bench_scene(std::string_view name, int width, int height);
 
-// S1's ellipsoid, light and camera with another grid: what scaling is measured with.
+// The ellipsoid, light and camera of scene S1 with another grid; used to measure scaling.
 BenchScene make_ellipsoid_scene(std::string name, const Grid& grid, int width, int height);
 
-// Any scene, seen through any view.
+// Wraps any scene and view into a benchmark scene with one pass.
 BenchScene make_bench_scene(std::string name, Scene scene, const View& view);
 
-inline constexpr Grid kFineGrid{500, 1000, 0};    // S1
-inline constexpr Grid kBandedGrid{500, 1000, 4};  // S1b
-inline constexpr Grid kScannedGrid{133, 266, 0};  // S2
-inline constexpr int kQuads = 64;                 // S4
-inline constexpr int kCheckerSide = 1024;         // texels, S3
+inline constexpr Grid kFineGrid{500, 1000, 0};    // scene S1
+inline constexpr Grid kBandedGrid{500, 1000, 4};  // scene S1b
+inline constexpr Grid kScannedGrid{133, 266, 0};  // scene S2
+inline constexpr int kQuads = 64;                 // scene S4
+inline constexpr int kCheckerSide = 1024;         // in texels, scene S3
 
-// S3's texture: checks of 32 texels, each texel changed by a hash of its place.
+// The texture of scene S3: squares of 32 texels, where each texel is changed by a hash of its
+// position.
 Image<Rgba8> make_hashed_checker();
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// Pairs of cameras and what they see, made at random: the same on every machine.
+// Random pairs of cameras and random matches, the same on every machine.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace glassbox::study {
 
-// 640 x 480 pixels, focal length 800 (SPEC B.8).
+// The intrinsic matrix of a camera with 640 x 480 pixels and a focal length of 800 px (B.8).
 inline views::Matrix3d sample_intrinsic() {
   views::Matrix3d k;
   k << 800, 0, 320, 0, 800, 240, 0, 0, 1;
@@ -27,7 +27,7 @@ inline views::Matrix3d turned_by(double x, double y, double z) {
   return Eigen::Quaterniond(1, x, y, z).normalized().toRotationMatrix();
 }
 
-// Two such cameras, the right one at `centre`, turned so.
+// Two such cameras; the right one is at `centre` and turned by `rotation`.
 inline views::StereoRig rig_at(const views::Vector3d& centre,
                                const views::Matrix3d& rotation = views::Matrix3d::Identity()) {
   views::StereoRig rig;
@@ -36,7 +36,7 @@ inline views::StereoRig rig_at(const views::Vector3d& centre,
   return rig;
 }
 
-// In a ball of radius 1, but not near its middle.
+// A random point in the unit ball, but not near its centre.
 inline views::Vector3d anywhere(Random& random) {
   for (;;) {
     const double x = random.between(-1, 1), y = random.between(-1, 1);
@@ -45,13 +45,13 @@ inline views::Vector3d anywhere(Random& random) {
   }
 }
 
-// The right camera 0.3 to 1 away in any direction, turned by up to half a radian.
+// A rig whose right camera is 0.3 to 1 away in any direction and turned by up to half a radian.
 inline views::StereoRig random_rig(Random& random) {
   const views::Vector3d centre = anywhere(random), axis = anywhere(random) / 8;
   return rig_at(centre, turned_by(axis.x(), axis.y(), axis.z()));
 }
 
-// Normal but for its tails: twelve uniform numbers.
+// A nearly normal random number, as the sum of twelve uniform ones; only the tails differ.
 inline double gaussian(Random& random) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();
@@ -78,7 +78,8 @@ inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& poi
   return match;
 }
 
-// In the left picture, between two distances along the gaze, and in front of the right camera.
+// A random point that the left picture shows, between two distances along its gaze, and in front of
+// the right camera.
 inline views::Vector3d point_before(Random& random, const views::StereoRig& rig, double nearest,
                                     double farthest) {
   for (;;) {
@@ -97,7 +98,8 @@ inline views::Matches matches_of(Random& random, const views::StereoRig& rig, in
   return matches;
 }
 
-// The same of points on a plane some six away, which leans by up to half a radian.
+// Like matches_of, but the points are on a plane about six units away, which leans by up to half a
+// radian.
 inline views::Matches matches_of_plane(Random& random, const views::StereoRig& rig, int count,
                                        double sigma) {
   const double lean = random.between(-0.5, 0.5);
@@ -110,12 +112,13 @@ inline views::Matches matches_of_plane(Random& random, const views::StereoRig& r
   return matches;
 }
 
-// On the planes at distance 1.
+// The matches as points on the image planes at distance 1.
 inline views::Matches calibrated(const views::Matches& pixels, const views::StereoRig& rig) {
   return views::calibrated(pixels, rig.left_intrinsic, rig.right_intrinsic);
 }
 
-// Of two matrices scaled to norm 1, the distance up to sign.
+// The distance of two matrices after scaling both to norm 1, where a difference in sign does not
+// count.
 inline double apart(const views::Matrix3d& a, const views::Matrix3d& b) {
   const views::Matrix3d p = a.normalized(), q = b.normalized();
   return std::min((p - q).norm(), (p + q).norm());

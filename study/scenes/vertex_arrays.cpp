@@ -9,13 +9,13 @@ namespace glassbox::study {
 
 namespace {
 
-// Entries of the tables; kNone where the vertex lacks the attribute.
+// Indices into the tables; kNone where the vertex lacks the attribute.
 struct Vertex {
   std::uint32_t position = kNone, normal = kNone, texcoord = kNone, color = kNone;
   friend auto operator<=>(const Vertex&, const Vertex&) = default;
 };
 
-// An empty list says the same as the positions'.
+// An empty index list means that the indices of the positions are used.
 std::uint32_t entry(const std::vector<std::uint32_t>& indices, const CornerIndices& all,
                     std::size_t corner) {
   return indices.empty() ? all.positions[corner] : indices[corner];
@@ -80,7 +80,7 @@ private:
     }
   }
 
-  // Beyond the table's end are the faces.
+  // Indices beyond the end of the table mean face normals.
   void append_normal(std::uint32_t index) {
     Normal<Object> normal{};
     if (index < mesh_.normals.size()) {

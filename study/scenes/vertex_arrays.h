@@ -1,4 +1,4 @@
-// A mesh as OpenGL draws it: one index a corner, attributes side by side.
+// A mesh as OpenGL draws it: one index per corner, and interleaved attributes.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace glassbox::study {
 
-// Of each vertex: position (3 floats), then normal (3), texture coordinates (2) and colour (4), those that the mesh has.
+// Each vertex has a position (3 floats), then those of these attributes that the mesh has: normal
+// (3), texture coordinates (2) and colour (4).
 struct VertexArrays {
   std::vector<float> vertices;
-  std::vector<std::uint32_t> indices;  // three a triangle, in the order of the triangulation
+  std::vector<std::uint32_t> indices;  // three per triangle, in the order of the triangulation
   bool normals = false, texcoords = false, colors = false;
 
   std::size_t floats_per_vertex() const {
@@ -24,9 +25,10 @@ struct VertexArrays {
   }
 };
 
-// The triangles that the engines draw. A mesh whose corners have one index into all its tables keeps the order of its
-// vertices; of any other, corners with the same entries become one vertex, in the order of their first use. Corners without a
-// normal have their face's. Without `normals` there are none. Positions are relative to `anchor` (render/engine/draw_list.h).
+// Converts the triangles that the engines draw. If each corner of the mesh has one index into all
+// tables, the vertices keep their order; otherwise corners with the same indices become one vertex,
+// in the order of their first use. Corners without a normal get their face's normal. If `normals`
+// is false, no normals are written. Positions are relative to `anchor` (render/engine/draw_list.h).
 VertexArrays vertex_arrays(const Mesh& mesh, const PreparedMesh& prepared, bool normals,
                            const Vector<Object>& anchor = {});
 

@@ -11,7 +11,7 @@ struct Texts {
   const char *key, *name, *unit, *formula, *source, *advice;
 };
 
-// In the order of StiffKind.
+// The texts are in the order of StiffKind.
 constexpr std::array<Texts, 7> kTexts{{
     {"far-over-near", "far over near", "of distance",
      "s/(1 - s), s = z (f - n)/(f n) dd; dd of vertices, 8 u d, half a step of the format",

@@ -1,4 +1,5 @@
-// What is said of each condition number, whatever the scene: its name, the formula and source of its bound, and what to do.
+// The texts for each condition number, independent of the scene: its name, the formula and source
+// of its bound, and advice.
 #pragma once
 
 #include "study/stiffness/stiffness.h"
@@ -7,7 +8,7 @@ namespace glassbox::study {
 
 enum class StiffKind { kDepth, kInverseW, kDivide, kOffset, kSliver, kTexcoord, kUp };
 
-// Without a condition, a bound or a place.
+// Returns the texts only: condition, bound and place are not set yet.
 StiffNumber number_of(StiffKind kind);
 
 }  // namespace glassbox::study

@@ -12,14 +12,15 @@ namespace glassbox::study {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// The formulas' own roundings in double, and what "first order" leaves out of numbers below 2^-20.
+// Enlarges a bound, to cover the formulas' own rounding errors in double, and the terms that a
+// first-order formula omits for numbers below 2^-20.
 constexpr double kRoundUp = 1 + 0x1p-18;
 
 double half_ulp(float x) {
   return double(ulp(x)) / 2;
 }
 
-// Twice the area, and the longest side.
+// The double area and the longest side of a triangle.
 struct Shape {
   double double_area = 0, longest = 0;
 };
@@ -80,7 +81,7 @@ double sliver_factor(const std::array<std::array<double, 2>, 3>& triangle) {
 double sliver_share(const std::array<std::array<double, 2>, 3>& triangle, double moved) {
   const Shape shape = shape_of(triangle);
   if (!(shape.longest > 0)) return kInfinity;
-  // The shortest height stands on the longest side.
+  // The smallest height of a triangle is the one over its longest side.
   const double d = std::sqrt(2.0) * moved;
   const double height = shape.double_area / shape.longest * (1 - 0x1p-40) - 2 * d;
   return height > 0 ? d / height * kRoundUp : kInfinity;
@@ -95,7 +96,7 @@ UpAngle up_angle(const Vector<World, double>& gaze, const Vector<World, double>&
   const double width = std::abs(double(view.viewport.right) - double(view.viewport.left));
   const double height = std::abs(double(view.viewport.bottom) - double(view.viewport.top));
   const double half_diagonal = std::hypot(width, height) / 2;
-  // A parallel view turns about its middle.
+  // A parallel view turns about the centre of the picture.
   const double focal = view.perspective ? pixels_per_unit(view) : half_diagonal;
   angle.pixels = 3 * entry * (focal + half_diagonal * half_diagonal / focal) * kRoundUp;
   return angle;

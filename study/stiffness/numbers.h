@@ -1,5 +1,6 @@
-// The condition numbers of a picture, one formula each: what decides how much of an error is magnified, and the bound that
-// follows. Lengths on the screen are in pixels; what is exact is what trace/bounds.h takes for exact.
+// The formulas of a picture's condition numbers: each says how much an error is magnified, and
+// gives the resulting bound. Lengths on the screen are in pixels. The values that count as exact
+// are the same as in trace/bounds.h.
 #pragma once
 
 #include <array>
@@ -11,30 +12,39 @@
 
 namespace glassbox::study {
 
-// Pixels that a unit across the gaze takes up in a distance of 1, vertically; of parallel views anywhere.
+// The number of pixels that one unit across the gaze, at distance 1, takes up vertically; in
+// parallel views at any distance.
 double pixels_per_unit(const View& view);
 
-// C bound 8: distance along the gaze that the depth's error stands for, as a share of the distance z: s = z (f - n)/(f n) dd, and
-// s/(1 - s) behind it, where dd is `ndc_bound` of the vertices, 8 u of the depth for interpolating it, and half a step of the format.
+// The error of the distance along the gaze that the error of the depth causes, as a share of the
+// distance z: s = z (f - n)/(f n) dd, and s/(1 - s) for the distance behind the point. Here dd is
+// the sum of `ndc_bound` of the vertices, 8 u of the depth for its interpolation, and half a step
+// of the format (bound 8).
 double depth_share(const View& view, DepthFormat format, double depth, double distance,
                    double ndc_bound);
 
-// C-13, C-14: how far half a unit in the last place of the coordinates as modelled moves their place on the screen, to first order
-// in it: (W/2 (|M_x| + |x/w| |M_w|) dp)/(w - |M_w| dp), likewise y; the larger one. `clip_from_object` is the exact one's nearest.
+// How far a point moves on the screen if its object-space coordinates change by half a unit in the
+// last place, to first order: (W/2 (|M_x| + |x/w| |M_w|) dp)/(w - |M_w| dp), and the same for y;
+// returns the larger one. `clip_from_object` is the exact matrix rounded to the nearest (C-13,
+// C-14).
 double half_ulp_on_screen(const Transform<Clip, Object>& clip_from_object,
                           const Point<Object>& position, const Viewport& viewport);
 
-// C bound 5: L^2/2A of a triangle on the screen, its longest side over its height. Infinite where it has no area.
+// L^2/2A of a triangle on the screen: its longest side divided by its height (bound 5). Infinite if
+// it has no area.
 double sliver_factor(const std::array<std::array<double, 2>, 3>& triangle);
 
-// How much of an attribute's range a triangle's weights may be off if each vertex has been moved by no more than `moved` pixels
-// along x and along y. A point with the same weights moves by d = sqrt 2 `moved` at most, and a weight grows from 0 to 1 over a height
-// of the exact triangle: d/(h - 2 d). Infinite where the triangle may have no height.
+// An upper bound for the error of a triangle's weights, as a share of an attribute's range, if each
+// vertex has moved by at most `moved` pixels along x and along y. A point with the same weights
+// moves by at most d = sqrt 2 `moved`, and a weight grows from 0 to 1 over a height h of the exact
+// triangle, hence d/(h - 2 d). Infinite if the triangle may have no height.
 double sliver_share(const std::array<std::array<double, 2>, 3>& triangle, double moved);
 
-// C-01: the sine of the angle between the gaze and `up`, and by how many pixels a corner of the picture moves if the entries of the
-// rotation are off by (8 + 4/sine) u each (pipeline/look_at.h): 3 of that as an angle, times F (1 + (d/F)^2), F the focal length
-// and d half the picture's diagonal in pixels. `gaze` and `up` of any length.
+// The sine of the angle between the gaze and `up` (C-01), and the number of pixels by which a
+// corner of the picture moves if the entries of the rotation have errors of (8 + 4/sine) u each
+// (pipeline/look_at.h). The pixels are 3 times that error as an angle, times F (1 + (d/F)^2), where
+// F is the focal length and d half the picture's diagonal, both in pixels. `gaze` and `up` may have
+// any length.
 struct UpAngle {
   double sine = 1;
   double pixels = 0;
@@ -42,7 +52,8 @@ struct UpAngle {
 UpAngle up_angle(const Vector<World, double>& gaze, const Vector<World, double>& up,
                  const View& view);
 
-// C-67: half a unit in the last place of a texture coordinate, in texels of a side of `size` texels.
+// Half a unit in the last place of a texture coordinate, in texels of a side of `size` texels
+// (C-67).
 double half_ulp_in_texels(float coordinate, int size);
 
 }  // namespace glassbox::study

@@ -23,13 +23,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The worst of one kind.
+// The worst value of one kind of condition number so far.
 struct Worst {
   double condition = 0, bound = 0;
   std::optional<double> pixels;
   std::optional<StiffPlace> place;
 
-  // Ordered by the bound, then by the condition; of equal ones the first stays.
+  // Keeps the value with the larger bound, or with the larger condition if the bounds are equal; if
+  // both are equal, the first one stays.
   void see(double bound_here, double condition_here, std::optional<double> pixels_here,
            const StiffPlace& where) {
     const bool worse = bound_here > bound || (bound_here == bound && condition_here > condition);
@@ -38,7 +39,7 @@ struct Worst {
   }
 };
 
-// What a pixel holds: behind everything at first.
+// The depth that a pixel holds and its error bound; the start value is farther than every depth.
 struct StoredDepth {
   double depth = 2, off = 0;
 };
@@ -130,7 +131,8 @@ private:
            screen.position.y >= v.top && screen.position.y <= v.bottom;
   }
 
-  // Codes of depths whose bounds overlap may be in another order than the depths.
+  // If the error bounds of two depths overlap, the order of their codes may differ from the order
+  // of the exact depths.
   void see_test(const TracedFragment& fragment, double bound) {
     const DepthFormat format = settings_.depth;
     const bool whole = format == DepthFormat::kUnorm24 || format == DepthFormat::kUnorm16;
@@ -178,7 +180,8 @@ private:
       exact[k] = {double(screen.position.x), double(screen.position.y)};
       moved = std::max({moved, bound.x, bound.y});
     }
-    // Snapping moves by up to half a step, and the float place is `moved` from the exact one.
+    // Snapping moves a vertex by up to half a step, and its float position is up to `moved` from
+    // the exact one.
     constexpr double kHalfStep = 0.5 / kSubpixels;
     sliver_.see(sliver_share(exact, moved + kHalfStep), sliver_factor(exact), {},
                 {triangle.instance, triangle.number, {}, {}, -1, -1});
@@ -186,7 +189,7 @@ private:
 
   // ---- saying ----
 
-  // Those of which something was seen.
+  // Adds a number, if something of this kind was seen.
   static void add(StiffKind kind, const Worst& worst, Stiffness& found,
                   std::optional<std::uint64_t> tests_in_doubt = {}) {
     if (!worst.place) return;
@@ -228,7 +231,7 @@ private:
   const View& view_;
   const RenderSettings& settings_;
   BoundsOfRun bounds_;
-  std::vector<double> sizes_;  // by mesh
+  std::vector<double> sizes_;  // indexed by mesh
   Transform<Clip, Object> clip_from_object_;
   Worst depth_, inverse_w_, divide_, offset_, sliver_, texcoord_;
   double nearest_ = kInfinity, farthest_ = 0;

@@ -29,7 +29,7 @@ Result<void> check_intrinsic(const Matrix3d& k, const std::string& place) {
   return {};
 }
 
-// Of few digits: the nearest rotation.
+// The nearest rotation to a matrix that was written with few digits.
 Result<Matrix3d> rotation_of(const Matrix3d& r, const std::string& place) {
   constexpr double kFewDigits = 1e-5;
   const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();

@@ -1,5 +1,6 @@
-// Cameras in a file, as the Middlebury multi-view pictures have them (vision.middlebury.edu/mview): the number of cameras, then for
-// each a line of a picture's name, K, R and t by rows, 21 numbers: a world point X is at the pixel K (R X + t).
+// Cameras in the file format of the Middlebury multi-view pictures (vision.middlebury.edu/mview):
+// first the number of cameras, then a line for each: the picture's name, and K, R and t by rows, 21
+// numbers. A world point X is at the pixel K (R X + t).
 #pragma once
 
 #include <string>
@@ -17,8 +18,8 @@ struct NamedCamera {
   PinholeCamera camera;
 };
 
-// Refused: counts that do not agree, a K that is singular or not upper triangular, an R that is no rotation, within the six digits
-// that such files have (entries of R^T R - I up to 1e-5), or a mirror.
+// Refused: counts that do not agree, a K that is singular or not upper triangular, and an R that is
+// a mirror or no rotation to within the six digits of such files (entries of R^T R - I up to 1e-5).
 Result<std::vector<NamedCamera>> parse_cameras(std::string_view text);
 std::string cameras_text(const std::vector<NamedCamera>& cameras);
 

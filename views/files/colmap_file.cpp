@@ -34,7 +34,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   }
 }
 
-// All lines but comments; empty ones too, for a picture without points has an empty one.
+// All lines except comments. Empty lines stay, because a picture without points has an empty one.
 std::vector<Line> lines_of(std::string_view text) {
   std::vector<Line> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
@@ -66,7 +66,8 @@ Result<std::vector<double>> numbers_of(const Line& line, std::size_t first, std:
   return numbers;
 }
 
-// How the parameters of a model are read: one focal length or two, then the principal point, then distortion.
+// How the parameters of a camera model are read: one or two focal lengths, then the principal
+// point, then distortion.
 struct Model {
   std::string_view name;
   std::size_t focal, distortion;
@@ -152,7 +153,7 @@ Result<std::vector<NamedCamera>> parse_colmap(std::string_view cameras, std::str
   const auto lenses = lenses_of(cameras);
   if (!lenses) return tl::unexpected(lenses.error());
   std::vector<NamedCamera> all;
-  // Each picture's line is followed by one of its points, which may be empty.
+  // Each picture's line is followed by a line of its points, which may be empty.
   const std::vector<Line> lines = lines_of(images);
   for (std::size_t i = 0; i < lines.size(); i += 2) {
     if (lines[i].words.empty()) {

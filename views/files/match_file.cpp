@@ -7,7 +7,8 @@
 namespace glassbox::views {
 
 Result<Matches> parse_matches(std::string_view text) {
-  // The heading's words are no numbers, which only a first word may be.
+  // The words of a heading are not numbers; number_rows() accepts that only of the first word in a
+  // line.
   const std::string_view first = text.substr(0, text.find('\n'));
   const bool has_heading = first.starts_with("x_left");
   const std::uint64_t skipped = has_heading ? 1 : 0;

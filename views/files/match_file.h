@@ -1,4 +1,4 @@
-// Matches in a file: x and y of the left picture, then of the right one, a match a line.
+// Matches in a file: one match a line, x and y in the left picture, then x and y in the right one.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace glassbox::views {
 
-// A line of names may come first, as spreadsheets write it.
+// The first line may be a heading with column names, as spreadsheets write it.
 Result<Matches> parse_matches(std::string_view text);
 std::string matches_text(const Matches& matches);
 

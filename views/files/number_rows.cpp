@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kBetween = " \t,;";
 
-// Cuts the next word off the line; empty at its end.
+// Removes the next word from the front of the line and returns it; empty at the line's end.
 std::string_view next_word(std::string_view& line) {
   const std::size_t first = std::min(line.find_first_not_of(kBetween), line.size());
   const std::size_t last = std::min(line.find_first_of(kBetween, first), line.size());

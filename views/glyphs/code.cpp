@@ -2,7 +2,8 @@
 
 namespace glassbox::views {
 
-// Of six colours the inner one, of the five others the middle one, of the four that are left the outer one.
+// The inner colour is one of six, the middle one of the five others, the outer one of the remaining
+// four.
 GlyphCode code_of(int identity) {
   const int inner = identity / 20, second = identity / 4 % 5, third = identity % 4;
   const auto next = [](int place, auto is_taken) {

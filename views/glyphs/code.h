@@ -1,4 +1,4 @@
-// Chromaglyphs: three concentric discs in three of six colours, 120 in all (SPEC S1-24).
+// Chromaglyphs: three concentric discs in three of six colours, 120 glyphs in all (S1-24).
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@ namespace glassbox::views {
 
 inline constexpr int kPrototypes = 6, kGlyphs = 120;
 
-// Red, green, blue, cyan, magenta and yellow, a little short of pure: a photograph's brightest and darkest codes are not reached. Each is
-// 192 codes from its nearest other, and the mixture of any two is further than 0.4 of that from a third.
+// Red, green, blue, cyan, magenta and yellow, a little less than pure, so that they avoid a
+// photograph's brightest and darkest codes. Each is 192 codes from its nearest other colour, and
+// the mixture of any two is more than 0.4 of that from every third one.
 inline constexpr std::array<Rgba8, kPrototypes> kPrototypeColors{{{224, 32, 32, 255},
                                                                   {32, 224, 32, 255},
                                                                   {32, 32, 224, 255},
@@ -19,16 +20,18 @@ inline constexpr std::array<Rgba8, kPrototypes> kPrototypeColors{{{224, 32, 32, 
                                                                   {224, 32, 224, 255},
                                                                   {224, 224, 32, 255}}};
 
-// Indices of three different colours, from the inside out.
+// Indices of three different colours, from the inside to the outside.
 using GlyphCode = std::array<int, 3>;
 
-// Radii of the discs, as shares of the glyph's. The bands' areas are 0.13, 0.31 and 0.56 of it; all lose pixels along their borders to
-// mixtures, and keep their order down to some 10 px.
+// Radii of the discs, as shares of the glyph's radius. The bands' areas are 0.13, 0.31 and 0.56 of
+// the glyph. All bands lose pixels along their borders to mixtures; their order by area remains
+// down to some 10 px.
 inline constexpr std::array<double, 3> kDiscRadii{0.36, 0.66, 1};
 
-// In the order of (inner, middle, outer): identity 0 is (0, 1, 2), 119 is (5, 4, 3).
+// Codes are numbered in the order of (inner, middle, outer): identity 0 is (0, 1, 2), 119 is (5, 4,
+// 3).
 GlyphCode code_of(int identity);
-// None unless the colours are three different ones.
+// None unless the three colours are different.
 std::optional<int> identity_of(const GlyphCode& code);
 
 }  // namespace glassbox::views

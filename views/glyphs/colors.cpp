@@ -16,7 +16,7 @@ Eigen::Array3f array_of(const Rgba8& color) {
   return {float(color.r), float(color.g), float(color.b)};
 }
 
-// Of each prototype to its nearest other one.
+// The distance from each prototype to its nearest other one.
 const std::array<float, kPrototypes>& reaches() {
   static const auto all = [] {
     std::array<float, kPrototypes> nearest{};
@@ -33,7 +33,7 @@ const std::array<float, kPrototypes>& reaches() {
   return all;
 }
 
-// The value that this share of the values is below; the values are put in another order.
+// The value below which this share of the values is (a quantile); reorders the values.
 float at_share(std::vector<float>& values, double share) {
   const auto place = std::ptrdiff_t(share * double(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + place, values.end());
@@ -60,7 +60,7 @@ int prototype_of(const Eigen::Array3f& codes, float threshold) {
   return std::sqrt(least) < threshold * reaches()[std::size_t(nearest)] ? nearest : kNoPrototype;
 }
 
-// IEC 61966-2-1. Nothing that is drawn depends on it.
+// The sRGB curve of IEC 61966-2-1. It is only used for classification, not for drawing.
 Eigen::Array3f codes_of(const Light& light) {
   return light.unaryExpr([](float value) {
     const float clamped = std::clamp(value, 0.0f, 1.0f);

@@ -21,7 +21,7 @@ Light light_of_prototype(int color) {
   return light_of(kPrototypeColors[std::size_t(color)]);
 }
 
-// The colours that are none of the code's.
+// The three colours that the code does not use.
 std::array<int, 3> others_of(const GlyphCode& code) {
   std::array<int, 3> others{};
   std::size_t count = 0;
@@ -31,7 +31,7 @@ std::array<int, 3> others_of(const GlyphCode& code) {
   return others;
 }
 
-// The light at (x, y) of something of radius 1; nothing beside it.
+// The light at (x, y) of a decoy of radius 1; none outside of it.
 std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
   const GlyphCode code = code_of(decoy.identity);
   const double radius = hypotenuse(x, y);
@@ -41,12 +41,12 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
   if (radius >= 1) return std::nullopt;
   if (!decoy.breaks) return within(kDiscRadii[0], kDiscRadii[1]);
   switch (*decoy.breaks) {
-    // Brown around three small discs.
+    // A brown disc around three small ones.
     case GlyphRule::kPrototypes: {
       if (radius >= 0.5) return light_of({120, 100, 84, 255});
       return within(1.0 / 6, 1.0 / 3);
     }
-    // Six wedges of the three other colours in the outer band.
+    // Six wedges in the three other colours, in the outer band.
     case GlyphRule::kOthers: {
       const double turn = arctan2(y, x) / 6.283185307179586 + 0.5;  // 0 .. 1
       const int wedge = int(6 * turn);
@@ -54,22 +54,23 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
         return light_of_prototype(others_of(code)[std::size_t(wedge % 3)]);
       return within(kDiscRadii[0], kDiscRadii[1]);
     }
-    // A third of the area each, nearly.
+    // Three bands of nearly a third of the area each.
     case GlyphRule::kAreas:
       return within(0.56, 0.79);
-    // One centre for the outer disc, others for those in it.
+    // The inner discs have other centres than the outer disc.
     case GlyphRule::kCentroids: {
       if (hypotenuse(x - 0.55, y) < 1.0 / 3) return light_of_prototype(code[0]);
       if (hypotenuse(x - 0.3, y) < 2.0 / 3) return light_of_prototype(code[1]);
       return light_of_prototype(code[2]);
     }
-    // The shares of discs in small squares, the same everywhere: an order by spread is one by chance.
+    // The colours of the bands in small squares, spread evenly over the disc: the order by spread
+    // is accidental.
     case GlyphRule::kSpread: {
       const int column = int(std::floor(8 * (x + 1))), row = int(std::floor(8 * (y + 1)));
       const int place = (column * 5 + row * 7 + decoy.identity) % 9;
       return light_of_prototype(code[place < 1 ? 0u : place < 4 ? 1u : 2u]);
     }
-    // Inside out.
+    // The largest area inside, the smallest outside.
     case GlyphRule::kRanks:
       return within(std::sqrt(0.5), std::sqrt(0.83));
     case GlyphRule::kWhole:
@@ -98,7 +99,7 @@ DecoyPicture draw_decoys() {
       if (decoy.breaks == GlyphRule::kSize) radius = random.between(3, 3.6);
       decoy.x = (column + 0.5) * kCell + random.between(-4, 4);
       decoy.y = (row + 0.5) * kCell + random.between(-4, 4);
-      // All of it but a hair: half a pixel of the border's row.
+      // The border cuts off only a hair: half a pixel.
       if (decoy.breaks == GlyphRule::kWhole) {
         decoy.y = row * kCell + kCell / 2.0;
         decoy.x = column % 2 == 0 ? radius - 0.5 : kColumns * kCell - radius + 0.5;

@@ -1,4 +1,4 @@
-// Things that are nearly glyphs: each breaks one rule and keeps the others (SPEC S1-26).
+// Decoys: figures that are nearly glyphs. Each breaks one rule and keeps the others (S1-26).
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 namespace glassbox::views {
 
 struct Decoy {
-  std::optional<GlyphRule> breaks;  // none: a glyph
-  int identity = 0;                 // what it would be taken for
+  std::optional<GlyphRule> breaks;  // none: it is a glyph
+  int identity = 0;                 // the glyph that it could be mistaken for
   double x = 0, y = 0;              // its centre, px
 };
 
-// Twelve glyphs and twelve things for each rule (two of them cut off by the border), by rows, on white paper. Codes from 60 on are not on the sheet (kSheet).
+// Rows of figures on white paper: first twelve glyphs, then twelve decoys for each rule (for kWhole
+// two, which the border cuts off). Codes from 60 on are not on the sheet (kSheet).
 struct DecoyPicture {
   Image<Rgba8> picture;
   std::vector<Decoy> decoys;
@@ -24,7 +25,7 @@ struct DecoyPicture {
 };
 DecoyPicture draw_decoys();
 
-// What is taken for a glyph and is none, and glyphs that are found as what they are.
+// How many decoys are taken for glyphs, and how many glyphs are found with the right identity.
 struct DecoyScore {
   int glyphs = 0, found = 0;
   std::array<int, kGlyphRules> taken{};  // by the rule that they break

@@ -1,4 +1,4 @@
-// What was found, held against what there is.
+// Compares the glyphs that were found with those that are visible.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,29 @@ namespace glassbox::views {
 struct VisibleGlyph {
   int identity = 0;
   Vector2d centre;      // px
-  double diameter = 0;  // px, of a circle as large
-  double shorter = 0;   // px: across
+  double diameter = 0;  // px, of a circle of equal area
+  double shorter = 0;   // px: the shorter diameter
 };
 
-// Those that a camera sees from the front and whole, by 16 points of their border; of the pixels of `covered`, where there is one, at
-// most a tenth may be covered.
+// The glyphs that a camera sees from the front and entirely inside the picture, tested with 16
+// points of their border. If `covered` is given, at most a tenth of a glyph's pixels may be
+// covered.
 std::vector<VisibleGlyph> visible_glyphs(const Wall& wall, const PinholeCamera& camera, int width,
                                          int height, const Image<std::uint8_t>& covered = {});
 
 struct GlyphScore {
   int visible = 0, right = 0;
-  int wrong = 0;   // said to be one that is not there
-  int partly = 0;  // right, of those that are not wholly visible: no part of recall
+  int wrong = 0;  // found as a glyph that is not there
+  // Right, but of glyphs that are not wholly visible: they do not count for the recall.
+  int partly = 0;
   double precision() const {
     return right + partly + wrong > 0 ? 1 - double(wrong) / (right + partly + wrong) : 1;
   }
   double recall() const { return visible > 0 ? double(right) / visible : 1; }
 };
 
-// A region is right if the centre of its glyph is within half a diameter of its own.
+// A region is right if its glyph's true centre is within half a diameter of the region's own
+// centre.
 GlyphScore score_of(const FoundGlyphs& found, const Wall& wall, const PinholeCamera& camera,
                     const std::vector<VisibleGlyph>& visible);
 

@@ -18,7 +18,8 @@ namespace {
 
 // ---- what is not paper ----
 
-// The share of a pixel that is glyph: every prototype has a channel that is all but dark, which paper lends its light to.
+// The share of a pixel that a glyph covers: every prototype has one channel that is nearly dark, so
+// the light in the darkest channel is that of the paper.
 float cover_of(const Light& light, const Light& paper) {
   static const float kDark = decode_srgb(32);
   const float share = (1 - (light / paper).minCoeff()) / (1 - kDark);
@@ -37,10 +38,11 @@ struct Component {
 
 constexpr std::int32_t kPaper = -1;
 
-// Pixels that are covered by more than this are a region's: three colours that meet in one let half of the light through.
+// A pixel belongs to a region if more than this share of it is covered: where three colours meet in
+// a pixel, half of the light comes through.
 constexpr float kCovered = 0.35f;
 
-// Regions of pixels that touch each other, by sides or corners, and the region of each pixel.
+// Regions of pixels that touch at sides or corners, and the region of each pixel.
 struct Components {
   std::vector<Component> all;
   Image<std::int32_t> of;
@@ -100,21 +102,21 @@ private:
   Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
 };
 
-// Coordinates are taken from the corner of the region's box, so that their squares are small.
+// Coordinates are relative to the corner of the region's box, so that their squares are small.
 Ellipse ellipse_of(const Moments2& moments, const PixelBox& box) {
   Ellipse ellipse;
   ellipse.centre = moments.mean() + Vector2d(box.left, box.top);
-  // A pixel's share is that of a square, which spreads what it measures by the square's own 1/12.
+  // A pixel is a square and not a point, which adds the square's own variance of 1/12.
   ellipse.moments = moments.covariance() - Eigen::Matrix2d::Identity() / 12;
   ellipse.area = moments.weight();
-  // A line of pixels has no width; it gets that of a pixel.
+  // A line of pixels has no width; it gets the width of a pixel.
   constexpr double kLeast = 1.0 / 12;
   if (ellipse.moments.determinant() < kLeast * kLeast || ellipse.moments.trace() <= 0)
     ellipse.moments += kLeast * Eigen::Matrix2d::Identity();
   return ellipse;
 }
 
-// Everything that is asked of one region.
+// Measures one region and applies all rules to it.
 class Reader {
 public:
   Reader(const Image<Rgba8>& picture, const Components& components, std::int32_t number,
@@ -142,11 +144,13 @@ public:
     };
     breaks(GlyphRule::kWhole, is_whole);
     breaks(GlyphRule::kSize, region.ellipse.shorter_diameter() >= 0.75 * settings_.least_diameter);
-    // A thin ring has few pixels of an ellipse of that size, whose area is 4 pi sqrt(det); what it does not cover has no colour of a glyph.
+    // A thin ring has few pixels compared with an ellipse of that size, whose area is 4 pi
+    // sqrt(det); the pixels that it does not cover have no colour of a glyph.
     const double area = 4 * kPi * std::sqrt(region.ellipse.moments.determinant());
     breaks(GlyphRule::kPrototypes,
            double(component.pixels.size()) >= settings_.least_prototypes * area);
-    // What cannot be a glyph may be as large as the picture.
+    // A region that cannot be a glyph may be as large as the picture, so stop before the expensive
+    // steps.
     if (region.broken) return region;
     const Light paper = paper_around(region.ellipse);
     region.ellipse = refined(region.ellipse, paper);
@@ -166,13 +170,13 @@ public:
     breaks(GlyphRule::kSpread, is_spread_);
     breaks(GlyphRule::kRanks, has_ranks_);
     breaks(GlyphRule::kSheet, region.identity >= 0 && is_on_wall[std::size_t(region.identity)]);
-    // Without an identity there is nothing to say, whatever is not asked.
+    // Without an identity a region is no glyph, even if the rule is switched off.
     if (!region.broken && region.identity < 0) region.broken = GlyphRule::kPrototypes;
     return region;
   }
 
 private:
-  // The pixels within so many radii, and within the picture.
+  // Calls `see` for the pixels within `radii` radii of the ellipse and inside the picture.
   template <class See>
   void for_each_near(const Ellipse& ellipse, double radii, See see) const {
     const double reach_x = 2 * radii * std::sqrt(ellipse.moments(0, 0)),
@@ -211,7 +215,8 @@ private:
     return paper;
   }
 
-  // All of its inside, and of its border the share of each pixel that is covered.
+  // The ellipse from all pixels of its inside, and from those of its border with the share that is
+  // covered.
   Ellipse refined(const Ellipse& first, const Light& paper) const {
     constexpr double kInside = 0.75, kReach = 1.45;
     Moments2 moments;
@@ -225,7 +230,7 @@ private:
   }
 
   void classify(GlyphRegion& region, const Light& paper) {
-    // Positions as the glyph's plane has them, where it is a circle of radius 1.
+    // Positions in the glyph's plane, where it is a circle of radius 1.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(region.ellipse.moments);
     const Eigen::Matrix2d circle_from_pixels = axes.operatorInverseSqrt() / 2;
     std::array<Moments2, kPrototypes> classes;

@@ -21,7 +21,8 @@ namespace {
 
 using Lights = std::vector<Eigen::Vector3f>;
 
-// Along rows if `step` is 1: each sample the weighted mean of those around it; the border is repeated.
+// A blur along rows or columns: each sample becomes the weighted mean of those around it; the
+// border is repeated.
 Lights blurred_along(const Lights& lights, int width, int height, bool is_along_rows,
                      const std::vector<float>& weights) {
   const int reach = int(weights.size()) - 1, most = (is_along_rows ? width : height) - 1;
@@ -45,7 +46,7 @@ Lights blurred_along(const Lights& lights, int width, int height, bool is_along_
 
 using Block = Eigen::Matrix<double, 8, 8>;
 
-// Annex K, tables K.1 and K.2.
+// Quantization tables of ITU-T T.81, Annex K, tables K.1 and K.2.
 constexpr std::array<std::uint8_t, 64> kLuminance{
     16, 11, 10, 16, 24,  40,  51,  61,  12, 12, 14, 19, 26,  58,  60,  55,
     14, 13, 16, 24, 40,  57,  69,  56,  14, 17, 22, 29, 51,  87,  80,  62,
@@ -64,7 +65,7 @@ Block steps_of(const std::array<std::uint8_t, 64>& table, int quality) {
   return steps;
 }
 
-// The orthonormal cosine transform.
+// The matrix of the orthonormal cosine transform.
 const Block& cosines() {
   static const Block matrix = [] {
     Block made;

@@ -21,7 +21,8 @@ namespace {
 
 // ---- three points ----
 
-// Axes that three points span: the first along an edge, the third on their plane. None for points of a line.
+// Perpendicular axes from three points: the first is along an edge, the third is normal to their
+// plane. None for points on a line.
 std::optional<Matrix3d> axes_of(const std::array<Vector3d, 3>& p) {
   const Vector3d along = p[1] - p[0], across = along.cross(p[2] - p[0]);
   const double size = along.norm() * (p[2] - p[0]).norm();
@@ -35,7 +36,8 @@ std::optional<Matrix3d> axes_of(const std::array<Vector3d, 3>& p) {
 
 // ---- six points ----
 
-// Moved and scaled to the centroid 0 and a mean distance of sqrt(dimension).
+// The transform that moves the centroid to 0 and scales the points to a mean distance of
+// sqrt(dimension).
 template <int N>
 Eigen::Matrix<double, N + 1, N + 1> normaliser(
     const std::vector<Eigen::Matrix<double, N, 1>>& points) {
@@ -50,8 +52,9 @@ Eigen::Matrix<double, N + 1, N + 1> normaliser(
   return matrix;
 }
 
-// M = K R, K upper triangular with a positive diagonal: the rows of M made perpendicular, the last
-// one first (Gram and Schmidt). M is a camera's and so far from singular.
+// M = K R, where K is upper triangular with a positive diagonal: the rows of M are made
+// perpendicular, the last one first (Gram and Schmidt). M belongs to a camera and so is far from
+// singular.
 void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation) {
   intrinsic = Matrix3d::Zero();
   for (int row = 2; row >= 0; --row) {
@@ -69,7 +72,8 @@ void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation)
 
 // ---- least squares ----
 
-// A camera near another one: a turn, a step, and of its lens what is not known.
+// A camera near another one: the parameters are a rotation, a translation, and the unknown numbers
+// of the lens.
 PinholeCamera moved(const PinholeCamera& from, const Eigen::VectorXd& by, LensKnown known) {
   PinholeCamera camera = from;
   camera.camera_from_world = turned_by(by.head<3>()) * from.camera_from_world;
@@ -110,7 +114,7 @@ double distance_of(const PinholeCamera& camera, const SeenPoint& point) {
 
 // ---- random samples ----
 
-// K with what is known put in place of what six points say.
+// Replaces entries of K that were estimated from six points by the known ones.
 PinholeCamera with_known(PinholeCamera camera, const PoseQuestion& question) {
   const double focal = std::sqrt(std::abs(camera.intrinsic(0, 0) * camera.intrinsic(1, 1)));
   if (question.known == LensKnown::kAll) return camera;
@@ -136,13 +140,15 @@ public:
 
   std::optional<FoundPose> run() {
     constexpr int kSamples = 300;
-    // Six points and their noise are a rough camera: they have to agree with the others less exactly than all together do.
+    // A camera from six noisy points is rough: its tolerance for agreement with the other points is
+    // larger than that of the final camera.
     const double coarse = question_.known == LensKnown::kAll ? 2 : 8;
     Random random(25);
     const std::size_t size = question_.known == LensKnown::kAll ? 3 : 6;
     double least = INFINITY;
     for (int i = 0; i < kSamples; ++i) {
-      // Of an unknown lens first all points: where none is wrong, nothing is better.
+      // With an unknown lens, all points are tried first: if none of them is wrong, no sample gives
+      // a better camera.
       const bool asks_all = i == 0 && size == 6;
       for (const PinholeCamera& camera : cameras_of(asks_all ? points_ : sample(random, size))) {
         const double cost = cost_of(camera, coarse * question_.threshold);
@@ -152,7 +158,8 @@ public:
       }
     }
     if (!best_) return std::nullopt;
-    // A principal point that is put in its place moves all points: those that agreed before are what turns the camera after it.
+    // Replacing the principal point moves the images of all points, so the camera has to be turned
+    // again. For that, use the points that agreed before the change.
     const FoundPose rough = judged(*best_, coarse * question_.threshold);
     PinholeCamera camera =
         refined(with_known(*best_, question_), some(points_, rough.is_inlier), question_.known);
@@ -208,7 +215,8 @@ private:
   std::optional<PinholeCamera> best_;
 };
 
-// The least singular value of the points about their mean, over the largest: 0 for points of a plane.
+// The smallest singular value of the points about their mean, divided by the largest: 0 for points
+// in a plane.
 double flatness(const std::vector<SeenPoint>& points) {
   Eigen::MatrixXd rows(Eigen::Index(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -230,8 +238,9 @@ Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point) {
   return centre.head<2>() / centre.z();
 }
 
-// Two of Newton's steps in the distances of three points, by the laws of cosines: a root that has lost digits, a double one half of
-// them, then has distances that agree with each other to the square of what it is off.
+// Two steps of Newton's method in the distances to three points, with the laws of cosines as
+// equations. A root that has lost digits (a double root has lost half of them) then gives distances
+// whose mutual error is the square of the root's error.
 static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector3d& squares) {
   for (int step = 0; step < 2; ++step) {
     Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(3, 3);
@@ -249,8 +258,8 @@ static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector
   return distances;
 }
 
-// s1 to s3 are the distances to the points; u = s2/s1, v = s3/s1. Two of the three laws of cosines give u as a quotient of polynomials in
-// v, the third then a quartic in v.
+// s1 to s3 are the distances to the points; u = s2/s1, v = s3/s1. Two of the three laws of cosines
+// give u as a quotient of polynomials in v, and the third then gives a quartic in v.
 std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
                                             const std::array<SeenPoint, 3>& points) {
   std::array<Vector3d, 3> world, ray;
@@ -291,8 +300,9 @@ std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
     if (!(v > 0) || !std::isfinite(s1)) continue;
     const double above = (-1 + minus) * v * v - 2 * minus * cb * v + 1 + minus;
     const double below = 2 * (cg - v * ca);
-    // Where the three points are seen as mirrored in a plane through the second, both are 0: the two laws are one, which both its roots
-    // satisfy. As that v is a double root of the quartic, it comes twice, with half its digits.
+    // If the three points are seen mirror-symmetric to a plane through the second one, numerator
+    // and denominator of u are both 0: the two laws coincide, and u is either root of one of them.
+    // This v is a double root of the quartic, so it appears twice, with half of its digits.
     constexpr double kHalfOfDigits = 0x1p-20;  // 2^-26, and room for the condition of the roots
     if (std::abs(below) < kHalfOfDigits && std::abs(above) < kHalfOfDigits * (1 + v * v)) {
       const double square = cg * cg - 1 + cc / (s1 * s1);
@@ -330,7 +340,7 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
     rows.row(Eigen::Index(2 * i + 1)) << Eigen::RowVector4d::Zero(), at, -pixel.y() * at;
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  // Points of a plane leave three more directions free than scale.
+  // Points in one plane leave three more degrees of freedom than the scale.
   if (!(svd.singularValues()[10] > 1e-10 * svd.singularValues()[0]))
     return fail("the points", "they lie in a plane, which leaves the lens open",
                 "give points of two planes, or what the lens is");
@@ -367,7 +377,7 @@ Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQues
                 fmt::format("{} glyphs are seen, and {} decide it", points.size(), least),
                 "take a picture of more of them");
   }
-  // Noise of a thousandth of a wall's size would else be taken for its depth.
+  // Without this limit, noise of a thousandth of the wall's size would be taken for its depth.
   constexpr double kFlat = 0.02;
   if (question.known != LensKnown::kAll && flatness(points) < kFlat) {
     return fail("the camera",

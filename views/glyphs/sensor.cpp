@@ -21,7 +21,7 @@ float channel_of(const Rgb32f& light, int channel) {
   return channel == 0 ? light.r : channel == 1 ? light.g : light.b;
 }
 
-// Between four pixels; beyond the border that of the border.
+// Interpolates between four pixels; outside of the picture the border is repeated.
 Rgb32f light_between(const Image<Rgba8>& picture, double x, double y) {
   const double left = std::clamp(x - 0.5, 0.0, picture.width - 1.0),
                top = std::clamp(y - 0.5, 0.0, picture.height - 1.0);
@@ -55,7 +55,7 @@ Lights through_lens(const Image<Rgba8>& picture, const Sensor& sensor) {
   return lights;
 }
 
-// Normal but for its tails: twelve uniform numbers.
+// A number that is normally distributed except in its tails: the sum of twelve uniform ones.
 double normal(Random& random) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();
@@ -76,7 +76,7 @@ int filter_at(int x, int y) {
   return (x & 1) + (y & 1);
 }
 
-// What the mosaic does not let through is forgotten, and guessed.
+// Keeps only the channel that a pixel's filter lets through, and interpolates the others.
 Lights without_mosaic(const Lights& lights) {
   Lights whole = lights;
   for (int y = 0; y < lights.height; ++y) {

@@ -1,5 +1,5 @@
-// What a camera does to the light before a picture is one: a lens that bends and darkens, colour filters in a mosaic, and noise
-// (SPEC S1-27).
+// What happens to the light inside a camera: a lens that distorts and darkens, a mosaic of colour
+// filters, and noise (S1-27).
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,21 @@
 namespace glassbox::views {
 
 struct Sensor {
-  // At the distance r from the middle, in halves of the picture's height, is what belongs at r (1 + bend r^2): more than 0 is a barrel.
+  // Lens distortion: the image at the distance r from the middle, in halves of the picture's
+  // height, is the undistorted one at r (1 + bend r^2). Above 0 it is a barrel distortion.
   double bend = 0;
-  // Of the light at the corners, what is lost; as the square of the distance.
+  // The share of the light that is lost at the corners; the loss grows with the square of the
+  // distance.
   double falloff = 0;
-  // Each pixel has one colour, by rows red and green, green and blue (Bayer); what it lacks is the mean of its neighbours that have it.
+  // Each pixel measures one colour: rows alternate between red and green, and green and blue
+  // (Bayer). The missing colours are the means of the neighbours that measure them.
   bool has_mosaic = false;
-  // Electrons that white frees: a pixel of n of them is off by sqrt(n) (Poisson's law, as a normal one). 0: none counts them.
+  // How many electrons a white pixel frees. A pixel of n electrons has a standard deviation of
+  // sqrt(n) (Poisson's law, approximated by a normal distribution). 0: no noise.
   double electrons = 0;
 };
 
-// In this order; into 8 bits of sRGB.
+// Applies the effects in this order, and converts to 8 bits of sRGB.
 Image<Rgba8> through_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed);
 
 }  // namespace glassbox::views

@@ -50,7 +50,7 @@ RenderSettings unlit_on_grey() {
   return settings;
 }
 
-// One thing at a time.
+// Each sensor changes one thing; one combines two.
 std::vector<std::pair<std::string, Sensor>> sensors() {
   std::vector<std::pair<std::string, Sensor>> all{{"as it is", {}}};
   for (const double lost : {0.3, 0.6})
@@ -83,7 +83,7 @@ void judge(SweepRow& row, const Wall& wall, const Shot& shot, const FindSettings
   question.intrinsic = shot.camera.intrinsic;
   const auto pose = find_pose(points_of(found, wall).points, question);
   const PoseError error = pose ? pose_error(pose->camera, shot.camera) : PoseError{kNan, kNan};
-  // A shot without a camera stays the worst of all.
+  // If one shot has no pose (nan), the worst error stays nan.
   const auto keep_worst = [](double& worst, double one) {
     if (!std::isnan(worst) && !(one <= worst)) worst = one;
   };
@@ -174,7 +174,7 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
   const Wall corner = wall_of_panels(2);
   Studio studio(what == SweepOf::kTilt ? wall_of_panels(1) : corner);
   if (what == SweepOf::kSize) {
-    // Glyphs are at most this large across, and counted from 0.8 of that.
+    // Glyphs have at most this diameter; those from 0.8 of it on are counted.
     for (const int size : {10, 12, 15, 20, 25, 30, 40}) {
       const int width = size * 24 / 4 * 4;
       add(fmt::format("{} px", size), corner,

@@ -1,4 +1,5 @@
-// How well glyphs are found as pictures get worse: a number of pictures of a wall for each level of one thing (SPEC S1-26, S1-28).
+// How well glyphs are found as pictures get worse: for each sweep one thing is varied in levels,
+// with several pictures of a wall for each level (S1-26, S1-28).
 #pragma once
 
 #include <functional>
@@ -30,26 +31,27 @@ std::string_view name_of(SweepOf what);
 
 struct SweepRow {
   std::string level;  // "20 px"
-  GlyphScore score;   // all pictures together
-  double degrees = 0,
-         millimetres =
-             0;  // the largest pose error, the lens being known; nan where no pose was found
+  GlyphScore score;   // all pictures of the level together
+  // The largest pose error with a known lens; nan if a pose was not found.
+  double degrees = 0, millimetres = 0;
 };
 
-// Two pictures a level from 2 m, of tilt of a plane wall, else of the default one; glyphs some 40 px large, but of size. Of rules the decoys
-// (decoys.h), a row for each rule that is not asked.
+// Two pictures for each level, from a distance of 2 m. The tilt sweep uses a plane wall, the others
+// the default wall. Glyphs are about 40 px large, except in the size sweep. The rules sweep uses
+// the decoys (decoys.h), with a row for each rule that is switched off.
 std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
                                    const std::function<void(const std::string&)>& tell);
 
-// A camera `distance` metres before the middle of the wall, turned around it by these degrees, with a vertical angle of 40 degrees.
+// A camera `distance` metres in front of the middle of the wall, turned around it by these angles,
+// with a vertical angle of view of 40 degrees.
 PinholeCamera camera_before(double distance, double azimuth_degrees, double elevation_degrees,
                             int width, int height);
 
-// Photographs of a wall, which is drawn once: unlit, four samples a pixel, on grey.
+// Photographs of a wall, which is textured only once: unlit, four samples a pixel, on grey.
 class Studio {
 public:
   explicit Studio(const Wall& wall);
-  Studio(const Studio&) = delete;  // what draws keeps a reference to the scene
+  Studio(const Studio&) = delete;  // the renderer keeps a reference to the scene
   Studio& operator=(const Studio&) = delete;
   Image<Rgba8> photograph(const PinholeCamera& camera, int width, int height);
 

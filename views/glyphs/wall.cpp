@@ -25,7 +25,7 @@ std::vector<WallPanel> panels_of(const WallLayout& layout) {
   return {{top - width * left, left, down, width, height}, {top, right, down, width, height}};
 }
 
-// The light at a point of a panel, metres from its corner.
+// The light at a point of a panel; x and y in metres from its corner.
 Eigen::Vector3f light_at(const Wall& wall, int panel, double x, double y) {
   const WallLayout& layout = wall.layout;
   const int column = int(std::floor(x / layout.pitch)), row = int(std::floor(y / layout.pitch));
@@ -44,7 +44,7 @@ Eigen::Vector3f light_at(const Wall& wall, int panel, double x, double y) {
   return paper;
 }
 
-// Whether no border of a disc is within `reach` of a point. Between the cells is paper.
+// Whether no border of a disc is within `reach` of a point. Cells are separated by paper.
 bool is_plain(const Wall& wall, double x, double y, double reach) {
   const double pitch = wall.layout.pitch;
   const double radius = hypotenuse(x - (std::floor(x / pitch) + 0.5) * pitch,

@@ -24,12 +24,12 @@ bool is_header(const std::string& path) {
   return path.ends_with(".hdr") || path.ends_with(".HDR");
 }
 
-// Channels that are no alpha.
+// The number of channels without alpha.
 int colors_of(int channels) {
   return channels <= 2 ? 1 : 3;
 }
 
-// One of the files that a header may be of, in its own folder.
+// Finds the data file of a header: one of the possible names in the header's folder.
 Result<std::string> cube_of(const std::string& header_path) {
   const std::string stem = header_path.substr(0, header_path.size() - 4);
   for (const char* extension : {"", ".img", ".raw", ".dat", ".bsq", ".bil", ".bip"}) {
@@ -40,7 +40,7 @@ Result<std::string> cube_of(const std::string& header_path) {
               "put " + fs::path(stem).filename().string() + ".img there");
 }
 
-// A file, and what its header says.
+// An opened file, and the size and number of bands from its header.
 struct Opened {
   BandFiles::File file;
   int width = 0, height = 0, bands = 0;
@@ -65,7 +65,8 @@ Result<Opened> open_cube(const std::string& path) {
       {path, {}, *header, *numbers}, int(header->width), int(header->height), int(header->bands)};
 }
 
-// No picture within the limit has as many bytes as its bands have as doubles, but for what a file says beside its pixels.
+// A picture within the limit is smaller than its bands are as doubles, except for text that the
+// file has beside the pixels (kMostText).
 Result<Opened> open_picture(const std::string& path, std::uint64_t most_bytes) {
   constexpr std::uint64_t kMostText = 1 << 20;
   auto bytes = read_file(path, most_bytes + kMostText);
@@ -111,7 +112,7 @@ Result<Bands> decode_file(const BandFiles::File& file) {
 
 Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64_t planes,
                           std::uint64_t most_bytes, const std::string& what) {
-  // Sides and planes are small numbers: the product is below 2^47.
+  // The sides and the number of planes are small: the product is below 2^47.
   const std::uint64_t bytes = width * height * planes * sizeof(double);
   if (bytes <= most_bytes) return {};
   constexpr double kMegabyte = 1 << 20;

@@ -1,4 +1,4 @@
-// Several measurements of every pixel: what a satellite sees at some wavelengths.
+// Several measurements for every pixel, such as those of a satellite at several wavelengths.
 #pragma once
 
 #include <cstddef>

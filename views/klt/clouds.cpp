@@ -20,7 +20,7 @@ double smooth(double t) {
   return t * t * (3 - 2 * t);
 }
 
-// Random numbers at whole points, smooth between them.
+// Value noise: random numbers at points with whole coordinates, interpolated smoothly between them.
 double value_noise(std::uint64_t seed, const Direction& p) {
   const double x = std::floor(p.x), y = std::floor(p.y), z = std::floor(p.z);
   const double s = smooth(p.x - x), t = smooth(p.y - y), r = smooth(p.z - z);
@@ -34,7 +34,7 @@ double value_noise(std::uint64_t seed, const Direction& p) {
   return mix(mix(row(0, 0), row(1, 0), t), mix(row(0, 1), row(1, 1), t), r);
 }
 
-// Octaves of it, each of half the size and weight; 0 .. 1.
+// The sum of octaves of the noise, each of half the size and half the weight; 0 .. 1.
 double fractal(std::uint64_t seed, const Direction& p, double frequency, int octaves) {
   double sum = 0, weight = 0.5, all = 0;
   for (int i = 0; i < octaves; ++i, frequency *= 2, weight /= 2) {
@@ -57,7 +57,7 @@ Sky sky_at(const Direction& p) {
   Sky sky{};
   sky.land = smooth(between(0.5, 0.53, fractal(100, p, 1.6, 6)));
   sky.desert = smooth(between(0.4, 0.65, fractal(150, p, 2.5, 5)));
-  // Winds pull clouds along circles of latitude.
+  // Winds stretch clouds along circles of latitude.
   const Direction pulled{p.x, 2.2 * p.y, p.z};
   const double thickness = 14 * between(0.5, 0.9, fractal(200, pulled, 2.4, 7));
   sky.opacity = thickness / (1 + thickness);
@@ -67,7 +67,7 @@ Sky sky_at(const Direction& p) {
   return sky;
 }
 
-// Per cent of the light, and kelvins.
+// The light in per cent (the visible band), and temperatures in kelvins (the infrared bands).
 std::array<double, kCloudBands> measured(const Sky& sky) {
   const double bare = 6 + sky.land * (9 + 36 * sky.desert);
   const double ground = 262 + 35 * sky.warmth + 5 * sky.land;
@@ -81,7 +81,7 @@ std::array<double, kCloudBands> measured(const Sky& sky) {
 
 struct Channel {
   const char* name;
-  double low, high, noise;  // what 0 and 1023 stand for; counts
+  double low, high, noise;  // values for the counts 0 and 1023; noise in counts
 };
 constexpr std::array<Channel, kCloudBands> kChannels{{{"visible 0.65 um", 0, 100, 1},
                                                       {"infrared 3.9 um", 180, 320, 3},
@@ -115,7 +115,8 @@ CloudScene make_clouds(int width) {
   for (int y = 0; y < height; ++y) {
     const SinCos polar = sin_cos_degrees(180 * (y + 0.5) / height);
     for (int x = 0; x < width; ++x) {
-      // As the built-in sphere has its texture: from -z over -x, down from the north pole.
+      // The same layout as the texture of the built-in sphere: from -z over -x, down from the north
+      // pole.
       const SinCos& turn = turns[std::size_t(x)];
       const Direction p{polar.sin * -turn.sin, polar.cos, polar.sin * -turn.cos};
       const Sky sky = sky_at(p);

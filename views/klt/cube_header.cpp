@@ -22,7 +22,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// "name = value" by lines; a value in braces may go over several.
+// Reads lines "name = value"; a value in braces may span several lines.
 Result<std::map<std::string, std::string>> fields_of(std::string_view text) {
   std::map<std::string, std::string> fields;
   std::size_t at = text.find('\n');
@@ -201,7 +201,7 @@ std::string cube_header_text(const Bands& bands) {
   std::string names;
   for (const Band& band : bands.bands) {
     if (!names.empty()) names += ", ";
-    // What would end a name is left out of it.
+    // Characters that would end a name in the list are replaced by blanks.
     for (const char c : band.name) names += c == ',' || c == '{' || c == '}' || c == '\n' ? ' ' : c;
   }
   return fmt::format(

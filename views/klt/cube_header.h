@@ -1,5 +1,5 @@
-// Raw cubes of numbers with a header in text, as ENVI has them: X.hdr says how the bytes of the file beside it are to be read
-// (www.nv5geospatialsoftware.com/docs/ENVIHeaderFiles.html).
+// Raw cubes of numbers with a text header in ENVI's format: X.hdr says how the bytes of the file
+// beside it are to be read (www.nv5geospatialsoftware.com/docs/ENVIHeaderFiles.html).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace glassbox::views {
 
-// Numbers as ENVI counts them: its "data type".
+// The types of numbers, with the values of ENVI's field "data type".
 enum class CubeType {
   kByte = 1,
   kInt16 = 2,
@@ -26,7 +26,8 @@ enum class CubeType {
   kUint32 = 13
 };
 
-// Band after band, line after line with its bands, pixel after pixel with its bands.
+// The order of the numbers: band by band (kBsq), line by line with all bands of a line (kBil), or
+// pixel by pixel with all bands of a pixel (kBip).
 enum class Interleave { kBsq, kBil, kBip };
 
 struct CubeHeader {
@@ -34,7 +35,7 @@ struct CubeHeader {
   CubeType type = CubeType::kByte;
   Interleave interleave = Interleave::kBsq;
   bool big_endian = false;
-  std::vector<std::string> names;  // of the bands; empty, or one for each
+  std::vector<std::string> names;  // of the bands; empty, or one for each band
 
   std::uint64_t bytes_of_sample() const;
   std::uint64_t bytes() const { return offset + width * height * bands * bytes_of_sample(); }
@@ -42,19 +43,20 @@ struct CubeHeader {
 
 inline constexpr std::uint64_t kMostBands = 512;
 
-// Refused: no "ENVI" at its beginning, samples, lines, bands or data type that are missing, not numbers or beyond 16384 px and kMostBands,
-// complex numbers, an interleave that is none, names that are not as many as bands.
+// Refused: no "ENVI" at its beginning; samples, lines, bands or data type that are missing, not
+// numbers or beyond 16384 px and kMostBands; complex numbers; an unknown interleave; a number of
+// names other than the number of bands.
 Result<CubeHeader> parse_cube_header(std::string_view text);
 
-// Doubles, band after band, little-endian.
+// Doubles, band by band, little-endian.
 std::string cube_header_text(const Bands& bands);
 std::vector<std::byte> cube_bytes(const Bands& bands);
 
-// What may follow the numbers.
+// How many bytes may follow the numbers.
 inline constexpr std::uint64_t kMostBeyondCube = 1 << 20;
-// Refused: fewer bytes than the header says, or that much more.
+// Refused: fewer bytes than the header demands, or more than kMostBeyondCube bytes too many.
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes);
-// Refused: the same. Names that it does not have are "band 1" ...
+// Refuses the same. Bands without a name are named "band 1", "band 2" ...
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes);
 
 }  // namespace glassbox::views

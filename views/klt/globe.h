@@ -1,4 +1,4 @@
-// Clouds on a globe: a component as the alpha of a shell around a ball.
+// Clouds on a globe: a component becomes the alpha of a shell around a ball.
 #pragma once
 
 #include <glassbox/images/image.h>
@@ -8,12 +8,14 @@
 
 namespace glassbox::views {
 
-// White, with an alpha of 0 where the component is at most its median, 255 where at least its 99th percentile. The side that is up is the
-// one with the longer tail: clouds are rarer than clear sky.
+// White pixels, with an alpha of 0 where the component is at most its median and 255 where it is at
+// least its 99th percentile. The sign of a component is arbitrary; clouds are taken to be the side
+// with the longer tail, because they are rarer than clear sky.
 Image<Rgba8> cloud_alpha(const Bands& component);
 
-// A ball of radius 1 with the ground as its texture and a shell of radius 1.015 with the clouds, both around the world's origin, lit by a
-// sun. Pictures are a whole planet each, longitude across.
+// A ball of radius 1 with the ground as its texture and a shell of radius 1.015 with the clouds,
+// both centred at the world's origin and lit by a sun. Each picture covers the whole planet,
+// longitude across.
 Scene make_globe(const Image<Rgba8>& ground, const Image<Rgba8>& clouds);
 
 }  // namespace glassbox::views

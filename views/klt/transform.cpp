@@ -14,7 +14,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The sum over all pixels of what `at` gives for one, row by row.
+// The sum of `at(i)` over all pixels i, summed row by row.
 template <class At>
 double sum_by_rows(const Bands& bands, At at) {
   double sum = 0;
@@ -36,7 +36,7 @@ Result<void> check_bands(const Bands& bands) {
     return fail("the bands", "there are none", "give pictures, one for each band");
   if (bands.pixels() < 2)
     return fail("the bands", "one pixel does not vary", "give pictures of two pixels or more");
-  // The sum of the squares of all samples has to be a number.
+  // The sum of the squares of all samples must not overflow.
   const double most = std::sqrt(std::numeric_limits<double>::max() /
                                 (4.0 * double(bands.pixels()) * bands.count()));
   for (const Band& band : bands.bands) {
@@ -77,7 +77,8 @@ Moments moments_of(const Bands& bands) {
   Moments moments{Eigen::VectorXd(count), Eigen::MatrixXd(count, count)};
   for (int b = 0; b < count; ++b) {
     const auto& samples = samples_of(bands, b);
-    // The first sum is off by roundings of large numbers, the second by those of what is left.
+    // The first sum has rounding errors of large numbers, the second one only those of the small
+    // differences that are left.
     const double about = sum_by_rows(bands, [&](std::size_t i) { return samples[i]; }) / pixels;
     const double rest = sum_by_rows(bands, [&](std::size_t i) { return samples[i] - about; });
     moments.mean[b] = about + rest / pixels;

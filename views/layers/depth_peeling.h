@@ -1,4 +1,5 @@
-// A layered depth image: at each pixel the nearest surface, the one behind it, and so on (Shade et al. 1998; S1-01).
+// Depth peeling: makes a layered depth image, which has for each pixel the nearest surface, the one
+// behind it, and so on (Shade et al. 1998; S1-01).
 #pragma once
 
 #include <cstdint>
@@ -13,18 +14,19 @@ namespace glassbox::views {
 
 struct Layer {
   Image<Rgba8> color;
-  Image<float> distance;            // along the gaze; infinite where there is nothing
-  Image<std::uint32_t> depth = {};  // codes
-  Image<std::uint32_t> id = {};     // as Framebuffer::id, if the settings want it
+  Image<float> distance;  // along the direction of view; infinite where there is no surface
+  Image<std::uint32_t> depth = {};  // depth codes
+  Image<std::uint32_t> id = {};     // as in Framebuffer::id, if the settings ask for it
 };
 
-bool is_empty(const Layer& layer);  // it shows nothing
+bool is_empty(const Layer& layer);  // whether the layer shows no surface
 
-// What some drawn surface wears that is seen through, if anything: it hides nothing, and has no layer of its own.
+// The material of a drawn surface that is transparent, if there is one. Such a surface hides
+// nothing and has no layer of its own.
 const Material* seen_through(const Scene& scene);
 
-// By depth peeling: each pass draws what is behind what the pass before has shown (Everitt 2001). `layers` passes; fewer where a pass shows
-// nothing. Of a scene in which nothing is seen through.
+// Peels a scene without transparent surfaces: each pass draws what is behind the surfaces of the
+// pass before (Everitt 2001). `layers` passes; fewer if a pass shows nothing.
 std::vector<Layer> peel(const Scene& scene, const View& view, const RenderSettings& settings,
                         int layers);
 

@@ -23,20 +23,22 @@ namespace glassbox::views {
 
 namespace {
 
-// Along a row the warp is (column in pixels) * right + start; start is computed anew, in double, every so many pixels, so that a
-// float's rounding is that of 64 steps wherever in the row it is (C-80).
+// Along a row the warp is (column in pixels) * right + start. The start is computed anew in double
+// every 64 pixels, so that the rounding of a float is that of at most 64 steps anywhere in the row
+// (C-80).
 constexpr int kAnchorPixels = 64;
-// Two samples of neighbouring pixels are one surface's if their depths differ by less, relative.
+// Two samples of neighbouring pixels belong to one surface if their relative difference in depth is
+// less than this.
 constexpr float kSteepest = 1.0f / 16;
 constexpr int kRowsOfTask = 8;
-constexpr std::size_t kPadding =
-    64;  // numbers beyond the last one that whole vectors may read or write
+// How many numbers beyond the last one whole vectors may read or write.
+constexpr std::size_t kPadding = 64;
 
 WarpedPoint rounded(const Eigen::Vector4d& v) {
   return {float(v.x()), float(v.y()), float(v.z()), float(v.w())};
 }
 
-// The samples as the kernels read them.
+// The samples in the layout that the kernels read.
 struct Samples {
   explicit Samples(const LayeredImage& of)
       : image(of),
@@ -63,14 +65,15 @@ struct Samples {
   std::vector<float> slope_x, slope_y;
 
 private:
-  // The samples of a pixel beside (x, y), or none.
+  // The range of samples of pixel (x, y); empty outside of the picture.
   std::pair<std::uint32_t, std::uint32_t> samples_at(int x, int y) const {
     if (x < 0 || y < 0 || x >= image.camera.width || y >= image.camera.height) return {0, 0};
     const std::size_t place = image.place(x, y);
     return {image.first[place], image.first[place + 1]};
   }
 
-  // From a depth to the nearest one of a pixel beside it, if that may be the same surface's.
+  // The difference from a depth to the nearest depth in a neighbouring pixel, if the two may belong
+  // to the same surface.
   std::optional<float> gain(float from, int x, int y) const {
     const auto [begin, end] = samples_at(x, y);
     std::optional<float> least;
@@ -82,14 +85,16 @@ private:
     return least;
   }
 
-  // Depths are linear along a plane: the flatter of both sides, which an edge does not make steep.
+  // Depths are linear along a plane, so both sides have the same slope. Takes the flatter side: at
+  // an edge the other one would be too steep.
   static float slope(const std::optional<float>& before, const std::optional<float>& after) {
     if (!before || !after) return after.value_or(-before.value_or(0));
     return std::abs(*before) < std::abs(*after) ? -*before : *after;
   }
 
-  // A plane is linear in what a camera makes of it: of p x + q y + r z + s = 0 the depth's slopes are -p / r and -q / r. At most so steep as those that
-  // are found without normals; seen edge on, a sample is a line.
+  // A plane in the world is also a plane in screen space: for p x + q y + r z + s = 0 the depth's
+  // slopes are -p / r and -q / r. They are limited to the steepest slope that is accepted without
+  // normals; a sample that is seen edge on is drawn as a line.
   std::pair<float, float> slopes_of(const SampleNormal& n, const Eigen::Matrix4d& world_from_screen,
                                     const Eigen::Vector4d& at) const {
     const Eigen::Vector3d normal(n.x, n.y, n.z);
@@ -125,7 +130,7 @@ private:
   }
 };
 
-// The samples of one view seen from another, block by block.
+// The samples of one view warped to another, block by block.
 class Warp {
 public:
   Warp(const Samples& samples, const LayerCamera& to)
@@ -136,7 +141,7 @@ public:
 
   WarpedPoint down() const { return rounded(matrix_.col(1)); }
 
-  // The blocks of row y, from left to right; blocks without samples are left out.
+  // Calls `visit` for the blocks of row y, from left to right; blocks without samples are left out.
   template <class Visit>
   void for_each_block(int y, const Visit& visit) const {
     const LayeredImage& image = samples_.image;
@@ -161,9 +166,9 @@ private:
   WarpedPoint right_, depth_step_;
 };
 
-// The boxes of one row's samples.
+// Memory for the boxes of one row's samples.
 struct RowBoxes {
-  // Of samples from `begin` on, that many after those that are there.
+  // Boxes for `count` samples, with padding for whole vectors.
   SampleBoxes of(std::size_t count) {
     const std::size_t size = count + kPadding;
     for (auto* edge : {&left, &top, &right, &bottom}) {
@@ -184,7 +189,7 @@ SampleBoxes beyond(const SampleBoxes& boxes, std::size_t i) {
           boxes.bottom + i, boxes.depth + i, boxes.side + i};
 }
 
-// What one thread draws into.
+// The memory that one thread draws into.
 struct Canvas {
   static std::size_t keys_of(int width, int height) {
     return std::size_t(width + 2) * std::size_t(height + 2) + 1;
@@ -208,12 +213,12 @@ struct LayerDrawer::State {
   Samples samples;
   std::vector<Canvas> canvases;
   int threads = 0;
-  std::unique_ptr<tbb::task_arena> arena;  // of that many
+  std::unique_ptr<tbb::task_arena> arena;  // with `threads` threads
 };
 
 namespace {
 
-// One picture being made.
+// Draws one picture.
 class Picture {
 public:
   Picture(const Samples& samples, const LayerCamera& to, const LayerDrawing& drawing)
@@ -224,7 +229,7 @@ public:
         warp_(samples, to),
         sides_(sides_of(drawing.splat, warp_.down())) {}
 
-  // Row y of the layers, by depth.
+  // Draws row y of the layers with depth comparison.
   void draw_row(int y, Canvas& canvas) const {
     const KeyCanvas view = view_of(canvas);
     if (drawing_.splat == Splat::kPoint || drawing_.splat == Splat::kThree) {
@@ -247,7 +252,7 @@ public:
     });
   }
 
-  // All samples in the order of kOcclusion.
+  // Draws all samples in the order of kOcclusion.
   void draw_ordered(Canvas& canvas) const {
     const KeyCanvas view = view_of(canvas);
     const LayeredImage& image = samples_.image;
@@ -271,7 +276,7 @@ public:
     }
   }
 
-  // Row y of the picture.
+  // Finishes row y of the picture.
   void finish_row(int y, std::span<Canvas> canvases, std::vector<SampleKey>& scratch,
                   LayerPicture& into) const {
     const bool widened = drawing_.splat == Splat::kThree && drawing_.order == LayerOrder::kDepth;
@@ -296,14 +301,14 @@ private:
         return {0, 3, 3, 3, down};
       case Splat::kProjected:
         return {1, 1, kLargestSplat, kLargestSplat, down};
-      case Splat::kSoft:  // the pixel in the middle
+      case Splat::kSoft:  // the box has only the pixel in the middle
         break;
     }
     return {1, 1, 1, float(kLargestFootprint), down};
   }
 
   KeyCanvas view_of(Canvas& canvas) const { return {canvas.keys.data(), to_.width, to_.height}; }
-  // Pixel 0 of it.
+  // Pointer to pixel 0 of row y.
   static SampleKey* row_of(const KeyCanvas& view, int y) {
     return view.keys + std::ptrdiff_t(y + 1) * view.stride() + 1;
   }

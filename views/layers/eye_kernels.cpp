@@ -23,7 +23,8 @@ using EyeI = hn::RebindToSigned<EyeF>;
 using EyeU = hn::RebindToUnsigned<EyeF>;
 constexpr int kMostEyeLanes = 16;
 
-// Two neighbours are one surface if they move less than half a pixel apart or together.
+// Two neighbouring pixels belong to one surface if they move less than half a pixel apart or
+// together.
 constexpr float kLeastStep = 0.5f, kMostStep = 1.5f;
 constexpr float kSteepStep = 4;  // px
 
@@ -36,7 +37,7 @@ HWY_INLINE std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t o
   return (even >> 8 & kFields) | (odd & ~kFields);
 }
 
-// The nearness of depth codes.
+// Computes the nearness from depth codes.
 class Nearness {
 public:
   explicit Nearness(const EyeShift& shift)
@@ -72,7 +73,7 @@ private:
   float offset_, slope_;
 };
 
-// One row on its way. Pixel i's centre goes to place[i].
+// One row that is being warped. The centre of pixel i moves to place[i].
 struct Carried {
   const float* place;
   const float* nearness;
@@ -87,7 +88,8 @@ struct Carried {
     return i >= 0 && i + 1 < width && is_there(i) && is_there(i + 1);
   }
   float step(int i) const { return place[i + 1] - place[i]; }
-  // i and i + 1 are one surface: they stay beside each other; or they part as neighbours of theirs do, on a surface that is steep.
+  // Whether i and i + 1 belong to one surface: either they stay close together, or they move apart
+  // as much as their own neighbours do, which is a steep surface.
   bool joined(int i) const {
     if (!both_there(i)) return false;
     const float own = step(i);
@@ -106,7 +108,8 @@ struct Carried {
     to.nearness[at] = near;
     to.color[at] = shown;
   }
-  // What lies between centres is a mixture of both, where they are one surface; elsewhere a pixel goes on for half of its width.
+  // On one surface, a pixel between two warped centres gets a mixture of both colours; at the edge
+  // of a surface its last pixel extends over half of its width.
   void carry(int i) const {
     if (!is_there(i)) return;
     const float at = place[i];
@@ -118,7 +121,7 @@ struct Carried {
     }
     carry_mixed(i, std::ceil(at - 0.5f));
   }
-  // The centres from x on that lie between those of i and i + 1.
+  // Puts mixtures into the pixels from x on whose centres are between those of i and i + 1.
   void carry_mixed(int i, float x) const {
     const float at = place[i], next = place[i + 1];
     for (; x + 0.5f < next; x += 1) {
@@ -129,7 +132,7 @@ struct Carried {
   }
 };
 
-// Pixels [begin, end) show the background where they show nothing else.
+// Pixels [begin, end) show the background unless they show something else.
 void fill_empty(const EyeTarget& target, int begin, int end, std::uint32_t color) {
   const EyeU u;
   const int lanes = int(hn::Lanes(u));
@@ -161,15 +164,16 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   const auto is_empty = [&](int from) HWY_ATTR {
     return hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth));
   };
-  // A vector from `from` on is empty and, where empty pixels are seen, has pixel `like`'s colour.
-  // (What is seen through stores no depth, and an edge that covers some samples but not the centre
-  // has none either: empty pixels may have any colour.)
+  // Whether the vector from `from` on is empty and, in the first layer, has the colour of pixel
+  // `like`. (Empty pixels may have any colour: transparent surfaces store no depth, and neither
+  // does an edge that covers some samples but not the centre.)
   const auto is_plain = [&](int from, int like) HWY_ATTR {
     if (!row.is_first) return hn::AllTrue(u, is_empty(from));
     const auto same = hn::Eq(hn::LoadU(u, colors + from), hn::Set(u, colors[like]));
     return hn::AllTrue(u, hn::And(is_empty(from), same));
   };
-  // Places and nearnesses of the pixels from `begin` on, up to `end` or the end of its vector.
+  // Computes places and nearnesses of the pixels from `begin` on, up to `end` or the end of its
+  // vector.
   const auto fill_places = [&](int begin, int end) HWY_ATTR {
     for (int i = begin; i < end; i += lanes) {
       HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
@@ -185,8 +189,8 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
     }
   };
-  // Far enough within a run of plain pixels nobody asks for them: a vector and two neighbours are
-  // as far as a surface looks.
+  // Deep enough inside a run of plain pixels the places are not needed: a surface reads at most a
+  // vector and two neighbours beyond its end.
   const int reach = 3 + lanes;
   for (int begin = 0; begin < row.width;) {
     int run = begin;
@@ -209,7 +213,7 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
   for (; i + lanes < row.width; i += lanes) {
     if (hn::AllTrue(u, is_empty(i - 1)) && is_plain(i, i) && is_plain(i + 1, i)) {
-      // Nothing, or background of one colour: a run of it goes to a run.
+      // Empty, or background of one colour: a run stays a run.
       const int first = i;
       while (i + 2 * lanes < row.width && is_plain(i + lanes + 1, first)) i += lanes;
       if (row.is_first) {
@@ -237,7 +241,7 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       continue;
     }
     const auto shows = hn::Lt(center, next);
-    // (Of neighbours that are one surface no two show the same centre: the order is nobody's.)
+    // (No two neighbours of one surface cover the same centre, so their order does not matter.)
     const auto again = hn::Lt(hn::Add(center, one), next);
     if (!hn::AllFalse(f, again)) {
       for (int k = i; k < i + lanes; ++k) carried.carry_mixed(k, std::ceil(place[k] - 0.5f) + 1);
@@ -250,7 +254,7 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
     const auto of_own = hn::Sub(hn::Set(u, 256), of_next);
     const auto fields = hn::Set(u, kFields), halves = hn::Set(u, kHalves);
     const auto a = hn::LoadU(u, colors + i), b = hn::LoadU(u, colors + i + 1);
-    // Two channels at once, of 16 bits each: 255 * 256 + 128 is the most that there is.
+    // Two channels at once in fields of 16 bits: the largest value is 255 * 256 + 128.
     const auto mix = [&](auto of_a, auto of_b) {
       return hn::Add(hn::Add(hn::Mul(of_a, of_own), hn::Mul(of_b, of_next)), halves);
     };
@@ -259,7 +263,7 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
         mix(hn::And(hn::ShiftRight<8>(a), fields), hn::And(hn::ShiftRight<8>(b), fields));
     const auto shown = hn::Or(hn::And(hn::ShiftRight<8>(even), fields), hn::AndNot(fields, odd));
     const auto how_near = hn::Add(hn::BitCast(u, near), hn::Set(u, 1));
-    // On most surfaces neighbours go to neighbours.
+    // On most surfaces neighbours remain neighbours.
     const float first = hn::GetLane(x);
     const auto in_line = hn::Eq(x, hn::Add(hn::Set(f, first), hn::Iota(f, 0.0f)));
     if (hn::AllTrue(f, hn::And(in_line, inside))) {
@@ -297,7 +301,7 @@ int fill(const EyeTarget& row, int width) {
     while (end < width && row.nearness[end] == 0) ++end;
     holes += end - x;
     const bool from_right = x == 0 || (end < width && row.nearness[end] < row.nearness[x - 1]);
-    // Where nothing came to the whole row, pixel 0 has what the caller put there.
+    // If nothing was warped to the whole row, use pixel 0, which the caller has set.
     const int from = holes == width ? 0 : from_right ? end : x - 1;
     if (from < width) {
       std::fill(row.color + x, row.color + end, row.color[from]);

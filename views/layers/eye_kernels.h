@@ -1,5 +1,6 @@
-// The inner loops of warping one eye's picture to the other's, compiled once for each instruction set: floats in one written order and
-// integers, so that every target gives the same bytes.
+// The inner loops of warping one eye's picture to the other's, compiled once for each instruction
+// set. They use floats in one written order and integers, so that every target gives the same
+// bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,10 @@
 
 namespace glassbox::views {
 
-// Along a row, a pixel of the one eye is found in the other's at x + at_infinity - by_nearness * nearness. The nearness is 1 at the near
-// plane and 0 where nothing is: near / distance, or in a parallel view (far - distance) / (far - near). Of both it is linear in the
-// depth that is stored: offset + slope * depth.
+// Along a row, a pixel of one eye appears in the other eye's row at x + at_infinity - by_nearness *
+// nearness. The nearness is 1 at the near plane and 0 where there is no surface: near / distance,
+// or in a parallel view (far - distance) / (far - near). In both cases it is linear in the stored
+// depth: offset + slope * depth.
 struct EyeShift {
   DepthFormat format;
   float offset, slope;
@@ -21,25 +23,28 @@ struct EyeShift {
 
 struct EyeRow {
   const Rgba8* color;
-  const std::uint32_t* depth;  // codes
+  const std::uint32_t* depth;  // depth codes
   int width;
-  bool is_first;  // layer: its empty pixels are the background's; those of others are nothing
+  // First layer: its empty pixels show the background; those of other layers show nothing.
+  bool is_first;
 };
 
-// The other eye's row on its way: what it shows, and how near that is, a nearness's bits + 1; 0 where nothing came. One number more than
-// pixels: the last one is rubbish.
+// The other eye's row while it is made: its colours, and their nearness as its bits + 1 (0 for a
+// hole). Each array has one number more than there are pixels: pixels outside of the row are
+// written there, and its value has no meaning.
 struct EyeTarget {
   std::uint32_t* color;
   std::uint32_t* nearness;
 };
 
 struct EyeKernels {
-  // Carries a row into the target, where what is nearer stays, and of what is equally near what came first. `scratch` has room for
-  // 2 width + 256 numbers.
+  // Warps a row into the target. The nearer pixel stays; of equally near ones, the first. `scratch`
+  // has room for 2 width + 256 numbers.
   void (*carry)(const EyeShift& shift, const EyeRow& row, float* scratch, const EyeTarget& to);
 
-  // Holes get what is beside them, of both sides the farther; a row to which nothing came, the colour
-  // that its pixel 0 has had from the beginning. How many pixels they were.
+  // Fills holes from the pixel beside them, the farther one of both sides. A row to which nothing
+  // was warped gets the colour that the caller has put into its pixel 0. Returns the number of
+  // pixels filled.
   int (*fill)(const EyeTarget& row, int width);
 };
 

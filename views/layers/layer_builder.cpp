@@ -61,7 +61,7 @@ std::size_t LayerBuilder::add_layer(const View& from, const Layer& layer,
   });
 }
 
-// A total order of what samples say, so that equal ones are the same.
+// A total order of the samples' contents, so that only identical samples are equal.
 bool LayerBuilder::is_behind(const Sample& a, const Sample& b) {
   const auto key = [](const Sample& s) {
     return std::tuple(s.depth, ~s.rank, s.color.r, s.color.g, s.color.b, s.color.a, s.source.normal,
@@ -80,8 +80,8 @@ LayeredImage LayerBuilder::pack() const {
     here.clear();
     for (std::uint32_t i = last; i != kNone; i = samples_[i].next) here.push_back(samples_[i]);
     std::ranges::sort(here, [](const Sample& a, const Sample& b) { return is_behind(b, a); });
-    std::size_t kept = 0;  // from the front
-    double front = 0;      // of those that are one sample
+    std::size_t kept = 0;  // number of samples kept so far, counted from the front
+    double front = 0;      // depth of the first of those that are merged
     for (const Sample& sample : here) {
       const bool is_new = kept == 0 || front - double(sample.depth) > epsilon_ * front;
       if (is_new) {

@@ -1,4 +1,4 @@
-// Layered depth images made from samples, in whatever order they come (S1-02).
+// Builds layered depth images from samples in any order (S1-02).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace glassbox::views {
 
-// What samples may have besides a depth and a colour, and whether they are to have it.
+// What a sample may have besides a depth and a colour, and whether it is wanted.
 struct SampleSource {
   SampleNormal normal;
   std::uint32_t triangle = 0;
@@ -23,28 +23,31 @@ struct SampleWishes {
   bool normals = false, triangles = false;
 };
 
-// A list for each pixel, which is packed at the end.
+// Keeps a list of samples for each pixel, and packs the lists at the end.
 class LayerBuilder {
 public:
-  // Samples of a pixel whose depths differ by at most epsilon of the nearer one's are one sample: the one of the lowest rank, and of
-  // those the nearest. Which ones are one is decided from the front: the first that is left takes in all that are near to it, and
-  // none of what is near only to those (C-84).
+  // Samples of a pixel whose depths differ by at most epsilon times that of the nearest one are
+  // merged. The one of the lowest rank stays; among those, the nearest. Groups are made from the
+  // front: the nearest remaining sample merges all that are within epsilon of it, but not those
+  // that are near only to one of the others (C-84).
   LayerBuilder(const LayerCamera& camera, double epsilon, const SampleWishes& wishes = {});
 
-  // The pixel must be in the picture. A depth that is not positive and finite is left out.
-  // `rank`: 0 of what the camera itself sees.
+  // The pixel must be inside the picture. A depth that is not positive and finite is left out.
+  // `rank` is 0 for samples that the camera itself sees.
   void add(int x, int y, float depth, Rgba8 color, std::uint32_t rank = 0,
            const SampleSource& source = {});
 
-  // Colours and distances along the gaze (infinite: nothing there) of a picture from any view, each where it is in this camera. How
-  // many lie beside the picture or not before the camera.
+  // Adds the pixels of a picture from any view, each where it is seen by this camera. `distance` is
+  // along the direction of view (infinite: no surface). Returns how many samples are outside of the
+  // picture or not in front of the camera.
   std::size_t add_picture(const View& from, const Image<Rgba8>& color, const Image<float>& distance,
                           std::uint32_t rank = 0);
-  // The same of a layer; `normals` by its triangles' numbers, if there are any.
+  // Adds the pixels of a layer in the same way. `normals` is indexed by triangle number; it may be
+  // empty.
   std::size_t add_layer(const View& from, const Layer& layer, std::span<const SampleNormal> normals,
                         std::uint32_t rank = 0);
 
-  // Does not depend on the order of what was added.
+  // The result does not depend on the order in which samples were added.
   LayeredImage pack() const;
 
 private:
@@ -52,10 +55,10 @@ private:
     float depth;
     Rgba8 color;
     std::uint32_t rank;
-    std::uint32_t next;  // of the pixel; kNone: it is the last
+    std::uint32_t next;  // the pixel's next sample; kNone: it is the last
     SampleSource source;
   };
-  // `source_of(x, y)` is a SampleSource.
+  // `source_of(x, y)` returns a SampleSource.
   template <class SourceOf>
   std::size_t add_pixels(const View& from, const Image<Rgba8>& color, const Image<float>& distance,
                          std::uint32_t rank, const SourceOf& source_of);
@@ -64,18 +67,20 @@ private:
   LayerCamera camera_;
   double epsilon_;
   SampleWishes wishes_;
-  std::vector<std::uint32_t> last_added_;  // by place in the packed order; kNone: nothing yet
-  std::deque<Sample> samples_;             // which are many, and not to be there twice
+  std::vector<std::uint32_t> last_added_;  // by place in the packed order; kNone: no sample yet
+  // A deque, because a vector of so many would be copied when it grows.
+  std::deque<Sample> samples_;
 };
 
-// Of each pixel the nearest sample and the farthest, which parallax uncovers first and most.
+// Keeps the nearest and the farthest sample of each pixel: parallax uncovers these first and most.
 LayeredImage ends_of(const LayeredImage& image);
 
-// Two pictures that are one surface's differ in depth by rounding, and by the slope of the surface over a pixel; 1/1024 takes in both on
-// all but grazing surfaces.
+// Two pictures of one surface differ in depth by rounding, and by the slope of the surface over a
+// pixel; 1/1024 covers both except on grazing surfaces.
 inline constexpr double kMergedDepths = 0x1p-10;
 
-// By depth peeling of one view: `layers` at most, of the settings' shading.
+// Builds layers by depth peeling from one view: at most `layers` of them, with the settings'
+// shading.
 LayeredImage build_layers(const Scene& scene, const View& view, const RenderSettings& settings,
                           int layers);
 

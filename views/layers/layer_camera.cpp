@@ -6,7 +6,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The row of clip space that our depth comes from, in eye space.
+// The row of the matrix from eye space that gives w times the depth of layer_camera.h.
 Eigen::RowVector4d depth_row(const View& view, const Eigen::Matrix4d& clip_from_eye) {
   if (view.perspective) return {0, 0, 0, view.near};
   if (view.depth_range == DepthRange::kReversed) return clip_from_eye.row(2);

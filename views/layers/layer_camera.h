@@ -1,4 +1,4 @@
-// Where a layered depth image was taken from, or is looked at from: one matrix from the world to the pixels (S1-07).
+// The camera of a layered depth image: one matrix from the world to the pixels (S1-07).
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +7,11 @@
 
 namespace glassbox::views {
 
-// With (x w, y w, z w, w) = screen_from_world (X, Y, Z, 1): x, y in pixels from the top left, y down; z is the depth, which grows
-// towards the camera: near / distance in a perspective view, in (0, 1], and 1 - (distance - near) / (far - near) in a parallel one.
-// That depth is the same for every way of storing depth that a View may ask for, and its inverse is well conditioned: the distance
-// has the relative error of the depth (C-37).
+// With (x w, y w, z w, w) = screen_from_world (X, Y, Z, 1): x and y are in pixels from the top
+// left, y down; z is the depth, which increases towards the camera: near / distance in a
+// perspective view, in (0, 1], and 1 - (distance - near) / (far - near) in a parallel one. This
+// depth does not depend on the depth format that a View asks for, and its inverse is well
+// conditioned: the distance has the same relative error as the depth (C-37).
 struct LayerCamera {
   Eigen::Matrix4d screen_from_world = Eigen::Matrix4d::Identity();
   int width = 0, height = 0;  // px
@@ -27,15 +28,17 @@ Eigen::Matrix4d matrix_of(const Transform<Target, Source>& transform) {
   return m;
 }
 
-// The depth of what lies `distance` along the gaze of a view, in world units, and the other way round.
+// Converts between the distance along a view's direction of view, in world units, and the depth.
 double depth_of(const View& view, double distance);
 double distance_of(const View& view, double depth);
 
-// Its place in the world, homogeneous: w = 0 for a parallel view, of which it is the direction towards the eye.
+// The position of the eye in the world, homogeneous. For a parallel view w = 0, and it is the
+// direction towards the eye.
 Eigen::Vector4d eye_of(const LayerCamera& camera);
 
-// C12 = C2 C1^-1, in double (S1-07): (x2 w, y2 w, z2 w, w) = C12 (x1, y1, z1, 1), where w is the distance along the
-// second gaze over that along the first (1 of a parallel view): positive before both.
+// The matrix C12 = C2 C1^-1, in double (S1-07): (x2 w, y2 w, z2 w, w) = C12 (x1, y1, z1, 1), where
+// w is the distance along the second camera's direction of view divided by that along the first
+// one's (1 for parallel views). It is positive in front of both cameras.
 Eigen::Matrix4d warp_matrix(const LayerCamera& to, const LayerCamera& from);
 
 }  // namespace glassbox::views

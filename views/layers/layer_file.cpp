@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kMagic = "glassbox-layers 1\n";
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// A number's bytes, or a number of bytes, in the file's order.
+// Converts between a number and its bytes in the file's order.
 template <class T>
 std::array<std::byte, sizeof(T)> in_order(T value) {
   auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
@@ -51,14 +51,14 @@ public:
   std::size_t at() const { return at_; }
   std::size_t left() const { return bytes_.size() - at_; }
   void skip(std::size_t count) { at_ += count; }
-  // Whether this word is next; then it is taken.
+  // If the next bytes are this word, removes them and returns true.
   bool take_word(std::string_view word) {
     if (left() < word.size() || std::memcmp(bytes_.data() + at_, word.data(), word.size()) != 0)
       return false;
     skip(word.size());
     return true;
   }
-  // The bytes must be there.
+  // Removes a number; its bytes must be there.
   template <class T>
   T take() {
     std::array<std::byte, sizeof(T)> in_file;
@@ -100,7 +100,7 @@ std::optional<Lens> lens_of(std::uint32_t kind, const LensNumbers& n) {
   return std::nullopt;
 }
 
-// What may follow the colours: a word, and four bytes for each sample.
+// Optional parts after the colours: a word, and four bytes for each sample.
 constexpr std::string_view kNormals = "norm", kTriangles = "tris";
 
 constexpr std::size_t kHeaderBytes = kMagic.size() + 2 * 4 + 4 + 6 * 8 + 16 * 8 + 4 + 4;

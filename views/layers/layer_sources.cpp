@@ -17,7 +17,8 @@ Error in_file(const std::string& file, const Error& error) {
   return Error{file, error.place, error.cause, error.remedy};
 }
 
-// Distances that are not positive and finite are nothing; the nearest that is left, or infinity.
+// Replaces distances that are not positive and finite by "no surface". Returns the smallest
+// remaining distance, or infinity.
 double clean(Image<float>& distance) {
   double nearest = std::numeric_limits<double>::infinity();
   for (float& z : distance.pixels) {

@@ -10,7 +10,8 @@ namespace glassbox::views {
 
 namespace {
 
-// Not known; or of length 127, but for the rounding of three numbers, half of one each.
+// Either unknown, or of length 127 to within the rounding of the three components, at most 1/2
+// each.
 bool is_legal(const SampleNormal& n) {
   const double length = std::sqrt(double(n.x * n.x + n.y * n.y + n.z * n.z));
   return !n.is_known() || std::abs(length - 127) <= std::sqrt(0.75);

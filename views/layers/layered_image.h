@@ -1,5 +1,5 @@
-// A layered depth image: at each pixel of one camera several surfaces, one behind the other (Shade, Gortler, He and Szeliski 1998;
-// S1-01).
+// A layered depth image: each pixel of one camera has several surfaces, one behind the other
+// (Shade, Gortler, He and Szeliski 1998; S1-01).
 #pragma once
 
 #include <compare>
@@ -15,7 +15,7 @@
 
 namespace glassbox::views {
 
-// A surface's normal in the world, times 127 and to the nearest whole numbers; all 0: not known.
+// A surface's unit normal in the world, times 127 and rounded to whole numbers; all 0: unknown.
 struct SampleNormal {
   std::int8_t x = 0, y = 0, z = 0;
 
@@ -23,34 +23,38 @@ struct SampleNormal {
   friend auto operator<=>(const SampleNormal&, const SampleNormal&) = default;
 };
 
-// Packed for drawing (S1-06): rows from the bottom to the top, pixels from left to right, samples of a pixel from back to front.
+// Packed in the order of drawing (S1-06): rows from the bottom to the top, pixels from left to
+// right, samples of a pixel from back to front.
 struct LayeredImage {
   LayerCamera camera;
-  // width * height + 1 of them, ascending: the samples of a pixel begin at first[place(x, y)] and end where the next one's begin.
+  // width * height + 1 ascending offsets: the samples of a pixel begin at first[place(x, y)] and
+  // end where those of the next pixel begin.
   std::vector<std::uint32_t> first;
   std::vector<float>
-      depth;  // layer_camera.h: positive, and greater in front; in a pixel no two are the same
+      depth;  // as in layer_camera.h: positive, greater in front; no two are equal in a pixel
   std::vector<Rgba8> color;
-  // Of each sample, or empty: where nobody wanted them. A triangle's number as Framebuffer::id has it; 0: none.
+  // Either one for each sample, or empty if they were not wanted. A triangle's number as in
+  // Framebuffer::id; 0: none.
   std::vector<SampleNormal> normal;
   std::vector<std::uint32_t> triangle;
 
-  // Of pixel (x, y), y down.
+  // The index in `first` of pixel (x, y), y down.
   std::size_t place(int x, int y) const {
     return std::size_t(camera.height - 1 - y) * std::size_t(camera.width) + std::size_t(x);
   }
   std::size_t samples() const { return depth.size(); }
 };
 
-// Whether it is what drawing relies on: one offset a pixel and one more, ascending to the number of samples, finite depths above 0
-// that ascend within a pixel, normals of a length, an invertible camera. The error names `source` and the pixel.
+// Checks what drawing relies on: one offset for each pixel and one more, ascending to the number of
+// samples; finite depths above 0 that ascend within a pixel; normals of the right length; an
+// invertible camera. The error names `source` and the pixel.
 Result<void> check(const LayeredImage& image, const std::string& source);
 
 struct LayerCounts {
   std::size_t samples = 0;
-  std::size_t covered = 0;  // pixels with at least one
-  std::size_t most = 0;     // in one pixel
-  // Samples for each covered pixel; 0 without any.
+  std::size_t covered = 0;  // pixels with at least one sample
+  std::size_t most = 0;     // largest number in one pixel
+  // Samples per covered pixel; 0 if no pixel is covered.
   double complexity() const { return covered == 0 ? 0 : double(samples) / double(covered); }
 };
 LayerCounts count_layers(const LayeredImage& image);

@@ -11,7 +11,8 @@ namespace glassbox::views {
 namespace {
 
 constexpr std::uint32_t kMostInLeaf = 4;
-// So many splits may be as uneven as they like; from there on they halve what is left, which 32 of them bring to one.
+// The first so many levels of splits may be uneven; deeper ones halve the triangles, so that 32
+// more levels are enough for any number.
 constexpr int kUnevenSplits = 60;
 
 struct TreeBox {
@@ -41,7 +42,7 @@ ShearedRay::ShearedRay(const Ray& ray) : origin_(ray.origin.cast<double>()) {
   ray.direction.cwiseAbs().maxCoeff(&z_);
   x_ = (z_ + 1) % 3;
   y_ = (z_ + 2) % 3;
-  // So that the corners keep their sense.
+  // Exchanging two axes keeps the winding of the triangles.
   if (ray.direction[z_] < 0) std::swap(x_, y_);
   shear_x_ = ray.direction[x_] / ray.direction[z_];
   shear_y_ = ray.direction[y_] / ray.direction[z_];
@@ -60,7 +61,7 @@ std::optional<RayHit> ShearedRay::meet(const TriangleCorners& corners) const {
                w = x[1] * y[0] - y[1] * x[0];
   if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
   const double area = u + v + w;
-  if (area == 0) return std::nullopt;  // seen along its plane
+  if (area == 0) return std::nullopt;  // the triangle is seen edge on
   RayHit hit;
   hit.weights = {u / area, v / area, w / area};
   hit.distance = hit.weights[0] * z[0] + hit.weights[1] * z[1] + hit.weights[2] * z[2];
@@ -69,8 +70,8 @@ std::optional<RayHit> ShearedRay::meet(const TriangleCorners& corners) const {
   return hit;
 }
 
-// Makes the tree from the root down, by the surface area heuristic over sixteen bins of each axis (Wald, "On fast Construction of
-// SAH-based Bounding Volume Hierarchies", 2007).
+// Builds the tree from the root down by the surface area heuristic, with sixteen bins for each axis
+// (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
 class RayTree {
 public:
   explicit RayTree(RayCaster& caster) : caster_(caster) {
@@ -91,7 +92,7 @@ public:
   }
 
 private:
-  // Node `number` gets the triangles between the three places.
+  // Fills node `number` with the triangles between the three places.
   void fill(std::uint32_t number, const std::array<std::uint32_t, 3>& places, int depth) {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::uint32_t begin = places[side], end = places[side + 1];
@@ -113,7 +114,7 @@ private:
     return box;
   }
 
-  // In floats, wider by more than their rounding, 2^-24 of the largest coordinate.
+  // Boxes in floats, enlarged by more than their rounding error, 2^-24 of the largest coordinate.
   void set_box(RayCaster::Node& node, std::size_t side, const TreeBox& box) const {
     for (int axis = 0; axis < 3; ++axis) {
       node.low[side][std::size_t(axis)] = float(box.low[axis] - margin_);
@@ -121,7 +122,8 @@ private:
     }
   }
 
-  // Puts those that belong together side by side, and tells where the second half begins: behind `begin` and before `end`.
+  // Reorders the triangles so that each half is contiguous, and returns where the second half
+  // begins: after `begin` and before `end`.
   std::uint32_t split(std::uint32_t begin, std::uint32_t end, int depth) {
     const auto range = std::span(caster_.order_).subspan(begin, end - begin);
     TreeBox middles;
@@ -149,7 +151,8 @@ private:
     return std::min(kBins - 1, int(along * kBins));
   }
 
-  // The cost of the best split before a bin; infinite where one side would be empty.
+  // The cost of the best split, and the bin before which it is; the cost is infinite where one side
+  // would be empty.
   std::pair<double, int> cheapest(std::span<const std::uint32_t> range, const TreeBox& middles,
                                   int axis) const {
     std::array<TreeBox, kBins> boxes;
@@ -159,7 +162,7 @@ private:
       boxes[bin].include(boxes_[i]);
       ++counts[bin];
     }
-    std::array<double, kBins> behind{};  // cost of what is from a bin on
+    std::array<double, kBins> behind{};  // cost of the triangles from a bin on
     TreeBox box;
     double count = 0;
     for (std::size_t bin = kBins; bin-- > 1;) {
@@ -179,7 +182,8 @@ private:
     return best;
   }
 
-  // A visit leaves at most one more to do than it takes away, and halving 2^32 triangles takes 32.
+  // A visit adds at most one more visit than it removes, and halving 2^32 triangles takes 32
+  // levels.
   static_assert(kUnevenSplits + 32 + 2 <= RayCaster::kDeepest);
 
   RayCaster& caster_;

@@ -1,4 +1,5 @@
-// Rays against triangles: a tree of boxes, and a test that lets no ray through between triangles that share an edge.
+// Intersects rays with triangles: a tree of boxes, and a test that lets no ray through between
+// triangles that share an edge.
 #pragma once
 
 #include <array>
@@ -12,71 +13,77 @@
 namespace glassbox::views {
 
 struct Ray {
-  Eigen::Vector3f origin;     // floats, so that the test of the boxes has it as it is
+  Eigen::Vector3f origin;     // in float, so that the test of the boxes has exactly this number
   Eigen::Vector3d direction;  // of any length but 0
 };
 
 struct RayHit {
-  double distance = std::numeric_limits<double>::infinity();  // in lengths of the direction
+  double distance = std::numeric_limits<double>::infinity();  // in units of the direction's length
   std::uint32_t triangle = 0;
   std::array<double, 3> weights{};  // of the corners, none below 0
-  bool front = true;                // the corners run counter-clockwise as the ray sees them
+  bool front = true;                // the corners are counter-clockwise as seen from the ray
 };
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
-// A ray as the test of triangles wants it: sheared so that it runs along its longest axis (Woop, Benthin and Wald, "Watertight
-// Ray/Triangle Intersection", JCGT 2013). The edge functions of an edge that two triangles share are the same products there, so one
-// of the two has the ray; on the edge itself both have.
+// A ray prepared for the triangle test: sheared so that it runs along its longest axis (Woop,
+// Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). For an edge that two
+// triangles share, the edge functions are made of the same products, so at least one of the two
+// triangles is hit; a ray exactly on the edge hits both.
 class ShearedRay {
 public:
   explicit ShearedRay(const Ray& ray);
-  // In front of the origin; edges count as inside.
+  // The hit, if it is in front of the origin; edges count as inside.
   std::optional<RayHit> meet(const TriangleCorners& corners) const;
 
 private:
   Eigen::Vector3d origin_;
-  int x_, y_, z_;  // axes, the longest last
+  int x_, y_, z_;  // axes, the direction's longest one last
   double shear_x_, shear_y_, shear_z_;
 };
 
 class RayCaster {
 public:
-  // Finite ones.
+  // The triangles must be finite.
   explicit RayCaster(std::vector<TriangleCorners> triangles);
 
   const TriangleCorners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
-  // On the triangle within 8 u of the largest coordinate: a mean of its corners.
+  // The point of the hit, as a mean of the triangle's corners: on the triangle to within 8 u of the
+  // largest coordinate.
   Eigen::Vector3d place(const RayHit& hit) const;
 
-  // The nearest hit that `accepts(hit)`, not beyond the distance `within`; of several at one distance, that of the lowest triangle.
+  // The nearest hit for which `accepts(hit)` is true, at most at the distance `within`; of several
+  // at one distance, the one on the triangle with the lowest number.
   template <class Accepts>
   std::optional<RayHit> cast(const Ray& ray, const Accepts& accepts,
                              double within = std::numeric_limits<double>::infinity()) const;
 
 private:
-  // Two boxes, and what they hold: `count` triangles of order_ from `first` on, or with 0 the node `first`.
+  // Two boxes, and their contents: `count` triangles of order_ from `first` on, or, if `count` is
+  // 0, the node `first`.
   struct Node {
     std::array<std::array<float, 3>, 2> low, high;
     std::array<std::uint32_t, 2> first, count;
   };
-  // What is left to visit, and from which distance on it may hold a hit.
+  // A node or triangles that are still to be visited, and the distance from which on they may
+  // contain a hit.
   struct Visit {
     std::uint32_t first, count;
     float from;
   };
-  // Of each axis the reciprocal of the direction. One below 2^-60 counts as 2^-60: over any distance that moves the ray by less than
-  // the boxes are wider than what they hold.
+  // The reciprocals of the direction's components. A component below 2^-60 is replaced by 2^-60:
+  // over any distance this moves the ray by less than the boxes are enlarged.
   struct BoxRay {
     explicit BoxRay(const Ray& ray);
     std::array<float, 3> origin, inverse;
   };
   friend class RayTree;
 
-  static constexpr int kDeepest = 96;  // ray_caster.cpp
+  static constexpr int kDeepest = 96;  // see ray_caster.cpp
 
-  // From where on the ray is in the box, or infinity. A distance is a difference and a product of floats, each within 2^-24, with a
-  // reciprocal that is as near: 3 * 2^-24 off in all, so both ends are widened by 2^-21 (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+  // The distance at which the ray enters the box, or infinity. A distance is a difference and a
+  // product of floats, each with an error of 2^-24, and a reciprocal with the same error: 3 * 2^-24
+  // in all. So both ends are widened by 2^-21 (Ize, "Robust BVH Ray Traversal", JCGT 2013).
   static float enters(const Node& node, std::size_t side, const BoxRay& ray) {
     constexpr float kWider = 1 + 0x1p-21f, kNarrower = 1 - 0x1p-21f;
     float from = 0, to = std::numeric_limits<float>::infinity();
@@ -94,7 +101,7 @@ private:
   std::vector<TriangleCorners> triangles_;
   std::vector<std::uint32_t> order_;
   std::vector<Node>
-      nodes_;  // from the root on; none where there are so few triangles that all of them are tried
+      nodes_;  // from the root on; empty if there are so few triangles that all of them are tested
 };
 
 template <class Accepts>

@@ -25,7 +25,7 @@ struct SeenHit {
   std::uint16_t x, y;
   float depth;
   Rgba8 color;
-  std::uint32_t from_centre;  // of the pixel: 2^20 times the distance's square, in pixels
+  std::uint32_t from_centre;  // squared distance from the pixel's centre, in pixels, times 2^20
   std::uint32_t triangle;
 };
 
@@ -57,14 +57,15 @@ public:
   }
 
 private:
-  // How far a part of the ray reaches that lies in what the picture shows: between the planes through its edges, and those of the view.
-  // Below 0 where there is none.
+  // How far along the ray the picture can show something: up to the last point between the planes
+  // through the picture's edges and the near and far planes. Below 0 if no part of the ray is
+  // between them.
   double last_seen(const Ray& ray) const {
     const Eigen::Vector4d start =
         camera_.screen_from_world * ray.origin.cast<double>().homogeneous();
     const Eigen::Vector4d step = camera_.screen_from_world.leftCols<3>() * ray.direction;
     double from = 0, to = std::numeric_limits<double>::infinity();
-    // Where a + t b is not below 0.
+    // Keeps the distances t with a + t b >= 0.
     const auto keep = [&](double a, double b) {
       if (b > 0) from = std::max(from, -a / b);
       if (b < 0) to = std::min(to, -a / b);
@@ -74,7 +75,7 @@ private:
     keep(camera_.width * start.w() - start.x(), camera_.width * step.w() - step.x());
     keep(start.y(), step.y());
     keep(camera_.height * start.w() - start.y(), camera_.height * step.w() - step.y());
-    keep(start.w() - view_.near, step.w());  // w is the distance along the gaze
+    keep(start.w() - view_.near, step.w());  // w is the distance along the direction of view
     if (std::isfinite(view_.far)) keep(view_.far - start.w(), -step.w());
     return from <= to ? to : -1;
   }
@@ -107,7 +108,8 @@ private:
 }  // namespace
 
 Ray ray_of(const std::array<double, 4>& numbers, double half_side) {
-  // A disc's points, uniform in area, lifted to the hemisphere: the projected solid angle is the area (Malley's method).
+  // Uniform points of a disc, projected up to the hemisphere: a direction's density is the cosine,
+  // as the projected solid angle is the area on the disc (Malley's method).
   const double radius = std::sqrt(numbers[2]);
   const SinCos turn = sin_cos(2 * kPi * numbers[3]);
   const double across_x = half_side * (2 * numbers[0] - 1),

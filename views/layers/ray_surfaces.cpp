@@ -9,7 +9,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The mean of what the corners have. `of`: what a corner has, as an array.
+// Interpolates a property of the corners. `of` returns the property of a corner as an array.
 template <std::size_t N, class Of>
 std::array<float, N> mean_of(const RayHit& hit, const Draw& draw, const Triangle& triangle,
                              const Of& of) {
@@ -49,7 +49,7 @@ std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
             draw.mesh->positions[draw.mesh->corners[triangles[i].corners[k]].position];
         const Point<Eye, double> eye = draw.eye_from_object * Point<Object, double>(p.x, p.y, p.z);
         corners[k] = {eye.x, eye.y, eye.z};
-        // As a rasterizer would not draw it either.
+        // A rasterizer would not draw such a triangle either.
         finite = finite && corners[k].cwiseAbs().maxCoeff() < kFarthest;
       }
       if (!finite) continue;
@@ -69,8 +69,9 @@ RaySurfaces::RaySurfaces(const Scene& scene, const View& view, const RenderSetti
   for (const Draw& draw : list_.draws) tables_.push_back(make_eye_space_tables(draw, settings_));
 }
 
-// The level at which a texel is as large as the view's pixel is on the surface there. A pixel's step in the picture moves the point of
-// the surface, P = r c / (n . r) on the ray r with c = n . P, by the derivative of that; the corners' weights follow, and with them the
+// The mip level at which a texel is as large as a pixel of the view is on the surface. When the
+// pixel moves by one step, the point of the surface P = r c / (n . r) on the ray r, with c = n . P,
+// moves by the derivative of this. From it follow the changes of the corners' weights and of the
 // texture's coordinates.
 float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const Draw& draw,
                              const Triangle& triangle) const {
@@ -80,7 +81,7 @@ float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const D
   std::array<std::array<float, 2>, 3> uv;
   for (std::size_t k = 0; k < 3; ++k)
     uv[k] = texcoord_of(*draw.mesh, draw.mesh->corners[triangle.corners[k]]);
-  // Of points at distance 1, along x and y.
+  // The size of a pixel at distance 1, in x and y.
   const std::array<double, 2> pixel{
       2 / (double(view_.viewport.width()) * view_.clip_from_eye.at(0, 0)),
       2 / (double(view_.viewport.height()) * view_.clip_from_eye.at(1, 1))};
@@ -127,7 +128,7 @@ Rgba RaySurfaces::base_color(const RayHit& hit) const {
   return color;
 }
 
-// In eye space, towards where the ray came from.
+// The normal in eye space, on the side from which the ray came.
 std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   const Place& place = places_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];
@@ -149,7 +150,7 @@ std::uint32_t RaySurfaces::number(const RayHit& hit) const {
 
 bool RaySurfaces::shows(const RayHit& hit) const {
   const Draw& draw = list_.draws[places_[hit.triangle].draw];
-  // A mirroring matrix turns the winding round, and the outside with it.
+  // A mirroring matrix reverses the winding, and exchanges inside and outside.
   if (is_culled(draw, settings_.cull, hit.front != draw.mirrored)) return false;
   const Material& material = *draw.material;
   return material.alpha_mode != AlphaMode::kMask || !is_discarded(material, base_color(hit));

@@ -1,4 +1,5 @@
-// What a scene looks like where a ray meets it, seen from a view: the fragments' colours at any point of a surface.
+// The appearance of a scene's surfaces where a ray hits them, seen from a view: the colour of a
+// fragment at any point of a surface.
 #pragma once
 
 #include <vector>
@@ -10,31 +11,34 @@
 
 namespace glassbox::views {
 
-// World units: a surface with a corner farther from the eye along an axis is left out, for floats end soon after.
+// World units: surfaces with a corner farther from the eye than this along an axis are left out,
+// because the range of float ends soon after.
 inline constexpr double kFarthest = 1e30;
 
 class RaySurfaces {
 public:
-  // Of a perspective view. Shading is unlit or kPhong's. The scene must outlive it.
+  // The view must be perspective, and the shading unlit or kPhong. The scene must outlive the
+  // object.
   RaySurfaces(const Scene& scene, const View& view, const RenderSettings& settings);
   RaySurfaces(const RaySurfaces&) = delete;
   RaySurfaces& operator=(const RaySurfaces&) = delete;
 
-  // In eye space.
+  // Its triangles are in eye space.
   const RayCaster& caster() const { return caster_; }
 
-  // Of its triangle, as Framebuffer::id has it.
+  // The number of the hit triangle, as in Framebuffer::id.
   std::uint32_t number(const RayHit& hit) const;
 
-  // Neither culled nor, by its mask, a hole.
+  // Whether the surface is neither culled nor a hole of its alpha mask there.
   bool shows(const RayHit& hit) const;
 
-  // As the engines draw it: light, highlights as the view's eye sees them, and of textures what suits the view's pixels there.
+  // The colour that the engines draw: light, highlights as the view's eye sees them, and textures
+  // at the level that suits the view's pixels there.
   Rgba8 color(const RayHit& hit) const;
 
 private:
   struct Place {
-    std::uint32_t draw, triangle;  // of the draw's triangulation
+    std::uint32_t draw, triangle;  // in the draw's triangulation
   };
 
   static std::vector<TriangleCorners> corners_of(const DrawList& list, std::vector<Place>& places);
@@ -49,7 +53,7 @@ private:
   PreparedScene prepared_;
   DrawList list_;
   std::vector<EyeSpaceTables> tables_;  // by draw
-  std::vector<Place> places_;           // by the caster's triangle
+  std::vector<Place> places_;           // by number of the caster's triangle
   RayCaster caster_;
 };
 

@@ -29,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kRowsOfTask = 16;
 
-// p(z) of parallax.h from its values where the nearness is 0 and 1.
+// The parallax p(z) of parallax.h as a linear function of the nearness, from its values at 0 and 1.
 EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat format) {
   EyeShift shift{};
   shift.format = format;
@@ -41,7 +41,7 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
     shift.offset = reversed ? 0 : 1;
     shift.slope = reversed ? 1 : -1;
   } else {
-    // Depths are f/(f - n) (1 - n/z), or reversed n/(f - n) (f/z - 1).
+    // Depths are f/(f - n) (1 - n/z), or with reversed depth n/(f - n) (f/z - 1).
     const double rest = std::isinf(far) ? 1 : (far - near) / far;
     shift.offset = float(reversed ? 1 - rest : 1);
     shift.slope = float(reversed ? rest : -rest);
@@ -52,9 +52,9 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
   return shift;
 }
 
-// A row of the other eye's picture and room beyond it.
+// A row of the other eye's picture, with room beyond its end.
 struct Row {
-  // `beside`: what the whole row shows if nothing comes to it.
+  // `beside` is the colour of a row to which nothing is warped.
   EyeTarget cleared(int width, const Rgba8& beside) {
     nearness.assign(std::size_t(width) + 1, 0);
     color.resize(std::size_t(width) + 1);
@@ -74,7 +74,7 @@ void take_nearer(const EyeTarget& behind, int width, const EyeTarget& to) {
   }
 }
 
-// The same with a picture that goes on to the right.
+// The view with a picture that is extended to the right.
 View widened(const View& view, int width) {
   View wide = view;
   const double by = double(view.viewport.width()) / width;
@@ -109,7 +109,7 @@ struct SecondEye::State {
     of_thread.resize(std::size_t(threads));
   }
 
-  // Calls work(y, memory) with all rows; the sum of what it returns.
+  // Calls work(y, memory) for all rows; returns the sum of the results.
   template <class Work>
   std::size_t for_each_row(const Work& work) {
     std::vector<int> counts(std::size_t(height), 0);
@@ -143,7 +143,8 @@ struct SecondEye::State {
     return holes;
   }
 
-  // The hole at the end of a row: what comes in there lies beside the first eye's picture.
+  // The width of the hole at the right end of a row: what is seen there is outside of the first
+  // eye's picture.
   int hole_at_end(int y) {
     const EyeTarget row = rows[std::size_t(y)].target();
     int end = width;
@@ -152,13 +153,13 @@ struct SecondEye::State {
   }
 
   int width = 0, height = 0;
-  int beside = 0;  // columns that a second layer has beyond the first one's
+  int beside = 0;  // columns that a second layer has beyond the first one's right edge
   EyeShift shift{};
   const EyeKernels* kernels = nullptr;
-  std::vector<Row> rows;  // of the other eye, where there is more than one layer
+  std::vector<Row> rows;  // of the other eye, if there is more than one layer
   std::vector<Memory> of_thread;
   int threads = 0;
-  std::unique_ptr<tbb::task_arena> arena;  // of that many
+  std::unique_ptr<tbb::task_arena> arena;  // with `threads` threads
 };
 
 SecondEye::SecondEye() : state_(std::make_unique<State>()) {}
@@ -173,8 +174,8 @@ void SecondEye::begin(const LayerView& first, const View& centre, const StereoPa
     s.carry(first, true, y, memory, s.rows[std::size_t(y)].cleared(s.width, first.color.at(0, y)));
     return 0;
   });
-  // Surfaces that are nearer than those at the edge move by more: twice as many are a guess. (And one, for what lies between two samples is a
-  // mixture of them.)
+  // Surfaces that are nearer than those at the edge move farther, so twice the hole's width is an
+  // estimate. (And one column more, because a pixel between two samples is a mixture of both.)
   s.beside = 0;
   for (int y = 0; y < s.height; ++y) {
     if (const int hole = s.hole_at_end(y); hole > 0) s.beside = std::max(s.beside, 2 * hole + 1);

@@ -1,4 +1,5 @@
-// The right eye's picture from what the left eye sees, instead of drawing it (S0-06, S1-09).
+// Computes the right eye's picture by warping what the left eye sees, instead of drawing it (S0-06,
+// S1-09).
 #pragma once
 
 #include <memory>
@@ -11,15 +12,15 @@
 namespace glassbox::views {
 
 struct SecondEyeSettings {
-  int layers = 1;   // of the left eye; each takes another pass of the engine
-  int threads = 1;  // of the warp, which depends on neither
+  int layers = 1;   // of the left eye; each takes one more pass of the engine
+  int threads = 1;  // for the warp; the result depends on neither the threads nor the target
   Target target = best_target();
-  DepthFormat format = DepthFormat::kFloat32;  // of the layers' depths
+  DepthFormat format = DepthFormat::kFloat32;  // the format of the layers' depths
 };
 
 struct LayerView {
   const Image<Rgba8>& color;
-  const Image<std::uint32_t>& depth;  // codes
+  const Image<std::uint32_t>& depth;  // depth codes
 };
 
 // Keeps its threads and memory from one picture to the next.
@@ -30,21 +31,26 @@ public:
   SecondEye(const SecondEye&) = delete;
   SecondEye& operator=(const SecondEye&) = delete;
 
-  // Eyes that look the same way differ in the rows of their pictures alone: a pixel moves along its row, by the parallax of its
-  // distance, which is linear in its depth. What lies between two pixels of one surface is a mixture of them; the nearest stays; and holes
-  // are filled with what is beside them, of both sides the farther: from behind. Empty pixels of the first layer are background and
-  // infinitely far. How many pixels those holes are.
+  // Warps one layer. The eyes look in the same direction, so their pictures differ only along rows:
+  // a pixel moves along its row by the parallax of its distance, which is linear in its depth. A
+  // pixel between two pixels of one surface is a mixture of them, and the nearest surface stays.
+  // Holes are filled with the farther one of the two pixels at their sides, because it is the
+  // background that comes into view. Empty pixels of the first layer are background at infinite
+  // distance. Returns the number of pixels in holes.
   std::size_t warp(const LayerView& layer, const View& centre, const StereoPair& pair,
                    const SecondEyeSettings& settings, Image<Rgba8>& into);
 
-  // The same of several layers, one after the other: the first, any others, and the picture.
+  // The same for several layers one after the other: begin() with the first one, then the others,
+  // then the picture.
   void begin(const LayerView& first, const View& centre, const StereoPair& pair,
              const SecondEyeSettings& settings);
   void add(const LayerView& layer);
   std::size_t finish(Image<Rgba8>& into);
-  // Before another one: which surfaces the picture would show that none of the layers has. `last`: the depth codes of the last of them. Of
-  // each pixel the code behind which the next layer's surface has to be, as EyePicture::behind has it (seen_behind.h); layers after the first go on
-  // to the right by as many columns as are missing there. Whether any pixel has one.
+  // To be called before another layer is added: finds which surfaces the picture would show that
+  // none of the layers has. `last` has the depth codes of the last layer. `behind` gets for each
+  // pixel the code behind which the next layer's surface has to be, in the form of
+  // EyePicture::behind (seen_behind.h). Layers after the first have more columns at the right, as
+  // many as are missing there. Returns whether any pixel has such a code.
   bool find_behind(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind);
 
 private:
@@ -52,16 +58,18 @@ private:
   std::unique_ptr<State> state_;
 };
 
-// What the warp needs to be right: a picture of colours, whose surfaces hide what is behind them; with more than one layer, of one sample
-// too. The error says what is in its way.
+// Checks the conditions of the warp: a picture of colours, without transparent surfaces, and with
+// more than one layer only one sample per pixel. The error names the condition that is not met.
 Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings, int layers);
 
-// The pair as Renderer::render_pair has it, its right picture warped: colours alone, and, if the settings want them, distances that are the
-// left one's. The right picture's memory is used again.
+// A pair like that of Renderer::render_pair, with a right picture that is warped: colours only,
+// and, if the settings ask for distances, the left picture's. The memory of the right picture is
+// reused.
 struct PairByWarp {
   StereoRendering rendering;
   std::size_t holes = 0;
-  // The left eye, the layer behind it, and what that had to be behind of: memory for the next picture.
+  // The left eye's picture, the layer behind it, and the depths that the layer had to be behind:
+  // memory for the next picture.
   Rendering drawn, layer;
   Image<std::uint32_t> behind;
   double left_ms = 0, layers_ms = 0, warp_ms = 0;

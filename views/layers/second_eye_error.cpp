@@ -12,7 +12,8 @@ namespace glassbox::views {
 
 namespace {
 
-// The lower quartiles of what runs take, run in turns, so that what disturbs the machine disturbs all of them: fifteen times, or for two seconds.
+// The lower quartile of each run's times: fifteen rounds, or two seconds. The runs take turns, so
+// that other work on the machine disturbs all of them alike.
 template <std::size_t N>
 std::array<double, N> quartiles_ms(const std::array<std::function<void()>, N>& runs) {
   constexpr std::size_t kMostTimes = 15, kLeastTimes = 3;

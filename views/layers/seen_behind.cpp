@@ -8,7 +8,7 @@ namespace glassbox::views {
 
 namespace {
 
-// A code's depth.
+// The depth of a depth code.
 float depth_of_code(DepthFormat format, std::uint32_t code) {
   constexpr std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
   switch (format) {
@@ -23,11 +23,13 @@ float depth_of_code(DepthFormat format, std::uint32_t code) {
   return float(code / unorm_depth_steps(format));
 }
 
-// Pixels of parallax by which another surface differs from the same one, seen between its samples.
+// Pixels of parallax by which another surface differs from the same surface, seen between its
+// samples.
 constexpr float kOther = 1;
 
-// Fills in what the row shows and where it may show more: holes, and pixels whose surface comes from further to the left than that of a
-// pixel before them, which has jumped over it. Whether there are any.
+// Finds for each pixel the column that it comes from, and the openings, where the row may show
+// more. These are holes, and pixels whose surface comes from further left than that of a pixel
+// before them, which has passed in front of it. Returns whether there are any.
 bool find_openings(const EyeShift& shift, int width, const EyeTarget& to, BehindMemory& memory) {
   memory.from.resize(std::size_t(width));
   memory.next.resize(std::size_t(width) + 1);
@@ -73,7 +75,7 @@ bool find_seen_behind(const EyeShift& shift, const std::uint32_t* last, int widt
     while (float(q) < end && memory.from[std::size_t(q)] >= infinity - kOther)
       q = memory.next[std::size_t(q) + 1];
     if (!(float(q) < end)) continue;
-    // From a pixel before it on, for what lies between two samples is a mixture of them.
+    // Begins one pixel before it, because a pixel between two samples is a mixture of both.
     const float place = std::max(least, float(q) - 1);
     const float limit = (infinity - place) / shift.by_nearness;
     behind[x] = depth_code(shift.format, (limit - shift.offset) / shift.slope);

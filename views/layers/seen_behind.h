@@ -1,4 +1,5 @@
-// Which surfaces behind what one eye sees the other eye would see: what a deeper layer has to have (S0-06, S1-09).
+// Which surfaces, hidden from the first eye, the second eye would see: what a deeper layer has to
+// contain (S0-06, S1-09).
 #pragma once
 
 #include <cstdint>
@@ -9,15 +10,19 @@
 namespace glassbox::views {
 
 struct BehindMemory {
-  std::vector<float>
-      from;  // the column of the one eye's picture that the other's pixel shows, by its depth
-  std::vector<int> next;  // from a column on, the next one whose pixel may show more
+  // For a pixel of the second picture, the column of the first one that it comes from, by its
+  // depth.
+  std::vector<float> from;
+  std::vector<int> next;  // for a column, the next one whose pixel may show more
 };
 
-// A line of sight of the first eye goes on behind what it has met, and in the second eye's picture it runs to the right, from the one's place to where
-// infinity is. `last`: depth codes of what was met, row by row of the first picture; `to`: the second one's row as far as it is known. For each
-// pixel the code behind which a surface would be seen first: in a hole, or in front of what the row has; kEmptyDepth: nowhere. What moves by less than
-// a pixel more than what was met is not asked for: it is that surface's own. Whether any pixel has a code.
+// Behind the surface that it hits, a line of sight of the first eye continues. In the second eye's
+// picture it runs to the right, from the surface's place to the place of infinity. `last` has the
+// depth codes of the surfaces, row by row of the first picture; `to` is the second picture's row as
+// far as it is known. For each pixel of the first picture `behind` gets the code behind which a
+// surface would become visible first, in a hole or in front of what the row shows; kEmptyDepth if
+// nowhere. A surface whose parallax differs by less than a pixel from that of the hit one is taken
+// for the same surface. Returns whether any pixel has a code.
 bool find_seen_behind(const EyeShift& shift, const std::uint32_t* last, int width,
                       const EyeTarget& to, BehindMemory& memory, std::uint32_t* behind);
 

@@ -1,4 +1,4 @@
-// The normals of a scene's triangles, for samples that know which one they are of.
+// The normals of a scene's triangles, for samples with a known triangle number.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace glassbox::views {
 
-// By a triangle's number as Framebuffer::id has it, counted from 1; that of number 0, of degenerate triangles and of such that are too far away for
-// numbers is not known. They are those of the triangles' planes, whatever normals the mesh is lit by.
+// Indexed by the triangle's number as in Framebuffer::id, which counts from 1. The normals of
+// number 0, of degenerate triangles and of triangles too far away for finite numbers are unknown.
+// They are normals of the triangles' planes; the mesh's shading normals are not used.
 std::vector<SampleNormal> triangle_normals(const Scene& scene);
 
-// Of any length but 0; not known where it is not finite.
+// Rounds a vector of any length but 0; the result is unknown if the vector is not finite.
 SampleNormal stored_normal(double x, double y, double z);
 
 }  // namespace glassbox::views

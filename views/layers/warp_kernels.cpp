@@ -26,7 +26,7 @@ constexpr int kMostLanes = 16;
 // Samples i .. i + lanes - 1, divided by w.
 struct Places {
   Floats x, y, z, inverse_w;
-  hn::Mask<F> before;  // the eye, and in the block
+  hn::Mask<F> before;  // in front of the eye, and inside the block
 };
 
 HWY_INLINE Floats along(float start, float right, float depth_step, Floats steps, Floats depth) {
@@ -51,7 +51,7 @@ HWY_INLINE Places places_of(const WarpBlock& block, int i) {
           hn::And(hn::Gt(w, hn::Zero(f)), hn::FirstN(f, std::size_t(block.count - i)))};
 }
 
-// From the eye on to the near plane nothing is seen, and nothing beyond the far one.
+// Nothing is visible between the eye and the near plane, or beyond the far plane.
 HWY_INLINE hn::Mask<F> is_in_depth(Floats z) {
   const F f;
   return hn::And(hn::Gt(z, hn::Zero(f)), hn::Le(z, hn::Set(f, kNearestDepth)));
@@ -74,7 +74,7 @@ void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCo
   const auto past_x = hn::Set(f, float(canvas.width + margin)),
              past_y = hn::Set(f, float(canvas.height + margin));
   const auto stride = hn::Set(d, canvas.stride()), origin = hn::Set(d, canvas.stride() + 1);
-  const auto nowhere = hn::Set(d, canvas.nowhere());  // without a branch
+  const auto nowhere = hn::Set(d, canvas.nowhere());  // avoids a branch
   HWY_ALIGN std::int32_t place[kMostLanes];
   HWY_ALIGN std::uint32_t depth[kMostLanes];
   for (int i = 0; i < block.count; i += lanes) {
@@ -108,7 +108,8 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
   const auto past_x = hn::Set(f, float(width)), past_y = hn::Set(f, float(height));
   for (int i = 0; i < block.count; i += lanes) {
     const Places at = places_of(block, i);
-    // A pixel's step in the first picture along its surface, seen in the second: of X / W the derivative is (X' - X / W * W') / W.
+    // One pixel's step along the sample's surface in the first picture, seen in the second picture:
+    // the derivative of X / W is (X' - X / W * W') / W.
     const auto slope_x = hn::LoadU(f, block.slope_x + i), slope_y = hn::LoadU(f, block.slope_y + i);
     const WarpedPoint &right_step = block.right, &down_step = sides.down, &deep = block.depth_step;
     const auto gain = [&](float step, Floats slope, float by_depth) {
@@ -157,7 +158,8 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
 
 using K = hn::ScalableTag<std::int64_t>;
 
-// Keys are below 2^62, for the bits of a depth below 2 are: as numbers with a sign they compare as they do without.
+// Keys are below 2^62, because the bits of a depth below 2 are; so comparing them as signed numbers
+// gives the same order.
 HWY_INLINE hn::Vec<K> greater(hn::Vec<K> a, hn::Vec<K> b) {
   return hn::Max(a, b);
 }

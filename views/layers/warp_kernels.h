@@ -1,5 +1,5 @@
-// The inner loops of drawing layers, compiled once for each instruction set: floats in one written order and integers, so that every
-// target gives the same bytes.
+// The inner loops of drawing layers, compiled once for each instruction set. They use floats in one
+// written order and integers, so that every target gives the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,53 +10,57 @@
 
 namespace glassbox::views {
 
-// What a pixel of a canvas holds: the bits of a depth, which ascend as the depth does, above those of the colour. The greater of two
-// keys is the nearer sample; of two with one depth, the one whose colour is the greater number. 0: a hole.
+// The content of a canvas pixel: the bits of a depth, which ascend as the depth does, above those
+// of the colour. The greater of two keys is the nearer sample; of two with the same depth, the one
+// whose colour is the greater number. 0: a hole.
 using SampleKey = std::uint64_t;
 
-// The greatest depth that is drawn: 1, the near plane's, and room for rounding. Of a sample there z w and w are up to four roundings off each
-// (a coefficient, a product, two sums), 1/w and the last product one each: 10 u, u = 2^-24, of which this is 16.
+// The greatest depth that is drawn: the near plane's 1, and room for rounding. For a sample there,
+// z w and w each have up to four roundings (a coefficient, a product, two sums), and 1/w and the
+// last product one each: 10 u with u = 2^-24. The constant allows 16 u.
 inline constexpr float kNearestDepth = 1 + 0x1p-20f;
 
 struct WarpedPoint {
-  float x, y, z, w;  // times w
+  float x, y, z, w;  // x, y and z are multiplied by w
 };
 
-// Samples of one row, of pixels at most 64 apart.
+// Samples of one row, from pixels at most 64 columns apart.
 struct WarpBlock {
-  // Whole vectors are read: 64 bytes beyond the last one must be there.
+  // Whole vectors are read: there must be 64 readable bytes beyond the last number.
   const float* depth;
   const std::uint32_t* color;
   const std::uint16_t* column;
-  // How much the sample's surface gains in depth, a pixel to the right and a pixel down.
+  // The change of the surface's depth for a step of one pixel to the right and one pixel down.
   const float *slope_x, *slope_y;
   int count;
-  int anchor;  // the column that `start` is of
+  int anchor;  // the column that `start` belongs to
   WarpedPoint start, right,
       depth_step;  // a sample is at start + (column - anchor) right + its depth * depth_step
 };
 
-// A picture of keys with a pixel more on each side, so that what is drawn 3 x 3 pixels large may have its centre there.
+// A picture of keys with one more pixel on each side, so that splats of 3 x 3 pixels may have their
+// centre there.
 struct KeyCanvas {
-  SampleKey* keys;    // of pixel (-1, -1)
+  SampleKey* keys;    // begins at pixel (-1, -1)
   int width, height;  // of the picture
   int stride() const { return width + 2; }
-  // Behind the last one: where samples go that are not drawn.
+  // The index behind the last pixel: samples that are not drawn are written there.
   int nowhere() const { return stride() * (height + 2); }
 };
 
-// Pixels [left, right) x [top, bottom); none of a sample that is not drawn.
+// Boxes of pixels [left, right) x [top, bottom); empty for a sample that is not drawn.
 struct SampleBoxes {
   std::int32_t *left, *top, *right, *bottom;
-  std::uint32_t* depth;  // bits
-  std::uint8_t* side;    // the longer one before it was clamped, to the nearest pixel, at most 255
+  std::uint32_t* depth;  // bits of the depth
+  // The longer side before it was clamped, rounded to whole pixels, at most 255.
+  std::uint8_t* side;
 };
 
-// A sample is as large as the box around what its own pixel is from there, or a pixel where factor is 0; its sides are clamped to [least,
-// most], px, and those with more than `cut_above` are counted.
+// A sample's splat is the box around the projection of its own pixel, or one pixel if factor is 0.
+// Its sides are clamped to [least, most], px, and splats with a side above `cut_above` are counted.
 struct SplatSides {
   float factor, least, most, cut_above;
-  WarpedPoint down;  // as WarpBlock::right, a pixel down
+  WarpedPoint down;  // like WarpBlock::right, for a pixel down
 };
 
 struct BlockCounts {
@@ -64,15 +68,17 @@ struct BlockCounts {
 };
 
 struct WarpKernels {
-  // Each sample into the pixel that it is in, or `margin` (0 or 1) beside the picture; the greater key stays.
+  // Draws each sample into the pixel that it is in, or up to `margin` (0 or 1) pixels outside of
+  // the picture; the greater key stays.
   void (*points)(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCounts& counts);
 
-  // Whole vectors are written.
+  // Computes the boxes. Whole vectors are written.
   void (*boxes)(const WarpBlock& block, const SplatSides& sides, int width, int height,
                 const SampleBoxes& boxes, BlockCounts& counts);
 
-  // A row of the picture from rows of canvases, which are those at its left edge, the margin included: the greatest key of each
-  // pixel or, widened, of it and those on both sides. `scratch` has room for a canvas's row.
+  // Makes a row of the picture from rows of canvases, which begin at the canvases' left edge,
+  // margin included. It takes the greatest key of each pixel or, if `widened`, of the pixel and its
+  // neighbours on both sides. `scratch` has room for a canvas's row.
   void (*finish_row)(std::span<const SampleKey* const> rows, bool widened, int width,
                      std::uint32_t background, SampleKey* scratch, Rgba8* color, float* depth);
 };

@@ -35,7 +35,7 @@ HWY_INLINE ByteVector least_of(ByteVector byte) {
 
 using Words = hn::Repartition<std::uint16_t, Bytes>;
 
-// The bits of each byte: those of its halves are looked up.
+// The number of 1 bits in each byte, from a table for its two halves.
 HWY_INLINE ByteVector bits_of(ByteVector bytes) {
   alignas(16) constexpr std::uint8_t kBits[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   const Bytes d;
@@ -46,7 +46,7 @@ HWY_INLINE ByteVector bits_of(ByteVector bytes) {
                  hn::TableLookupBytes(table, hn::And(high, half)));
 }
 
-// The least of all bytes, in each of them.
+// The smallest of all bytes, copied into every lane.
 HWY_INLINE ByteVector least_of(ByteVector bytes) {
   const Bytes d;
   const Words words;
@@ -58,7 +58,8 @@ HWY_INLINE ByteVector least_of(ByteVector bytes) {
 
 #endif
 
-// One block of a path: cost + min(before, before of a disparity beside + p1, least before + jump) - least before.
+// One block of a path: cost + min(before, before at a neighbouring disparity + p1, least before +
+// jump) - least before.
 struct Step {
   ByteVector p1, from_any, base;
 };
@@ -74,8 +75,8 @@ HWY_INLINE ByteVector step(const Step& step, ByteVector cost, ByteVector less, B
   return hn::SaturatedAdd(cost, hn::SaturatedSub(best, step.base));
 }
 
-// Calls one(row, column) for each neighbour, column counted from three pixels to the left, which says of each lane 0 or 255; x is the
-// first lane's pixel.
+// Calls one(row, column) for each neighbour of the census window; it returns 0 or 255 in each lane.
+// The column counts from three pixels to the left. x is the pixel of the first lane.
 template <class One>
 HWY_INLINE void neighbours_of(int x, const CensusPointers<std::uint8_t>& out, const One& one) {
   const Bytes d;
@@ -177,7 +178,7 @@ void sweep_right(const ByteRow& row) {
     const Step from_above = step_of(p1, hn::Set(d, row.least_above[x]),
                                     row.jumps[std::abs(grey - int(row.grey_above[x]))]);
     std::uint8_t* above = row.above + std::ptrdiff_t(x) * row.cell;
-    // What the last block read before it was overwritten.
+    // The values that the last block read before they were overwritten.
     auto less_along = hn::LoadU(d, along - 1), less_above = hn::LoadU(d, above - 1);
     least_along = hn::Set(d, kBeside);
     auto least_above = least_along;

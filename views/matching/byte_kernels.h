@@ -1,4 +1,5 @@
-// The inner loops of the sweep in bytes, compiled once for each instruction set. All are integer work: every target gives the same bytes.
+// The inner loops of the sweep in bytes, compiled once for each instruction set. They use only
+// integers, so that every target gives the same bytes.
 #pragma once
 
 #include <array>
@@ -8,48 +9,53 @@
 
 namespace glassbox::views {
 
-// A census word's four bytes, each in a plane of its own, so that the bits of 32 words are counted at a time.
+// The four bytes of a census word are in four planes, so that the bits of 32 words can be counted
+// at once.
 inline constexpr int kCensusBytes = 4;
 inline constexpr int kByteLanes = 32;  // of the widest instruction set that is used
 template <class Byte>
 using CensusPointers = std::array<Byte*, kCensusBytes>;
 
-inline constexpr std::uint8_t kBeside =
-    255;  // the cost and the sum of what no match is: no other sum is as great
+// Cost and sum of a disparity without a match: every other sum is less.
+inline constexpr std::uint8_t kBeside = 255;
 
-// One row of a picture. What belongs to a pixel and its disparities begins at pixel * stride, but for what belongs to the right
-// picture's pixels: those are from the last one on, because the disparities grow to the left, and those of pixel x begin at
-// width - 1 - x.
+// One row of a picture. The numbers of a pixel and its disparities begin at pixel * stride. Arrays
+// of the right picture's pixels are reversed: those of pixel x begin at width - 1 - x, because
+// growing disparities go to the left.
 struct ByteRow {
-  int width, stride;  // pixels; disparities of a pixel, filled up to whole lanes
+  int width, stride;  // pixels; disparities of a pixel, padded to whole vectors
   CensusPointers<const std::uint8_t> left, right;
-  const std::uint8_t* beside;  // kBeside where the right pixel lies beside the picture, else 0
-  const std::uint8_t* beyond;  // of one pixel: kBeside where there is no such disparity, else 0
+  // kBeside where the right pixel would be outside of the picture, else 0.
+  const std::uint8_t* beside;
+  const std::uint8_t* beyond;  // for one pixel: kBeside where there is no such disparity, else 0
   const std::uint8_t *grey, *grey_above;
-  const std::uint8_t* jumps;  // [256], by the change of grey
+  const std::uint8_t* jumps;  // [256], penalties by the change of grey
   std::uint8_t p1, most_bits;
   std::uint8_t* costs;
-  std::uint8_t*
-      above;  // values of the path from above, `cell` from one pixel's to the next one's; overwritten
-  std::uint8_t* least_above;  // of each pixel; overwritten
+  // Values of the path from above; `cell` is the step from one pixel to the next; overwritten.
+  std::uint8_t* above;
+  std::uint8_t* least_above;  // for each pixel; overwritten
   int cell;
   std::uint8_t*
-      along;  // of one pixel: values of the path along the row. May be read from -1 to stride
+      along;  // for one pixel: values of the path along the row. May be read from -1 to stride
   std::uint8_t* sums;
 };
 
-// Where the winners of a row go, and what they are sought with.
+// The results of the search for a row's winners, and one of its inputs.
 struct ByteWinners {
-  const std::uint8_t* apart;     // 3 kBeside behind `stride` zeros, and as many zeros behind them
-  std::uint16_t* best;           // [width]: number of the least sum's disparity
-  std::uint8_t *least, *second;  // [width]; the second is sought beside the best and its neighbours
-  std::uint8_t* right_least;     // of the right picture's pixels, kBeside where there is none
-  std::uint8_t *right_low, *right_high;  // its number's bytes
+  // `stride` zeros, then 3 times kBeside, then `stride` zeros: a mask for the best and its
+  // neighbours.
+  const std::uint8_t* apart;
+  std::uint16_t* best;           // [width]: number of the disparity with the least sum
+  std::uint8_t *least, *second;  // [width]; the second does not count the best and its neighbours
+  std::uint8_t* right_least;     // for the right picture's pixels; kBeside where there is none
+  std::uint8_t *right_low, *right_high;  // the two bytes of its disparity's number
 };
 
-// One row of costs of census and colour, in 16 bits: census_weight * min(bits that differ, of neighbours that are alike their centres
-// in both pictures, most) + color_weight * min(sum of the channels' differences, most). Again the right picture's pixels are from the
-// last one on.
+// One row of costs of census and colour, in 16 bits: census_weight * min(differing bits, most) +
+// color_weight * min(sum of the channels' differences, most). Only the bits of neighbours count
+// whose colour is similar to the centre's in both pictures. The right picture's pixels are in
+// reversed order, too.
 struct ColorRow {
   int width, stride;
   CensusPointers<const std::uint8_t> left, left_alike, right, right_alike;
@@ -58,19 +64,20 @@ struct ColorRow {
   std::uint16_t* costs;
 };
 
-// The rows of the census window, with three pixels more before and behind, and kByteLanes behind those.
+// The rows of the census window, with three more pixels at both ends, and kByteLanes after those.
 using CensusRows = std::array<const std::uint8_t*, 5>;
 
 struct ByteKernels {
-  // For each neighbour whether it is darker than the centre.
+  // For each neighbour, whether it is darker than the centre.
   void (*darker)(const CensusRows& grey, int width, const CensusPointers<std::uint8_t>& out);
-  // For each neighbour whether no channel is further off than `limit`; where fewer than `least` are so, all are said to be.
+  // For each neighbour, whether all channels differ from the centre's by at most `limit`. If fewer
+  // than `least` neighbours do, all of them count as such.
   void (*alike)(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
                 int width, const CensusPointers<std::uint8_t>& out);
   void (*color_costs)(const ColorRow& row);
-  // Costs, the paths from the left and from above, and their sum.
+  // Computes the costs, the paths from the left and from above, and the sum of both.
   void (*sweep_right)(const ByteRow& row);
-  // The path from the right, which is added.
+  // Computes the path from the right, and adds it.
   void (*sweep_left)(const ByteRow& row);
   void (*winners)(const ByteRow& row, const ByteWinners& winners);
 };

@@ -14,8 +14,9 @@ namespace glassbox::views {
 
 namespace {
 
-// A bit of the census word costs one. Words of unlike pixels differ by 16 bits, give or take three: what is more is no news.
-// Penalties are those of the other sweeps, in bits.
+// A differing bit of the census word costs 1. Words of unrelated pixels differ by 16 bits, with a
+// deviation of about three, so more bits carry no information. The penalties are those of the other
+// sweeps, in bits.
 constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;
@@ -26,7 +27,7 @@ constexpr int kLanes = kByteLanes;
 
 using Line = LineVector<std::uint8_t>;
 
-// What a band of rows is swept with, one row after the other.
+// The memory for sweeping a band of rows, one row after the other.
 class Band {
 public:
   Band(const Planes& left, const CensusPlanes& left_words, const CensusPlanes& right_words,
@@ -38,7 +39,7 @@ public:
         kernels_(byte_kernels(settings.target)),
         width_(std::size_t(left.width)),
         stride_((settings.range.count() + kLanes - 1) / kLanes * kLanes),
-        // Of disparity number 0 the last pixel's match is `first` pixels from the last one.
+        // At disparity number 0, the match of the last pixel is `first` pixels from the last one.
         origin_(std::max(0, -settings.range.first) + settings.range.first) {
     const auto stride = std::size_t(stride_);
     const auto reversed = width_ + std::size_t(std::abs(settings.range.first)) + stride;
@@ -52,7 +53,7 @@ public:
     std::fill_n(apart_.begin() + stride_, 3, kBeside);
     costs_.resize(width_ * stride);
     sums_.resize(width_ * stride);
-    // A path begins as if zeros came before it; beside the disparities there is nothing.
+    // A path begins as if it came from zeros; outside of the range of disparities it has kBeside.
     above_.resize(kLanes + width_ * cell(), kBeside);
     for (std::size_t x = 0; x < width_; ++x) {
       std::fill_n(above_.begin() + std::ptrdiff_t(kLanes + x * cell()), stride, std::uint8_t(0));
@@ -66,7 +67,7 @@ public:
     std::ranges::copy(jumps, jumps_.begin());
   }
 
-  // Of the rows above the band nothing but their paths downwards is needed.
+  // For rows above the band, only the paths downwards are needed.
   void sweep(int y, bool begins, bool whole) {
     take_right_row(y);
     const ByteRow row = row_of(y, begins);
@@ -93,7 +94,7 @@ public:
         winners.confidence.at(x, y) = float(second - least) / float(second);
       }
       const std::uint8_t* sums = sums_.data() + i * std::size_t(stride_) + best;
-      // No sum of a match is kBeside.
+      // The sum of a match is never kBeside.
       const bool inside = settings_.subpixel && best > 0 && best + 1 < settings_.range.count() &&
                           sums[-1] != kBeside && sums[1] != kBeside;
       const float part = inside ? corner(sums[-1], least, sums[1]) : 0.0f;
@@ -159,7 +160,8 @@ bool fits_bytes(const MatchSettings& settings) {
 }
 
 std::uint64_t bytes_of_byte_band(int width, int stride) {
-  // Costs, sums and values of a row; lines of single pixels and of the right picture are next to nothing.
+  // Costs, sums and path values of a row; the memory for single pixels and for the right picture is
+  // negligible.
   return std::uint64_t(width) * std::uint64_t(3 * std::int64_t(stride) + kLanes);
 }
 

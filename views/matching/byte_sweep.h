@@ -1,5 +1,5 @@
-// A single sweep over census costs in bytes: of three paths, from the left, from above and from the right, no sum is as great as 255,
-// and 32 disparities are summed at a time.
+// A single sweep over census costs in bytes: the sum of three paths (from the left, from above and
+// from the right) is always below 255, and 32 disparities are summed at once.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace glassbox::views {
 
-// Whether the settings ask for nothing else.
+// Whether this sweep can do everything that the settings ask for.
 bool fits_bytes(const MatchSettings& settings);
-// What each band of rows takes.
+// Bytes of memory for one band of rows.
 std::uint64_t bytes_of_byte_band(int width, int stride);
-// As sweep_once; `kept`, of the pictures' size, takes the sums.
+// Like sweep_once. `kept`, of the pictures' size, receives the sums.
 Winners sweep_in_bytes(const Planes& left, const Planes& right, const MatchSettings& settings,
                        CostVolume* kept = nullptr);
 

@@ -11,7 +11,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Floats with all their digits.
+// Limits between which floats have full precision.
 constexpr double kLeastDepth = std::numeric_limits<float>::min(),
                  kMostDepth = std::numeric_limits<float>::max();
 
@@ -32,7 +32,8 @@ Result<void> check_calibration(const Calibration& calibration) {
   if (!std::isfinite(offset)) {
     return fail("--calibration", "the offset is not finite", "give F,B,OFFSET, 0 for none");
   }
-  // Divided by a parallax of 2^-24 to 2^15 px, the least part of a pixel and the widest picture, it is a float with all its digits.
+  // A parallax is between 2^-24 px (the smallest part of a pixel) and 2^15 px (the widest picture).
+  // The product divided by it must be a float of full precision.
   constexpr double kLeast = 1e-30, kMost = 1e30;
   if (!(focal * baseline >= kLeast && focal * baseline <= kMost)) {
     return fail("--calibration",

@@ -1,4 +1,4 @@
-// From disparity to depth: Z = f B / (d + offset) (SPEC S2-13, C-114).
+// Converts disparity to depth: Z = f B / (d + offset) (S2-13, C-114).
 #pragma once
 
 #include <optional>
@@ -14,20 +14,23 @@ struct Principal {
 
 struct Calibration {
   double focal_px = 0;
-  double baseline =
-      0;  // from camera to camera, below 0 where the right picture's stands to the left; depth has its unit
-  double offset_px =
-      0;  // the left principal point's x less the right one's, taken away from disparities: added before depth
+  // The distance between the cameras, negative if the right picture's camera is on the left; depth
+  // has its unit.
+  double baseline = 0;
+  // The left principal point's x minus the right one's; disparities lack it, so it is added to them
+  // before depth is computed.
+  double offset_px = 0;
   std::optional<Principal> principal = {};  // of the left camera; absent: the picture's centre
 };
 Principal principal_of(const Calibration& calibration, int width, int height);
 
-// An error where a number is not finite, focal length or baseline is not above 0 (C-109), or their product is so small or so great that
-// depths are no floats.
+// An error if a number is not finite, if focal length or baseline is not above 0 (C-109), or if
+// their product is so small or so large that depths are not floats.
 Result<void> check_calibration(const Calibration& calibration);
 
-// Infinite where there is no disparity, where the rays do not meet before the cameras: (d + offset) B <= 0 (C-107), or where the depth
-// would be 0 or infinite as a float, as with an enormous offset.
+// The depth is infinite where there is no disparity, where the rays do not meet in front of the
+// cameras, (d + offset) B <= 0 (C-107), and where it would be 0 or infinite as a float, for example
+// with an enormous offset.
 Image<float> depths_of(const Image<float>& disparity, const Calibration& calibration);
 
 }  // namespace glassbox::views

@@ -8,9 +8,9 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kAcross = 3, kDown = 2;  // px, of the window
+constexpr int kAcross = 3, kDown = 2;  // px, half the size of the window
 
-// A picture's plane, whose last columns go on.
+// One plane of a picture, with its edge columns repeated outwards.
 class PaddedPlane {
 public:
   PaddedPlane(const LineVector<std::uint8_t>& plane, int width, int height)
@@ -41,7 +41,7 @@ private:
   LineVector<std::uint8_t> bytes_;
 };
 
-// Calls one(y, where its bytes go) for each row.
+// Calls one(y, pointers to its bytes) for each row.
 template <class One>
 CensusPlanes planes_of_rows(const Planes& picture, const One& one) {
   CensusPlanes planes;

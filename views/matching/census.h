@@ -10,8 +10,9 @@
 
 namespace glassbox::views {
 
-// One bit for each of 32 neighbours, those of a window of 7 by 5 but for the two at the ends of its own row; beyond the edge the
-// picture's last row and column go on. A row begins `pitch` bytes behind the one before it.
+// One bit for each of 32 neighbours: a window of 7 by 5 without the centre and without the two ends
+// of its own row. Beyond the edge, the picture's last row and column are repeated. Rows are `pitch`
+// bytes apart.
 struct CensusPlanes {
   std::size_t pitch = 0;
   std::array<LineVector<std::uint8_t>, kCensusBytes> bytes;
@@ -19,11 +20,14 @@ struct CensusPlanes {
   CensusPointers<const std::uint8_t> row(int y) const;
 };
 
-// Whether the neighbour is darker than the centre. Gain and offset of the grey do not change a word (C-110), but where they clip.
+// Whether each neighbour is darker than the centre. A gain or an offset of the grey does not change
+// a word, except where values are clipped (C-110).
 CensusPlanes darker_neighbours(const Planes& picture, Target target);
 
-// Whether no channel is further off than kAlike: such a neighbour is likely to lie on the same surface, and to move with the centre.
-// Where fewer than kLeastAlike are so, a texture is strong rather than a surface narrow, and all count.
+// Whether each neighbour's channels all differ from the centre's by at most kAlike: such a
+// neighbour is likely to be on the same surface, and to move with the centre. If fewer than
+// kLeastAlike neighbours do, the cause is more likely a strong texture than a narrow surface, and
+// all of them count.
 inline constexpr std::uint8_t kAlike = 30;  // codes
 inline constexpr std::uint8_t kLeastAlike = 12;
 CensusPlanes alike_neighbours(const Planes& picture, Target target);

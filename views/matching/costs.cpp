@@ -12,10 +12,12 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kBitCost = 16;  // of a census word's bit
-constexpr int kGreyCost = 6;  // of a code: 1530 at most, three quarters of kHighestCost
+constexpr int kBitCost = 16;  // for each bit of a census word
+// For each level of grey: 1530 at most, three quarters of kHighestCost.
+constexpr int kGreyCost = 6;
 
-// What no match writes: beside the picture, and behind the last disparity.
+// Fills the costs of disparities without a match: outside of the picture, and behind the last
+// disparity.
 void fill_row(CostVolume& volume, int row) {
   for (int x = 0; x < volume.width; ++x) {
     std::uint16_t* costs = volume.at(x, row);
@@ -26,8 +28,9 @@ void fill_row(CostVolume& volume, int row) {
   }
 }
 
-// Calls one(x, from, to, first_right) for each pixel of a row that has a right pixel at all: of disparity number `from` it is at
-// first_right, and of the next ones to the left of it.
+// Calls one(x, from, to, first_right) for each pixel of a row that has a right pixel for any
+// disparity: at disparity number `from` it is at first_right, and for the following ones to the
+// left of it.
 template <class One>
 void for_matches(const CostVolume& volume, const One& one) {
   for (int x = 0; x < volume.width; ++x) {
@@ -49,7 +52,8 @@ LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int he
   return words;
 }
 
-// Calls one(left pixel, right ones of growing disparity, how many, their costs) for each pixel of a row that has a right one.
+// Calls one(left pixel, right pixels by growing disparity, their number, their costs) for each
+// pixel of a row that has a right one.
 template <class Value, class One>
 void for_rows_of_costs(const LineVector<Value>& left, const LineVector<Value>& right, int y,
                        CostVolume& volume, int to_row, const One& one) {
@@ -62,7 +66,7 @@ void for_rows_of_costs(const LineVector<Value>& left, const LineVector<Value>& r
   });
 }
 
-// What lies beside the picture has costs, too, and is overwritten.
+// Costs outside of the picture are computed, too, and overwritten afterwards.
 void color_row(const Planes& left, const Planes& right, const CensusPlanes& left_bytes,
                const CensusPlanes& left_alike, const CensusPlanes& right_bytes,
                const CensusPlanes& right_alike, const MatchSettings& settings, int y,
@@ -101,7 +105,7 @@ void color_row(const Planes& left, const Planes& right, const CensusPlanes& left
   byte_kernels(settings.target).color_costs(row);
 }
 
-// Squares of grey differences reach 65025: a 32nd of it stays below kHighestCost.
+// Squares of grey differences are at most 65025; divided by 32 they are below kHighestCost.
 void squared_row(const Planes& left, const Planes& right, int y, CostVolume& volume, int to_row) {
   const auto start = std::size_t(y) * std::size_t(left.width);
   for_matches(volume, [&](int x, int from, int to, int first_right) {
@@ -117,9 +121,10 @@ struct Sums {
   std::int64_t left = 0, right = 0, left_left = 0, right_right = 0, left_right = 0, count = 0;
 };
 
-// (1 - correlation) of half the highest cost; of a window without contrast nothing is known: half.
+// (1 - correlation) times half the highest cost. For a window without contrast the correlation is
+// undefined: half the highest cost.
 std::uint16_t correlation_cost(const Sums& sums, bool centred) {
-  // Window sums of 8-bit values: at most 225 * 255^2, and the products below 2^53.
+  // Window sums of 8-bit values are at most 225 * 255^2, and the products below are under 2^53.
   const double n = centred ? double(sums.count) : 0;
   const double k = centred ? double(sums.count) : 1;
   const double covariance =
@@ -134,7 +139,8 @@ std::uint16_t correlation_cost(const Sums& sums, bool centred) {
       std::clamp((1 - correlation) * (kHighestCost / 2) + 0.5, 0.0, double(kHighestCost)));
 }
 
-// Both windows are cut at the edge of either picture alike. A column's sums are shared by the windows that hold it.
+// Both windows are cut off at the edge of either picture. A column's sums are shared by the windows
+// that contain it.
 void correlation_row(const Planes& left, const Planes& right, const MatchSettings& settings, int y,
                      CostVolume& volume, int to_row) {
   const int radius = settings.window / 2, width = left.width;

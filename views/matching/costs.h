@@ -1,4 +1,5 @@
-// The first step of a dense match: how unlike the pixels of a pair are, for every disparity (SPEC S2-04).
+// The first step of a dense match: how different the pixels of a pair are, for every disparity
+// (S2-04).
 #pragma once
 
 #include "views/matching/census.h"
@@ -8,21 +9,21 @@
 
 namespace glassbox::views {
 
-// Costs of single pixels, or of the correlation's window; a window of the others is for average_costs. Where the right pixel would
-// lie beside the picture the cost is kHighestCost: nothing speaks for such a match, and the winner is not sought there. The pictures
-// must outlive it.
+// Costs of single pixels, or for correlation, of its window; windows of the other costs are made by
+// average_costs. If the right pixel would be outside of the picture, the cost is kHighestCost, and
+// the disparity is not considered as winner. The pictures must outlive the object.
 class PixelCosts {
 public:
   PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings);
   CostVolume volume_of(int rows) const;
-  // Of the pictures' row y, into any row of such a volume.
+  // Writes the costs of the pictures' row y into row `to_row` of a volume.
   void row(int y, CostVolume& volume, int to_row) const;
 
 private:
   const Planes &left_, &right_;
   const MatchSettings& settings_;
-  LineVector<std::uint32_t> left_words_, right_words_;                // of census costs
-  CensusPlanes left_bytes_, right_bytes_, left_alike_, right_alike_;  // of census and colour
+  LineVector<std::uint32_t> left_words_, right_words_;                // for census costs
+  CensusPlanes left_bytes_, right_bytes_, left_alike_, right_alike_;  // for census and colour
 };
 
 CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings);

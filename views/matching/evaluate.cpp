@@ -18,7 +18,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : 100 * double(part) / double(whole);
 }
 
-// The column of the other picture, -1 where there is none.
+// The column in the other picture; -1 if there is none.
 int column_of(int x, float disparity, int width) {
   if (!std::isfinite(disparity)) return -1;
   const float place = std::floor(float(x) - disparity + 0.5f);
@@ -73,7 +73,7 @@ Image<std::uint8_t> near_discontinuity(const Image<float>& disparity) {
       std::fill(&near.at(from, row), &near.at(from, row) + (to - from + 1), std::uint8_t(1));
     }
   };
-  // Unknown ones are infinite: of them nothing is subtracted, and no jump is known.
+  // Unknown disparities are infinite: they are not subtracted, and no jump is reported there.
   const auto jumps = [&](std::size_t a, std::size_t b) {
     const float one = disparity.pixels[a], other = disparity.pixels[b];
     return std::isfinite(one) && std::isfinite(other) && std::abs(one - other) > kJump;

@@ -1,4 +1,4 @@
-// How wrong a disparity map is (SPEC S2-04).
+// Measures the errors of a disparity map (S2-04).
 #pragma once
 
 #include <array>
@@ -9,39 +9,41 @@
 
 namespace glassbox::views {
 
-// What is known of the right answer. A truth that is not finite is unknown, and no error (C-114).
+// The known right answers. A disparity that is not finite is unknown, and not an error (C-114).
 struct StereoTruth {
   Image<float> disparity;          // px; kNoDisparity where unknown
-  Image<std::uint8_t> is_visible;  // whether the right picture shows the point
+  Image<std::uint8_t> is_visible;  // whether the right picture shows the point, too
 };
 
-// Stored disparities times 1/scale; 0 and +inf mark what is unknown.
+// Converts stored disparities by the factor 1/scale; 0 and +inf mean unknown.
 Image<float> known_disparities(Image<float> stored, float scale);
 
-// Pixels whose point the right picture has, and nothing nearer before it, as far as the left truth knows: of pixels that fall on one
-// right pixel the one of the greatest disparity is seen, and all others within a pixel of it.
+// Pixels whose point is visible in the right picture, as far as the left truth can tell: of the
+// pixels that are mapped to one right pixel, the one with the greatest disparity is visible, and
+// all others within one pixel of disparity.
 Image<std::uint8_t> visible_by_reprojection(const Image<float>& disparity);
-// The same by the right picture's own truth: the two agree to a pixel (Scharstein and Szeliski 2002).
+// The same with the right picture's own truth: the two disparities agree to within one pixel
+// (Scharstein and Szeliski 2002).
 Image<std::uint8_t> visible_by_right_truth(const Image<float>& left, const Image<float>& right);
 
-// Pixels near a jump of depth, where windows see two surfaces: within 4 px, across and down, of two neighbours that differ by more than
-// 2 px (Scharstein and Szeliski 2002).
+// Pixels near a jump of depth, where windows contain two surfaces: within 4 px, across and down, of
+// two neighbours that differ by more than 2 px (Scharstein and Szeliski 2002).
 Image<std::uint8_t> near_discontinuity(const Image<float>& disparity);
 
 inline constexpr std::array<double, 4> kBadAt{0.5, 1, 2, 4};  // px
 
 struct DisparityErrors {
-  std::uint64_t known = 0;     // pixels of which there is truth
-  std::uint64_t answered = 0;  // and a disparity
-  std::array<double, 4>
-      bad_percent{};  // further off than kBadAt, of the known; without a disparity counts as bad
-  std::array<double, 4> bad_of_answered{};  // the same, of the answered
-  double rms = 0;                           // px, of the answered
-  double rms_good = 0;                      // px, of those that are off by 1 px at most
-  double density_percent = 0;               // answered, of the known
+  std::uint64_t known = 0;     // pixels with a known truth
+  std::uint64_t answered = 0;  // of these, pixels with a disparity
+  // Share of the known ones with an error above each of kBadAt; no disparity counts as bad.
+  std::array<double, 4> bad_percent{};
+  std::array<double, 4> bad_of_answered{};  // the same, as a share of the answered ones
+  double rms = 0;                           // px, over the answered ones
+  double rms_good = 0;                      // px, over those with an error of at most 1 px
+  double density_percent = 0;               // answered, as a share of the known ones
 };
 
-// Of all pixels, or of those of a mask.
+// For all pixels, or for those of a mask.
 DisparityErrors evaluate(const Image<float>& disparity, const Image<float>& truth,
                          const Image<std::uint8_t>* mask = nullptr);
 

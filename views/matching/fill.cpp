@@ -26,7 +26,7 @@ int color_difference(const Planes& picture, std::size_t a, std::size_t b) {
          std::abs(int(picture.b[a]) - int(picture.b[b]));
 }
 
-// The votes of the cross whose rows hang on the column of a pixel.
+// The result of the vote in a pixel's cross: the column of the cross, and the rows that cross it.
 float voted(const Image<Arms>& arms, const Image<float>& disparity, const Image<Doubt>& doubts,
             int x, int y, int first, std::vector<int>& votes) {
   std::ranges::fill(votes, 0);

@@ -1,4 +1,4 @@
-// Disparities for pixels that have none.
+// Finds disparities for pixels that have none.
 #pragma once
 
 #include <glassbox/images/image.h>
@@ -9,18 +9,19 @@
 
 namespace glassbox::views {
 
-// How far along an arm: beyond it a wide blank surface costs more than it tells.
+// The maximum length of an arm: longer ones cost more on a wide blank surface than they improve.
 inline constexpr int kVoteReach = 17;  // px
 
-// Pixels in doubt take the disparity that most pixels of their cross have, where at least 20 have one and two fifths of them agree
-// (Mei et al.
-// 2011); `rounds` times over. What was voted on is no longer in doubt.
+// A pixel in doubt takes the disparity that most pixels of its cross have, if at least 20 of them
+// have one and two fifths of those agree (Mei et al. 2011). This is done `rounds` times. A pixel
+// that got a disparity is no longer in doubt.
 void vote(const Image<Arms>& arms, int first, int count, int rounds, Image<float>& disparity,
           Image<Doubt>& doubts);
 
-// What is still in doubt looks in eight directions for pixels that are not. What the other eye does not see stands behind what
-// hides it:
-// it takes the second least disparity found; what was mismatched takes the one whose pixel's colour is most like its own.
+// Fills the pixels that are still in doubt from the nearest pixels with a disparity in eight
+// directions. An occluded pixel is behind the surface that hides it, so it takes the second
+// smallest disparity found. A mismatched pixel takes the disparity of the pixel whose colour is
+// most similar to its own.
 void fill_holes(const Planes& picture, Image<float>& disparity, const Image<Doubt>& doubts);
 
 }  // namespace glassbox::views

@@ -21,12 +21,13 @@ int nearest_column(int x, float disparity) {
   return int(std::floor(float(x) - disparity + 0.5f));
 }
 
-// Whether some right pixel of the row says that it is seen at x.
+// Whether the pixel is occluded or mismatched: mismatched if the disparity of some right pixel of
+// the row points to x.
 Doubt kind_of(const std::vector<std::uint8_t>& is_claimed, int x) {
   return is_claimed[std::size_t(x)] ? Doubt::kMismatched : Doubt::kOccluded;
 }
 
-// Of the finite ones of the 3 x 3.
+// The median of the finite values in the 3 x 3 neighbourhood.
 float median_at(const Image<float>& disparity, int x, int y) {
   std::array<float, 9> values;
   std::size_t count = 0;
@@ -43,7 +44,7 @@ float median_at(const Image<float>& disparity, int x, int y) {
 }
 
 bool has_gap(const Image<float>& disparity, int x, int y) {
-  float greatest = 0;  // the one value that is not finite is +inf
+  float greatest = 0;  // the only value that is not finite is +inf
   for (int row = y - 1; row <= y + 1; ++row) {
     const float* values = &disparity.at(x - 1, row);
     greatest = std::max({greatest, values[0], values[1], values[2]});
@@ -61,8 +62,9 @@ Ordered ordered(float a, float b, float c) {
   return {std::min(low, c), middle, std::max(high, c)};
 }
 
-// The median of nine, of three ordered columns, is the median of: the greatest of their least, the median of their medians, the least
-// of their greatest. Without branches, so that the compiler takes several pixels at a time.
+// For three columns that are each sorted, the median of the nine numbers is the median of three:
+// the greatest of the columns' least, the median of their medians, and the least of their greatest.
+// There are no branches, so that the compiler vectorises the loop.
 void inner_medians(const Image<float>& disparity, int y, Image<float>& result) {
   const float *above = &disparity.at(0, y - 1), *own = &disparity.at(0, y),
               *below = &disparity.at(0, y + 1);
@@ -112,7 +114,7 @@ void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Imag
   tbb::parallel_for(0, left.height, [&](int y) {
     for (int x = 0; x < left.width; ++x) {
       if (!std::isfinite(disparity.at(x, y))) continue;
-      // A part of a pixel leads to the edge at most.
+      // A fraction of a pixel can lead at most to the edge.
       const int column = std::clamp(nearest_column(x, disparity.at(x, y)), 0, right.width - 1);
       if (left.at(x, y).a == 0 || right.at(column, y).a == 0) doubts.at(x, y) = Doubt::kOutside;
     }
@@ -150,7 +152,8 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
 
 Image<float> smooth_parts(const Image<float>& disparity, Target target) {
   Image<float> result = disparity;
-  // The difference of two infinite numbers is none. In the loop what has no disparity is far from all that has.
+  // The difference of two infinite numbers is NaN. Within the loop, a pixel without disparity gets
+  // a value that is far from all others.
   constexpr float kFarFromAll = 1e30f;
   Image<float> comparable = disparity;
   for (float& value : comparable.pixels) {
@@ -174,7 +177,7 @@ Image<float> smooth_parts(const Image<float>& disparity, Target target) {
       }
     }
     for (int x = 0; x < width; ++x) {
-      const float count = counts[std::size_t(x)];  // never 0: each is near itself
+      const float count = counts[std::size_t(x)];  // never 0: each pixel is near itself
       if (disparity.at(x, y) != kNoDisparity) {
         result.at(x, y) = own[x] + sums[std::size_t(x)] / count;
       }

@@ -1,4 +1,4 @@
-// What makes a disparity map out of winners: doubtful pixels are taken out, and what is left is smoothed.
+// Makes a disparity map from the winners: doubtful pixels are removed, and the rest is smoothed.
 #pragma once
 
 #include <cstdint>
@@ -8,33 +8,35 @@
 
 namespace glassbox::views {
 
-// Why a pixel is without disparity.
+// The reason why a pixel has no disparity.
 enum class Doubt : std::uint8_t {
   kNone,
-  kOccluded,  // the right picture's disparities lead to no pixel of the left one that could be this one
-  kMismatched,  // they would, with another disparity
-  kUnsure,      // the costs have no clear least (C-111)
-  kOutside,     // no disparity of the range stays in the right picture (C-113)
-  kSpeckle      // a piece too small
+  kOccluded,    // no right pixel's disparity leads to this left pixel
+  kMismatched,  // a right pixel's disparity leads to it, but the two disparities differ
+  kUnsure,      // the costs have no clear minimum (C-111)
+  kOutside,  // for every disparity of the range, the right pixel is outside of the picture (C-113)
+  kSpeckle   // in a connected piece that is too small
 };
 
-// Left pixels whose right pixel has a disparity that differs by more than `tolerance` (px) are in doubt.
+// Marks left pixels whose right pixel has a disparity that differs by more than `tolerance` (px).
 Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance);
 
-// Pixels of alpha 0 show nothing, as in a picture that was turned: their colour is no colour, and neither they nor what is matched with
-// them has a disparity.
+// Marks pixels of alpha 0, which show nothing (as in a rectified picture): they have no colour, and
+// neither they nor the pixels matched with them get a disparity.
 void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
                  Image<Doubt>& doubts);
 
-// Pixels of connected pieces of fewer than `least` pixels, in which neighbours differ by at most one; pixels in doubt belong to
-// none.
+// Marks the pixels of connected pieces of fewer than `least` pixels. Neighbours are connected if
+// their disparities differ by at most one; pixels that are already in doubt belong to no piece.
 void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts);
 
-// The median of the finite ones of each pixel's 3 x 3; of an even number the lesser middle one. Pixels without disparity keep none.
+// The median of the finite values in each pixel's 3 x 3 neighbourhood; for an even number of them,
+// the smaller middle one. Pixels without disparity remain without.
 Image<float> median_of(const Image<float>& disparity);
 
-// The mean of those of each pixel's 5 x 5 that differ from its own by less than kSmoothed px: parts of a pixel are each of them off
-// by their own, and the surface is not. Pixels without disparity keep none.
+// The mean of those values in each pixel's 5 x 5 neighbourhood that differ from its own by less
+// than kSmoothed px: the errors in the fractions of a pixel are independent, while the surface is
+// smooth. Pixels without disparity remain without.
 inline constexpr float kSmoothed = 0.5f;
 Image<float> smooth_parts(const Image<float>& disparity, Target target);
 

@@ -6,7 +6,8 @@
 
 #include <glassbox/raster/lanes/compiled_targets.h>
 
-// This file is compiled once for each instruction set. Loops without intrinsics are left to the compiler's vectoriser.
+// This file is compiled once for each instruction set. Loops without intrinsics are vectorised by
+// the compiler.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "views/matching/kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -18,7 +19,8 @@ namespace glassbox::views::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Bits of a word, without an instruction that older processors lack: sums in fields of 2, 4, 8 bits.
+// The number of 1 bits in a word, as sums in fields of 2, 4 and 8 bits: older processors have no
+// instruction for it.
 inline std::uint32_t bits_of(std::uint32_t word) {
   word -= (word >> 1) & 0x55555555u;
   word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);

@@ -26,7 +26,7 @@ namespace {
 class Clock {
 public:
   explicit Clock(std::vector<MatchStep>& steps) : steps_(steps) {}
-  // What was done since the last call, or since the beginning.
+  // Records the time since the last call, or since the beginning, under this name.
   void done(const char* name) {
     steps_.push_back({name, elapsed_ms(last_)});
     last_ = std::chrono::steady_clock::now();
@@ -157,7 +157,8 @@ std::uint64_t bytes_of_match(int width, int height, const MatchSettings& setting
       (std::uint64_t(std::int64_t(settings.range.last) - settings.range.first + 1) + lanes - 1) /
       lanes * lanes;
   const std::uint64_t row = std::uint64_t(width) * stride * sizeof(std::uint16_t);
-  // Of a band a row of costs and one of sums, and three of each path's; of a whole picture the rows of paths are next to nothing.
+  // A band has a row of costs, one of sums, and three for each path; for a whole picture the rows
+  // of the paths are negligible.
   const std::uint64_t kept = settings.keep_sums ? row * std::uint64_t(height) : 0;
   if (fits_bytes(settings)) return bands_of(height) * bytes_of_byte_band(width, int(stride)) + kept;
   if (sweeps_once(settings)) {

@@ -1,4 +1,5 @@
-// Dense matching from two pictures to a disparity map: the steps of this folder, one after the other.
+// Dense matching from two pictures to a disparity map: calls the steps of this folder one after the
+// other.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +21,23 @@ struct MatchStep {
 };
 
 struct DenseMatch {
-  Image<float> disparity;   // px, of the left picture; kNoDisparity where there is none
+  Image<float> disparity;   // px, for the left picture; kNoDisparity where there is none
   Image<float> confidence;  // peak ratio, [0, 1]
-  Image<Doubt> doubts;      // before holes were filled
-  CostVolume sums;          // that the winners were sought in, where they were to be kept
+  Image<Doubt> doubts;      // as they were before holes were filled
+  // The sums that the winners were selected from, if the settings ask to keep them.
+  CostVolume sums;
   std::vector<MatchStep> steps;
   std::uint64_t bytes = 0;  // of the volumes
 };
 
-// What the volumes of such a match take, in bytes: 2 for the cost of each pixel and disparity, and 4 more for the sums along paths,
-// with the disparities filled up to a multiple of 32; of a single sweep some rows of each band.
+// Bytes that the volumes of such a match need: 2 for the cost of each pixel and disparity, and 4
+// more for the sums along paths, with the disparities padded to a multiple of 32; a single sweep
+// needs only some rows for each band.
 std::uint64_t bytes_of_match(int width, int height, const MatchSettings& settings);
 
-// Both pictures are of one size, and rectified: a point is on the same row of both. Pixels of alpha 0 show nothing, and match
-// nothing. An error where they are not of one size, the settings cannot be, or the volumes would take more than `max_bytes`: before
-// anything is allocated.
+// Both pictures must have one size and be rectified: a point is on the same row of both. Pixels of
+// alpha 0 show nothing, and match nothing. An error if the sizes differ, the settings are invalid,
+// or the volumes would need more than `max_bytes`; this is checked before anything is allocated.
 Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const MatchSettings& settings,
                                   std::uint64_t max_bytes = std::uint64_t(4) << 30);

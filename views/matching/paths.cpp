@@ -13,17 +13,19 @@ namespace glassbox::views {
 
 namespace {
 
-// From the pixel before to this one, in a sweep to the right and down; the sweep up takes the opposites.
+// The step from the pixel before to this one, in a sweep to the right and down; the sweep up takes
+// the opposite steps.
 struct Step {
   int x, y;
 };
 constexpr std::array<Step, 8> kSteps{
     {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, 2}, {-1, 2}, {2, 1}, {-2, 1}}};
 constexpr int kRowsKept = 3;
-constexpr int kGap =
-    kDisparityLanes;  // between the values of two pixels: never less than a neighbour
+// Gap between the values of two pixels, so that the disparities beside the range are never the
+// least.
+constexpr int kGap = kDisparityLanes;
 
-// One direction's values of the rows that are still needed.
+// The path values of one direction, for the rows that are still needed.
 class PathRows {
 public:
   PathRows(int width, int stride)
@@ -46,7 +48,7 @@ private:
 
 struct Sweep {
   const Planes& picture;
-  std::span<const Step> steps;  // from the pixel before
+  std::span<const Step> steps;  // from the pixel before to this one
   const std::array<std::uint16_t, 256>& jumps;
   std::uint16_t p1;
   const MatchKernels& kernels;
@@ -60,7 +62,8 @@ public:
         zeros_(std::size_t(stride + 2 * kGap)),
         rows_(sweep.steps.size(), PathRows(sweep.picture.width, stride)) {}
 
-  // The picture's row y, whose costs and sums begin there; `begin` and `end` are the rows that have been or will be swept.
+  // Sweeps the picture's row y, whose costs and sums begin at the pointers; `begin` and `end` are
+  // the rows that have been or will be swept.
   void row(int y, int begin, int end, const std::uint16_t* costs, std::uint16_t* sums) {
     for (std::size_t i = 0; i < sweep_.steps.size(); ++i) {
       const Step step = sweep_.steps[i];
@@ -93,7 +96,7 @@ private:
 
   Sweep sweep_;
   int stride_;
-  // Where a path begins it has the cost alone: as if zeros came before.
+  // A path's first pixel has the cost alone, as if zeros came before it.
   LineVector<std::uint16_t> zeros_;
   std::vector<PathRows> rows_;
 };
@@ -113,7 +116,7 @@ std::vector<Step> opposite(std::span<const Step> steps) {
 }
 
 constexpr int kBandRows = 64;  // px
-// Rows above a band, after which little is left of where its paths began.
+// Rows above a band that are swept first; after them the start of the paths has little influence.
 constexpr int kWarmUp = 8;
 
 }  // namespace

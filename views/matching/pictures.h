@@ -1,4 +1,4 @@
-// What the costs are made of: colours and their grey, as planes.
+// The pictures as planes of colours and grey, from which the costs are computed.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace glassbox::views {
 
-// Of 8-bit pictures, as stored: the costs compare codes, not light. Alpha is left out.
+// The planes of an 8-bit picture, as stored: the costs compare sRGB codes, not linear light. Alpha
+// is left out.
 struct Planes {
   int width = 0, height = 0;  // px
   LineVector<std::uint8_t> r, g, b;
@@ -19,7 +20,7 @@ struct Planes {
 };
 Planes planes_of(const Image<Rgba8>& image);
 
-// Of two pixels: that of the channel which differs most, in codes.
+// The difference of two pixels in the channel that differs most, in codes.
 inline int channel_difference(const Planes& picture, std::size_t a, std::size_t b) {
   return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
                    std::abs(int(picture.g[a]) - int(picture.g[b])),

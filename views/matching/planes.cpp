@@ -20,16 +20,20 @@ namespace {
 using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
-constexpr int kRadius = 5;          // px
-constexpr float kNearPlane = 1.5f;  // px: as far as a winner may be off a slanted surface's plane
-constexpr int kFewest = 16;         // pixels of a window that decide three numbers and an offset
-constexpr int kHalfAlike = 10;      // codes of a channel at which a pixel counts half
-constexpr int kRefits = 2;          // steps of a fit that are tried
+constexpr int kRadius = 5;  // px
+// px: the largest distance of a winner from a slanted surface's plane.
+constexpr float kNearPlane = 1.5f;
+// Pixels of a window that are needed to fit three numbers and an offset.
+constexpr int kFewest = 16;
+// Difference of a channel in codes, at which a pixel has half the weight.
+constexpr int kHalfAlike = 10;
+constexpr int kRefits = 2;  // steps of a fit that are tried
 
-// Where there is no contrast nothing moves: noise of two codes against half a pixel of c, and a quarter of a and b.
+// Keeps the fit from moving where there is no contrast: noise of two codes, against a change of
+// half a pixel in c, and of a quarter in a and b.
 constexpr float kNoise = 2, kOffPlace = 0.5f, kOffSlope = 0.25f;
 
-// Disparity at the pixel itself, and its change for a pixel to the right and one down.
+// The disparity at the pixel itself, and its change for one pixel to the right and one pixel down.
 struct Plane {
   float c = 0, a = 0, b = 0;
   float at(int dx, int dy) const { return c + a * float(dx) + b * float(dy); }
@@ -45,8 +49,9 @@ struct Support {
 };
 
 struct Fit {
-  float cost = std::numeric_limits<float>::infinity();  // mean square of what is left, codes
-  Vector3f step = Vector3f::Zero();                     // of c, a and b, towards less
+  // Mean square of the remaining difference, codes.
+  float cost = std::numeric_limits<float>::infinity();
+  Vector3f step = Vector3f::Zero();  // of c, a and b, towards a lower cost
 };
 
 class Fitter {
@@ -55,13 +60,13 @@ public:
          const Image<float>& disparity)
       : left_(left), right_(right), doubts_(doubts), found_(disparity) {}
 
-  // The slopes of what was found around the pixel.
+  // The first plane, with the slopes of the disparities around the pixel.
   Plane first(int x, int y) const {
     Plane plane{found_.at(x, y), 0, 0};
     float xx = 0, yy = 0, xz = 0, yz = 0;
     for_window(x, y, [&](int dx, int dy, std::size_t at) {
       const float rise = found_.pixels[at] - plane.c;
-      // As steep as a pixel a pixel, and what rounding adds.
+      // Slopes of at most one pixel per pixel, plus rounding.
       if (std::abs(rise) > float(std::abs(dx) + std::abs(dy)) + 0.5f) return;
       xx += float(dx * dx), yy += float(dy * dy);
       xz += float(dx) * rise, yz += float(dy) * rise;
@@ -82,7 +87,8 @@ public:
     return support;
   }
 
-  // The grey that is left, and the step that lessens it: r + I' (dc + da dx + db dy) is made an offset alone.
+  // The remaining difference of grey, and the step that reduces it: the step makes r + I' (dc + da
+  // dx + db dy) nearly constant.
   Fit fit(int x, int y, const Plane& plane, const Support& support) const {
     float weights = 0, sum = 0, squares = 0;
     Vector3f slopes = Vector3f::Zero(), products = Vector3f::Zero();
@@ -122,7 +128,7 @@ private:
     }
   }
 
-  // The grey and its slope along the row, of Catmull and Rom's cubic through four pixels.
+  // The grey and its derivative along the row, from Catmull and Rom's cubic through four pixels.
   std::pair<float, float> sample(int y, float place) const {
     const std::uint8_t* row = right_.grey.data() + std::size_t(y) * std::size_t(right_.width);
     const int from = int(place), last = right_.width - 1;
@@ -141,7 +147,8 @@ private:
 
 constexpr std::array<std::pair<int, int>, 4> kAround{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-// The best of the pixel's own plane, those around it, and what fits better than the best.
+// The best plane among the pixel's own, those of its neighbours, and fits that improve the best
+// one.
 Plane better(const Fitter& fitter, const Image<Plane>& planes, const Image<Doubt>& doubts,
              float found, int x, int y) {
   Plane best = planes.at(x, y);

@@ -17,7 +17,7 @@ constexpr int kContrastAcross = 4, kContrastDown = 3;  // px, of the window
 constexpr float kWithinSurface = 1;                    // px of disparity
 constexpr int kContrast = 8;                           // codes of grey
 
-// Within one row of the window and one surface.
+// The contrast among the pixels in one row of the window that belong to the centre's surface.
 int contrast_at(const Planes& planes, const Image<float>& disparity, int x, int y) {
   int contrast = 0;
   for (int row = std::max(y - kContrastDown, 0);

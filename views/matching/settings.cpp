@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kCosts{"sad",  "ssd",    "ncc",
                                                  "zncc", "census", "ad-census"};
-constexpr int kFarthest = 16384;  // px: no picture that is read is wider
+constexpr int kFarthest = 16384;  // px: no picture that can be read is wider
 
 }  // namespace
 

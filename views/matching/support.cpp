@@ -13,7 +13,7 @@ namespace {
 constexpr int kLong = 17;               // px
 constexpr int kNear = 20, kNearer = 6;  // codes of a channel
 
-// Pixels from `at` on, `step` apart, of which there are `most`.
+// The length of an arm: pixels from `at` on, `step` apart, at most `most` of them.
 std::uint8_t arm(const Planes& picture, std::size_t at, std::ptrdiff_t step, int most) {
   int length = 0;
   for (auto place = std::ptrdiff_t(at) + step; length < most; place += step, ++length) {
@@ -23,7 +23,8 @@ std::uint8_t arm(const Planes& picture, std::size_t at, std::ptrdiff_t step, int
   return std::uint8_t(length);
 }
 
-// One line of the volume, of `length` pixels; cells(i) are the costs of pixel i and arms(i) how far it reaches before and behind.
+// Averages one line of the volume, of `length` pixels; cells(i) are the costs of pixel i, and
+// arms(i) is how far its window reaches backwards and forwards.
 template <class Cells, class Reach>
 void average_line(int length, int stride, const MatchKernels& kernels,
                   LineVector<std::uint32_t>& sums, const Cells& cells, const Reach& reach) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
-// Least significant byte first, whatever the machine's order.
+// Writes the least significant byte first, on machines of any byte order.
 void put(std::vector<std::byte>& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(std::byte((value >> shift) & 255));
 }
@@ -26,7 +26,7 @@ void put(std::vector<std::byte>& bytes, std::string_view text) {
   for (const char letter : text) bytes.push_back(std::byte(letter));
 }
 
-// The number of each pixel's vertex.
+// Adds the vertices. Returns the number of each pixel's vertex.
 Image<std::uint32_t> add_vertices(const Image<Rgba8>& picture, const Image<float>& depths,
                                   const Calibration& calibration, Surface& surface) {
   const Principal centre = principal_of(calibration, picture.width, picture.height);
@@ -107,7 +107,8 @@ Result<SurfaceView> view_of(const Surface& surface, const Calibration& calibrati
   const auto [farthest, nearest] = std::ranges::minmax(surface.vertices, {}, &Surface::Vertex::z);
   const Principal centre = principal_of(calibration, width, height);
   SurfaceView view;
-  // A hundredth of slack: what lies on the near or the far plane is at a rounding's mercy.
+  // A margin of 1 %, because rounding could cut off points that are exactly on the near or far
+  // plane.
   view.near = -double(nearest.z) * 0.99;
   view.far = -double(farthest.z) * 1.01;
   const double scale = view.near / calibration.focal_px;

@@ -14,15 +14,16 @@ bool is_inside(unsigned inside, int corner) {
   return (inside >> corner & 1) != 0;
 }
 
-// Of each edge that the surface crosses, the next one around the polygon. On a face, seen from outside of the cell, the border of an
-// inside stretch of corners runs from the edge at which it begins to the edge at which it ends, the inside to its right: so the
-// polygon is counter-clockwise for whoever sees it from outside of the solid.
+// For each edge that the surface crosses, the next one around the polygon. On a face, seen from
+// outside of the cell, the border of a stretch of inside corners runs from the edge where the
+// stretch begins to the edge where it ends, with the inside to its right. So the polygon is
+// counter-clockwise when seen from outside of the solid.
 std::array<int, 12> next_edges(unsigned inside, unsigned joined) {
   std::array<int, 12> next;
   next.fill(kNoEdge);
   for (std::size_t face = 0; face < kCellFaces.size(); ++face) {
     const std::array<int, 4>& corners = kCellFaces[face];
-    std::array<int, 4> crossed{};  // edges around the face that are crossed
+    std::array<int, 4> crossed{};  // edges around the face that the surface crosses
     std::array<bool, 4> enters{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -33,7 +34,8 @@ std::array<int, 12> next_edges(unsigned inside, unsigned joined) {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (!enters[i]) continue;
-      // Cut off one by one: the stretch that begins here ends at the next edge. Joined: the line goes on where the one before ended.
+      // If corners are cut off one by one, the stretch that begins here ends at the next edge. If
+      // they are joined, the line continues where the previous one ended.
       const bool is_joined = count == 4 && (joined >> face & 1) != 0;
       const std::size_t end = is_joined ? (i + count - 1) % count : (i + 1) % count;
       next[std::size_t(crossed[i])] = crossed[end];
@@ -60,8 +62,8 @@ std::vector<Loop> loops_of(std::array<int, 12> next) {
 
 using Triangles = std::vector<CellTriangle>;
 
-// The part of a loop from corner i to corner j, cut by diagonals of which none has both ends on one face of the cell; none if there is
-// no such way.
+// Triangles for the part of a loop from corner i to corner j, cut by diagonals that never have both
+// ends on one face of the cell; none if this is impossible.
 std::optional<Triangles> cut(const Loop& loop, std::size_t i, std::size_t j) {
   if (j - i < 2) return Triangles();
   for (std::size_t k = i + 1; k < j; ++k) {
@@ -80,7 +82,7 @@ std::optional<Triangles> cut(const Loop& loop, std::size_t i, std::size_t j) {
   return std::nullopt;
 }
 
-// All around a point inside the cell.
+// A fan of triangles around a point inside the cell.
 Triangles fan_around_middle(const Loop& loop) {
   Triangles triangles;
   for (std::size_t i = 0; i < loop.size(); ++i) {

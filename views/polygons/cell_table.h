@@ -1,8 +1,9 @@
-// Which triangles a cell has, by which of its corners are inside: 256 cases (S1-39), made from a rule for its faces.
+// The triangles of a cell, chosen by which of its corners are inside: 256 cases (S1-39), made from
+// a rule for its faces.
 //
-// A face whose corners are in, out, in, out is ambiguous: it shows either two inside corners that are cut off one by one, or two outside
-// ones. Two cells that share the face have to agree. Where the rule looks at the face alone they do, and every edge of the surface has
-// two triangles.
+// A face whose corners are in, out, in, out is ambiguous: either its two inside corners are cut off
+// one by one, or its two outside ones. Two cells that share the face have to agree. They do if the
+// rule depends only on the face; then every edge of the surface has two triangles.
 #pragma once
 
 #include <array>
@@ -13,31 +14,35 @@
 
 namespace glassbox::views {
 
-// Corners of the surface are numbered by the edge of the cell that they lie on; kCellMiddle lies inside the cell.
+// A corner of the surface has the number of the cell's edge that it is on; kCellMiddle is inside
+// the cell.
 inline constexpr int kCellMiddle = 12;
 using CellTriangle = std::array<std::uint8_t, 3>;
 
-// The triangles of one cell, counter-clockwise seen from outside of the surface. No side of one runs across a face of the cell but
-// along its own border, which the cell beside has as well: what is inside a cell is never an edge of the cell beside it.
+// The triangles of one cell, counter-clockwise seen from outside of the surface. A triangle's side
+// is on a face of the cell only if it belongs to the surface's border there, which the neighbouring
+// cell has as well. So an edge in the interior of a cell is never an edge of its neighbour.
 struct CellSurface {
   std::vector<CellTriangle> triangles;
 };
 
-// `inside`: a bit for each corner. `joined`: a bit for each face on which, if it is ambiguous, the inside corners are joined, so that
-// the outside ones are cut off one by one; 0: on none.
+// `inside` has a bit for each corner. `joined` has a bit for each face: if the face is ambiguous,
+// its inside corners are joined, and the outside ones are cut off one by one. 0: no face is joined.
 CellSurface cell_surface(unsigned inside, unsigned joined = 0);
 
-// Of every set of corners.
+// The surface for every set of inside corners.
 using CellTable = std::array<CellSurface, 256>;
 
-// Inside corners are cut off one by one on every ambiguous face: two cells agree about the face that they share. No case needs a middle.
+// Inside corners are cut off one by one on every ambiguous face, so that two cells agree about the
+// face that they share. No case needs a corner in the middle.
 const CellTable& consistent_table();
 
-// The fifteen cases of Lorensen and Cline (1987): cells with more than four corners inside have the triangles of the opposite case,
-// turned round, and thereby the opposite rule on their faces. Teaching only: beside a cell with few corners inside it leaves a hole (C-95).
+// The fifteen cases of Lorensen and Cline (1987): cells with more than four inside corners have the
+// triangles of the opposite case with reversed winding, and therefore the opposite rule on their
+// faces. For teaching only: next to a cell with few inside corners this leaves a hole (C-95).
 const CellTable& naive_table();
 
-// Faces of a cell, by a bit each, that are ambiguous.
+// The ambiguous faces of a cell, one bit each.
 unsigned ambiguous_faces(unsigned inside);
 
 }  // namespace glassbox::views

@@ -25,7 +25,8 @@ Rgba8 mean_of(const PolygonSeen& seen) {
   return {mean(0), mean(1), mean(2), 255};
 }
 
-// Of the full corners of a polygon's cell, that which is nearest to its middle; of equally near ones the first.
+// The full corner of a polygon's cell that is nearest to the polygon's middle; of equally near ones
+// the first.
 VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
   const CellAt cell = surface.cell_of(polygon.id);
   const Vector3d middle = (polygon.corners[0] + polygon.corners[1] + polygon.corners[2]) / 3;
@@ -42,7 +43,7 @@ VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
   return nearest;
 }
 
-// Whether a picture has background at the pixel of a place.
+// Whether any picture has background at the pixel of a place.
 bool is_beside_object(const PictureSet& set, const Vector3d& world) {
   return std::ranges::any_of(set.pictures, [&](const CalibratedPicture& picture) {
     if (picture.matte.pixels.empty()) return false;
@@ -54,30 +55,35 @@ bool is_beside_object(const PictureSet& set, const Vector3d& world) {
   });
 }
 
-// What a set of polygons leaves unexplained of the pixels that show them.
+// The part of the pixels' colours that a set of polygons does not explain.
 struct Unexplained {
-  // Levels^2: from each polygon's mean, and kMismatch for a pixel that shows a polygon and has background, or the other way round.
+  // Levels^2: squared distances from each polygon's mean, and kMismatch for a pixel that shows a
+  // polygon but has background, or the other way round.
   double squares = 0;
   std::int64_t polygons = 0;  // that are seen
   std::int64_t pixels = 0;
 
-  // Each seen polygon has a colour of its own, three numbers that can be chosen, so that more polygons always leave less. By the
-  // Bayesian information criterion (Schwarz 1978) a number must save the logarithm of how many pixels there are, in units of the variance that
-  // one colour may have.
+  // Each seen polygon has its own colour, which is three free numbers, so more polygons always
+  // leave a smaller rest. By the Bayesian information criterion (Schwarz 1978) each number has to
+  // reduce it by the logarithm of the number of pixels, in units of the variance that one colour
+  // may have.
   double with_cost(std::int64_t of_pixels, double variance) const {
     return squares + 3 * double(polygons) * logarithm(double(of_pixels)) * variance;
   }
 };
-// Of two colours that are anywhere between 0 and 255: 2 * 255^2 / 12 for each of three channels.
+// The expected squared distance of two random colours between 0 and 255: 2 * 255^2 / 12 for each of
+// three channels.
 constexpr double kMismatch = 3 * 255.0 * 255.0 / 6;
 
-// Whether pictures are explained better without a voxel: by the polygons that come in place of its own, and those behind.
+// Tests whether the pictures are explained better without a voxel: by the polygons that replace its
+// own, and those behind it.
 class Trial {
 public:
   Trial(const PictureSet& set, LiveSurface& surface, double threshold)
       : set_(set), surface_(surface), variance_(threshold * threshold) {}
 
-  // The voxel goes, and what has changed is said, or the surface stays as it is and nothing is.
+  // Removes the voxel and returns the polygons that have changed; or leaves the surface as it is,
+  // and returns nothing.
   std::vector<PolygonId> carve(const VoxelAt& voxel) {
     const std::vector<WorldPolygon> own = around(voxel);
     std::vector<PolygonId> changed = surface_.edit(voxel, false), asked = changed;
@@ -88,7 +94,8 @@ public:
     without.squares += kMismatch * double(uncovered_by(own));
     surface_.edit(voxel, true);
     const Unexplained with = by(asked);
-    // Both explain the same pixels, but for some at edges that two polygons have or none.
+    // Both surfaces explain the same pixels, except for some at edges that two polygons have or
+    // none.
     const std::int64_t pixels = std::max({with.pixels, without.pixels, std::int64_t(1)});
     if (!(without.with_cost(pixels, variance_) < with.with_cost(pixels, variance_))) return {};
     return surface_.edit(voxel, false);
@@ -116,7 +123,7 @@ private:
     return sum;
   }
 
-  // Pixels of the object that show nothing where these polygons were.
+  // Counts pixels of the object that show no polygon where these polygons were.
   std::int64_t uncovered_by(const std::vector<WorldPolygon>& polygons) const {
     std::int64_t uncovered = 0;
     for (std::size_t i = 0; i < set_.pictures.size(); ++i) {
@@ -145,7 +152,7 @@ public:
         settings_(settings),
         trial_(set, surface, settings.threshold) {}
 
-  // False: the layered images take more than `most_bytes`.
+  // Returns false if the layered images need more than `most_bytes`.
   bool run(PolygonColoring& result, double most_bytes) {
     for (const PolygonId id : surface_.polygons()) ask(id);
     while (!waiting_.empty()) {
@@ -158,10 +165,11 @@ public:
       const WorldPolygon polygon = surface_.polygon(id);
       const PolygonSeen seen = seen_of(set_, surface_, polygon);
       const VoxelAt behind = voxel_behind(surface_, polygon);
-      // A polygon lies half a voxel before the middle of what is behind it: that it is beside the object says nothing of the voxel yet.
+      // A polygon is half a voxel in front of the middle of the voxel behind it. That it is outside
+      // of the object's outline does not yet mean that the voxel is.
       const bool is_beside =
           seen.background > 0 && is_beside_object(set_, surface_.occupancy().grid().centre(behind));
-      // One picture alone says nothing of colours.
+      // One picture alone cannot show that colours are inconsistent.
       const bool is_inconsistent = seen.views > 1 && seen.deviation() > settings_.threshold;
       if (!is_beside && !is_inconsistent) continue;
       const std::vector<PolygonId> changed =
@@ -189,7 +197,8 @@ private:
   std::unordered_set<PolygonId> is_waiting_;
 };
 
-// Polygons that nobody sees take the mean of their coloured neighbours, those next to them then theirs.
+// Polygons that no picture sees take the mean of their coloured neighbours; then the next ones take
+// theirs.
 void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> beside;
   beside.reserve(3 * mesh.polygons.size() / 2);
@@ -232,7 +241,7 @@ void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
       const auto mean = [&](int c) { return std::uint8_t(sum[c] / count); };
       found.emplace_back(i, Rgba8{mean(0), mean(1), mean(2), 255});
     }
-    if (found.empty()) break;  // a piece that nobody sees any of stays grey
+    if (found.empty()) break;  // a piece of which nothing is seen stays grey
     for (const auto& [i, color] : found) {
       colors[i].color = color;
       has_color[i] = true;
@@ -244,13 +253,15 @@ void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
 }  // namespace
 
 double polygon_bytes(const VoxelGrid& grid, double polygons) {
-  // Bits of the solid that is carved and of what is left of it, a number for each voxel, and for the corners on the edges of two layers of them.
+  // The bits of the original solid and of what is left of it, a number for each voxel, and numbers
+  // for the corners on the edges of two layers of voxels.
   const auto [nx, ny, nz] = grid.count;
   const double voxels = 2 * Occupancy::bytes_for(grid) + double(grid.voxels()) * sizeof(double) +
                         double(nx + 2) * (ny + 2) * 2 * 7 * sizeof(std::uint32_t);
-  // A closed surface has half as many corners as polygons. They and the polygons grow as they are found, to at most twice as much; colours;
-  // and three sides for two polygons, each in a table's node of which a bucket points to the first (color_unseen). What waits to be judged
-  // is gone by then and was less.
+  // A closed surface has half as many corners as polygons. Both grow while they are found, to at
+  // most twice the memory. Then there are the colours, and three sides for two polygons, each in a
+  // node of a hash table with a bucket that points to it (color_unseen). The queue of polygons to
+  // be judged is gone by then, and was smaller.
   constexpr double kMesh =
       2 * (sizeof(Vector3d) / 2.0 + sizeof(PolygonCorners)) + sizeof(PolygonColor);
   constexpr double kSides = 1.5 * (32 + 2 * sizeof(void*));
@@ -337,7 +348,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   result.full = surface.occupancy().full();
   for (const IdLayers& layers : surface.layers()) result.samples += layers.sample_count();
   const Occupancy& solid = surface.occupancy();
-  // The same cells in the same order, so polygon i of the mesh is the i-th of the surface.
+  // The cells are the same in the same order, so polygon i of the mesh is the i-th of the surface.
   result.mesh = polygonise(settings.is_smooth ? solid.smooth_field() : solid.field(), 0.5,
                            Polygoniser::kConsistent);
   result.colors.reserve(result.mesh.polygons.size());

@@ -1,4 +1,5 @@
-// Corners, edges and faces of a cell, by number. Bit 0 of a corner's number is its x, bit 1 its y, bit 2 its z.
+// Numbers of the corners, edges and faces of a cell. Bit 0 of a corner's number is its x, bit 1 its
+// y, bit 2 its z.
 #pragma once
 
 #include <array>
@@ -7,13 +8,13 @@
 
 namespace glassbox::views {
 
-// An edge runs along `axis`, 0 .. 2, from the corner `from`, whose bit of that axis is 0.
+// An edge runs along `axis`, 0 .. 2, from the corner `from`, whose bit for that axis is 0.
 struct CellEdge {
   int from = 0, axis = 0;
   constexpr int to() const { return from | 1 << axis; }
 };
 
-// Edges 4 a .. 4 a + 3 are those along axis a.
+// Edges 4 a .. 4 a + 3 run along axis a.
 constexpr std::array<CellEdge, 12> kCellEdges = [] {
   std::array<CellEdge, 12> edges{};
   std::size_t next = 0;
@@ -34,7 +35,8 @@ constexpr int cell_edge_between(int a, int b) {
   return -1;
 }
 
-// Corners of the faces, counter-clockwise seen from outside: low x, high x, low y, high y, low z, high z.
+// Corners of the faces, counter-clockwise seen from outside: low x, high x, low y, high y, low z,
+// high z.
 constexpr std::array<std::array<int, 4>, 6> kCellFaces = [] {
   std::array<std::array<int, 4>, 6> faces{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,7 +47,7 @@ constexpr std::array<std::array<int, 4>, 6> kCellFaces = [] {
   return faces;
 }();
 
-// Whether two edges of a cell lie on one of its faces.
+// Whether two edges of a cell are on a common face.
 constexpr bool share_a_face(int edge_a, int edge_b) {
   const CellEdge a = kCellEdges[std::size_t(edge_a)], b = kCellEdges[std::size_t(edge_b)];
   for (int axis = 0; axis < 3; ++axis) {

@@ -15,7 +15,8 @@ std::int64_t snapped(double pixels) {
   return std::int64_t(std::floor(pixels * kSubpixels + 0.5));
 }
 
-// The first pixel whose centre is at least there, and the one after the last whose centre is at most there.
+// first_centre(): the first pixel whose centre is at or after this coordinate. end_centre(): one
+// after the last pixel whose centre is at or before it.
 int first_centre(std::int64_t subpixels) {
   return int((subpixels + 127) >> 8);
 }
@@ -23,8 +24,9 @@ int end_centre(std::int64_t subpixels) {
   return int((subpixels - 128) >> 8) + 1;
 }
 
-// Centres on a left or a top side belong to the triangle. y grows downwards, and the inside is to the right of a side that runs from
-// (0, 0) to (dx, dy): a left side goes up, a top side to the right.
+// Centres on a left or a top side belong to the triangle. y grows downwards, and the inside is to
+// the right of a side that runs from (0, 0) to (dx, dy): a left side goes up, a top side to the
+// right.
 bool owns_its_centres(std::int64_t dx, std::int64_t dy) {
   return dy < 0 || (dy == 0 && dx > 0);
 }
@@ -46,7 +48,8 @@ PolygonFootprint::PolygonFootprint(const PinholeCamera& camera, int width, int h
     y_[i] = snapped(p.y());
     nearness_[i] = 1 / p.z();
   }
-  // Counter-clockwise seen by the camera is clockwise with y downwards counted as upwards: the cross product is negative.
+  // Counter-clockwise as seen by the camera means a negative cross product in coordinates whose y
+  // grows downwards.
   area_ = (x_[1] - x_[0]) * (y_[2] - y_[0]) - (x_[2] - x_[0]) * (y_[1] - y_[0]);
   if (area_ >= 0) return;
   area_ = -area_;

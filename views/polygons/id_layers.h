@@ -1,6 +1,6 @@
-// Layered images of polygons: in each pixel all surfaces on its line of sight, with how far they are and which polygon they belong to
-// (S1-39). Colours are not stored: who asks for them looks into the picture. Polygons come and go, and what was behind one that
-// goes is there at once.
+// Layered images of polygons: for each pixel all surfaces on its line of sight, with their
+// distances and polygon numbers (S1-39). Colours are not stored; they are read from the picture.
+// Polygons can be added and removed, and a polygon behind a removed one is in the list already.
 #pragma once
 
 #include <array>
@@ -15,28 +15,30 @@ namespace glassbox::views {
 using PolygonId = std::uint32_t;
 
 struct IdSample {
-  float distance = 0;  // along the gaze, world units
+  float distance = 0;  // along the direction of view, world units
   PolygonId id = 0;
   friend bool operator==(const IdSample&, const IdSample&) = default;
   friend auto operator<=>(const IdSample&, const IdSample&) = default;
 };
 
-// Nearest first, of equally near ones the lower id.
+// Nearest first; of equally near ones the lower id first.
 using IdSamples = std::vector<IdSample>;
 
 using Corners3d = std::array<Vector3d, 3>;
 
-// A pixel of a picture, rows from the top.
+// A pixel of a picture; rows count from the top.
 struct IdPixel {
   int x = 0, y = 0;
 };
 
-// A triangle of the world in a picture: its pixels, and how far it is there. Corners are snapped to 1/256 px and the pixels whose centres
-// are inside counted, by integers; of two triangles with a common side a centre on it belongs to one. The distance at a pixel comes from
-// the triangle alone, so it is the same whenever it is asked.
+// A triangle of the world in a picture: its pixels, and its distance at each. Corners are snapped
+// to 1/256 px, and the pixels whose centres are inside are found with integers; a centre on the
+// common side of two triangles belongs to one of them. The distance at a pixel depends only on the
+// triangle, so it is the same each time it is computed.
 class PolygonFootprint {
 public:
-  // Nothing of a triangle that is turned away from the camera, not wholly before it, or beyond 2^15 px.
+  // Empty for a triangle that is turned away from the camera, not entirely in front of it, or
+  // beyond 2^15 px.
   PolygonFootprint(const PinholeCamera& camera, int width, int height, const Corners3d& corners);
 
   template <typename Visit>  // visit(IdPixel, float distance)
@@ -52,8 +54,8 @@ public:
 private:
   std::optional<float> distance_at(int x, int y) const;
 
-  int left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;  // empty where nothing is drawn
-  std::array<std::int64_t, 3> x_{}, y_{};  // 1/256 px, counter-clockwise as y grows downwards
+  int left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;  // empty if nothing is drawn
+  std::array<std::int64_t, 3> x_{}, y_{};  // 1/256 px, counter-clockwise where y grows downwards
   std::array<double, 3> nearness_{};       // 1 / distance
   std::int64_t area_ = 0;
 };
@@ -65,26 +67,27 @@ public:
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // A polygon that is not there yet comes, or one that is there goes, whose footprint is that with which it came.
+  // Adds a polygon that is not in the layers, or removes one that is, with the footprint with which
+  // it was added.
   void add(PolygonId id, const PolygonFootprint& footprint);
   void remove(PolygonId id, const PolygonFootprint& footprint);
 
-  // What is seen there; none where nothing is.
+  // The nearest sample of a pixel; nullptr if there is none.
   const IdSample* front(IdPixel at) const {
     const IdSamples& here = pixels_[index(at)];
     return here.empty() ? nullptr : &here.front();
   }
   const IdSamples& samples(IdPixel at) const { return pixels_[index(at)]; }
   std::int64_t sample_count() const;
-  // What they take, a list for each pixel and the samples of those that have some.
+  // Bytes of memory: a list for each pixel, and the samples of the pixels that have some.
   double bytes() const { return empty_bytes(width_, height_) + bytes_of_samples_; }
   static double empty_bytes(int width, int height) {
     return double(width) * height * double(sizeof(IdSamples));
   }
-  // The list of a pixel with one or two samples: what the allocator keeps for it, too.
+  // Bytes for the list of a pixel with one or two samples, the allocator's own data included.
   static constexpr double kBytesOfPixel = 16 + 2 * sizeof(IdSample);
 
-  // Of the same samples, however much room there is for more.
+  // Compares the samples, not the reserved memory.
   friend bool operator==(const IdLayers& a, const IdLayers& b) {
     return a.width_ == b.width_ && a.height_ == b.height_ && a.pixels_ == b.pixels_;
   }

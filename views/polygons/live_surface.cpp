@@ -9,7 +9,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Half way along an edge of a cell.
+// The point half way along an edge of a cell.
 Vector3d middle_of(const CellAt& cell, int edge) {
   const CellEdge& e = kCellEdges[std::size_t(edge)];
   Vector3d at(cell.x + (e.from & 1), cell.y + (e.from >> 1 & 1), cell.z + (e.from >> 2));
@@ -35,7 +35,7 @@ LiveSurface::LiveSurface(const PictureSet& set, const Occupancy& occupancy, int 
   for (const CalibratedPicture& picture : set.pictures)
     layers_.emplace_back(picture.color.width, picture.color.height);
   const std::vector<PolygonId> all = polygons();
-  // Some at a time, after which all pictures' layers are counted.
+  // Adds some at a time; after each group the memory of all pictures' layers is checked.
   constexpr std::size_t kAtOnce = 4096;
   for (std::size_t first = 0; first < all.size() && layer_bytes() <= most_bytes; first += kAtOnce) {
     std::vector<WorldPolygon> some;

@@ -1,5 +1,6 @@
-// The surface of a solid of voxels in a ring of pictures, kept up to date while voxels are taken away (S1-39): each picture has its layered
-// image of polygon ids, and an edit touches the polygons of eight cells alone.
+// The surface of a solid of voxels as seen in a ring of pictures, kept up to date while voxels are
+// removed (S1-39). Each picture has its layered image of polygon ids, and an edit only changes the
+// polygons of eight cells.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace glassbox::views {
 
-// A cell has the centres of eight voxels as corners: (x, y, z) to (x + 1, y + 1, z + 1). From -1 on.
+// A cell has the centres of eight voxels as its corners: (x, y, z) to (x + 1, y + 1, z + 1).
+// Coordinates start at -1.
 struct CellAt {
   int x = 0, y = 0, z = 0;
 };
@@ -23,41 +25,44 @@ struct WorldPolygon {
   Corners3d corners;  // world, counter-clockwise seen from outside
 };
 
-// A polygon's number says where it is: it is that of its cell times eight, and its place in the cell. What is built anew has the same ones.
+// A polygon's number tells where it is: the number of its cell times eight, plus its place in the
+// cell. Polygons that are made again get the same numbers.
 class LiveSurface {
 public:
   static constexpr int kMostOfCell = 8;
 
-  // The surface lies half way between full and empty voxels. The pictures must outlive it. `threads`: 0: all; nothing depends on it. If the
-  // layered images take more than `most_bytes`, no more polygons are put into them, and it may only be destroyed.
+  // The surface is half way between full and empty voxels. The pictures must outlive it. `threads`:
+  // 0: all; the result does not depend on it. If the layered images need more than `most_bytes`, no
+  // more polygons are added, and the object may only be destroyed.
   LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads = 0,
               double most_bytes = std::numeric_limits<double>::infinity());
 
   double layer_bytes() const;
 
   const Occupancy& occupancy() const { return occupancy_; }
-  const std::vector<IdLayers>& layers() const { return layers_; }  // of each picture
+  const std::vector<IdLayers>& layers() const { return layers_; }  // one for each picture
 
   CellAt cell_of(PolygonId id) const;
   WorldPolygon polygon(PolygonId id) const;
-  // Whether the surface has it.
+  // Whether the surface has this polygon.
   bool has(PolygonId id) const;
-  std::vector<PolygonId> polygons() const;  // in their order
-  // Of those that a voxel takes part in.
+  std::vector<PolygonId> polygons() const;  // in ascending order
+  // The cells that have the voxel's centre as a corner.
   std::array<CellAt, 8> cells_around(const VoxelAt& voxel) const;
   std::vector<WorldPolygon> polygons_of(const CellAt& cell) const;
 
-  // A voxel becomes full or empty. The polygons that came, and those that came into view, in no order and perhaps more than once.
+  // Fills or empties a voxel. Returns the new polygons and those that came into view, in no order
+  // and possibly repeated.
   std::vector<PolygonId> edit(const VoxelAt& voxel, bool full);
 
-  // How many a solid has.
+  // The number of polygons of a solid's surface.
   static std::int64_t count_polygons(const Occupancy& occupancy);
-  // Whether a grid has more cells than polygons can be numbered.
+  // Whether a grid has more cells than there are numbers for polygons.
   static bool is_too_large(const VoxelGrid& grid);
 
 private:
   static unsigned inside_of(const Occupancy& occupancy, const CellAt& cell);
-  // each(cell, how many polygons it has)
+  // Calls each(cell, number of its polygons).
   template <class Each>
   static void for_each_cell(const Occupancy& occupancy, const Each& each);
   PolygonId number_of(const CellAt& cell) const;

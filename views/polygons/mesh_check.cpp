@@ -11,7 +11,8 @@ namespace glassbox::views {
 
 namespace {
 
-// A side of a triangle, by its ends in order, and whether the triangle runs along it that way.
+// A side of a triangle: its ends in ascending order, and whether the triangle runs along it in this
+// direction.
 struct Side {
   std::uint32_t low, high;
   bool forward;
@@ -28,7 +29,8 @@ std::int64_t duplicates_of(const std::vector<Vector3d>& positions) {
   return duplicates;
 }
 
-// A fan goes from each triangle's next corner to its last one; corners whose triangles are not one ring are pinched.
+// Counts corners whose triangles are not a single ring. Around a corner, each triangle leads from
+// its next corner to its last one.
 std::int64_t pinched_of(const PolygonMesh& mesh) {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> around(mesh.positions.size());
   for (const PolygonCorners& p : mesh.polygons) {

@@ -1,4 +1,5 @@
-// What a surface made of triangles is: closed or not, how many handles, how much it encloses.
+// Properties of a surface of triangles: whether it is closed, how many handles it has, and the
+// volume that it encloses.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +10,30 @@ namespace glassbox::views {
 
 struct MeshCheck {
   std::int64_t edges = 0;    // sides of triangles, each counted once
-  std::int64_t holes = 0;    // edges of one triangle
-  std::int64_t crowded = 0;  // edges of more than two
-  std::int64_t turned = 0;   // edges of two that run along them in the same direction
-  std::int64_t degenerate =
-      0;  // triangles whose corners are on a line: those of which no coordinate of the normal is other than 0
-  std::int64_t duplicates = 0;  // corners at the place of another one
+  std::int64_t holes = 0;    // edges with only one triangle
+  std::int64_t crowded = 0;  // edges with more than two triangles
+  std::int64_t turned = 0;   // edges with two triangles that run along them in the same direction
+  // Triangles whose corners are on a line: those for which all coordinates of the normal are 0.
+  std::int64_t degenerate = 0;
+  std::int64_t duplicates = 0;  // corners at the same place as another one
   std::int64_t pinched = 0;     // corners around which the triangles are more than one fan
-  std::int64_t corners = 0;     // that a triangle has
-  std::int64_t euler =
-      0;  // corners - edges + triangles: 2 for each closed piece, less 2 for each handle
-  double volume = 0;  // of the closed, cubic lattice units
+  std::int64_t corners = 0;     // that a triangle uses
+  // Corners - edges + triangles: 2 for each closed piece, minus 2 for each handle.
+  std::int64_t euler = 0;
+  double volume = 0;  // enclosed by the closed surface, in cubic lattice units
 
   bool is_closed() const { return holes == 0 && crowded == 0 && turned == 0; }
 };
 
-// Exact but for the volume, of surfaces that polygonise() makes of lattices of up to 4096 corners along an axis: normals are computed in double.
-// Coordinates are below 2^12, so their steps are at most 2^-41, and differences of two corners of a cell, which are at most 1, are whole
-// numbers of these: none is rounded. Each coordinate of a normal is a difference of two products of them and off by at most 2^-52. The corners lie
-// inside three edges of a cube, 2^-10 from its corners: two of them are at least 2^-10 apart, each at least 2^-11 from the line through the others, so
-// the normal is at least 2^-21 long, and one of its coordinates 2^-22: far from being rounded to 0. Only a triangle on a line has none.
+// Everything except the volume is exact for surfaces that polygonise() makes of lattices of up to
+// 4096 corners along an axis. Normals are computed in double. Coordinates are below 2^12, so their
+// steps are at most 2^-41, and differences of two corners of a cell are at most 1 and are whole
+// multiples of these steps: none of them is rounded. Each coordinate of a normal is a difference of
+// two products of them, with an error of at most 2^-52. The corners are inside three edges of a
+// cube, at least 2^-10 from its corners: two of them are at least 2^-10 apart, and each is at least
+// 2^-11 from the line through the others. So the normal has a length of at least 2^-21, and one of
+// its coordinates is at least 2^-22: too large to be rounded to 0. Only a triangle with its corners
+// on a line has the normal 0.
 MeshCheck check_mesh(const PolygonMesh& mesh);
 
 }  // namespace glassbox::views

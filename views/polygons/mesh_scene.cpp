@@ -23,8 +23,9 @@ void add_number(std::string& text, std::uint32_t value) {
 
 }  // namespace
 
-// Corners of the surface are kLeastStep of a voxel from the lattice's, so two are at least that apart along an axis where they are next
-// to a corner of it; floats whose steps are a fourth of that keep them apart, whatever way they are rounded.
+// Corners of the surface are at least kLeastStep of a voxel away from the lattice's corners, so two
+// corners that are near the same lattice corner are at least that far apart along an axis. Floats
+// whose step is a fourth of that keep them apart, in whatever direction they are rounded.
 Result<void> check_floats(const VoxelGrid& grid) {
   double farthest = 0;
   for (int corner = 0; corner < 8; ++corner) {

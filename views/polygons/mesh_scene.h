@@ -1,4 +1,4 @@
-// Surfaces as scenes, which `render` draws and a GLB file holds, and as PLY files.
+// Converts surfaces to scenes, which `render` draws and a GLB file stores, and to PLY files.
 #pragma once
 
 #include <string>
@@ -10,16 +10,18 @@
 
 namespace glassbox::views {
 
-// Refused: voxels so small or so far away that the floats of a file do not keep apart what polygonise() does.
+// Refused: voxels so small or so far away that corners which polygonise() keeps apart would be
+// equal as floats in a file.
 Result<void> check_floats(const VoxelGrid& grid);
 
-// What the scene takes for a polygon: a colour, a face, three corners and half a place.
+// Bytes of the scene for each polygon: a colour, a face, three corners and half a position.
 inline constexpr double kBytesOfScenePolygon =
     sizeof(Rgba) + sizeof(Face) + 3 * sizeof(Corner) + sizeof(Point<Object>) / 2.0;
-// One mesh, unlit, its polygons in their order and with their colours at their corners. World units, in float, as check_floats asks.
+// One unlit mesh; its polygons are in their order, with their colours at their corners. Positions
+// are in world units, in float, and checked by check_floats.
 Result<Scene> scene_of(const PolygonColoring& coloring);
 
-// Binary, little-endian: corners that polygons share have the mean of their colours.
+// Binary, little-endian. A corner that polygons share has the mean of their colours.
 Result<std::string> polygons_ply(const PolygonColoring& coloring);
 
 }  // namespace glassbox::views

@@ -1,4 +1,4 @@
-// Which voxels are full: one bit each.
+// Which voxels are full, with one bit for each.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ public:
   explicit Occupancy(const VoxelGrid& grid);
 
   const VoxelGrid& grid() const { return grid_; }
-  // Nothing is full beyond the grid.
+  // Voxels outside of the grid are empty.
   bool has(const VoxelAt& at) const {
     if (!is_within(at)) return false;
     const std::size_t i = index(at);
@@ -23,13 +23,15 @@ public:
   }
   void set(const VoxelAt& at, bool full);
   void fill(const VoxelRun& run);
-  // Those voxels of a layer that a sweep did not prove to be empty: coloured ones, and what is hidden behind them.
+  // Fills those voxels of a layer that a sweep did not prove to be empty: the coloured ones, and
+  // those hidden behind them.
   void fill(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts);
   std::int64_t full() const;
 
-  // 1 and 0 at the voxels' centres: a lattice whose corner (x, y, z) is the centre of that voxel.
+  // 1 and 0 at the voxels' centres: corner (x, y, z) of the lattice is the centre of that voxel.
   ScalarField field() const;
-  // The share that is full of the 27 voxels around each, kept on its own side of 1/2: the same polygons at smoother places.
+  // At each voxel's centre the share of full voxels among the 27 around it, kept on the voxel's own
+  // side of 1/2: the surface has the same polygons, at smoother positions.
   ScalarField smooth_field() const;
 
   static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) / 8; }
@@ -49,7 +51,7 @@ private:
   std::vector<std::uint64_t> bits_;
 };
 
-// The world's place of a lattice whose corners are the centres of voxels.
+// The world position of a point of a lattice whose corners are the centres of voxels.
 inline Vector3d world_of_lattice(const VoxelGrid& grid, const Vector3d& at) {
   return grid.world(at.x() + 0.5, at.y() + 0.5, at.z() + 0.5);
 }

@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::uint32_t kNoCorner = 0xffffffffu;
 
-// The corners of the surface on edges that begin in one of two layers of the lattice. An edge leads from its lower end along one of
-// seven directions, of which three bits are the steps along x, y and z; cubes have directions 1, 2 and 4 alone.
+// The surface's corners on edges that begin in one of two layers of the lattice. An edge leads from
+// its lower end along one of seven directions, whose three bits are the steps along x, y and z;
+// cubes only have the directions 1, 2 and 4.
 class EdgeCorners {
 public:
   EdgeCorners(int width, int height)
@@ -22,7 +23,7 @@ public:
     return layers_[std::size_t(z & 1)]
                   [(std::size_t(y) * width_ + std::size_t(x)) * 7 + std::size_t(direction - 1)];
   }
-  // Layer z is left behind, and layer z + 2 takes its place.
+  // Forgets layer z, which is finished; layer z + 2 takes its place.
   void forget(int z) { std::ranges::fill(layers_[std::size_t(z & 1)], kNoCorner); }
 
 private:
@@ -32,7 +33,7 @@ private:
 
 class Walk {
 public:
-  // Without a table: `polygoniser` says how.
+  // Without a table, `polygoniser` decides.
   Walk(const ScalarField& field, double level, Polygoniser polygoniser,
        const CellTable* table = nullptr)
       : field_(field),
@@ -82,9 +83,10 @@ private:
     }
   }
 
-  // Faces on which the inside is joined: where the bilinear function is inside at its saddle. Both cells of a face see the same four
-  // numbers, in two orders, of which neither the sums nor the products depend: f(s) = (p q - r t) / (p + q - r - t) with p, q on one
-  // diagonal and r, t on the other, all less the level.
+  // Faces on which the inside is joined: those where the bilinear function is inside at its saddle
+  // point. Both cells of a face have the same four numbers, in two orders; neither the sums nor the
+  // products depend on the order. f(s) = (p q - r t) / (p + q - r - t), with p, q on one diagonal
+  // and r, t on the other, and the level subtracted from all of them.
   unsigned joined_faces(const std::array<double, 8>& values, unsigned inside) const {
     const unsigned ambiguous = ambiguous_faces(inside);
     unsigned joined = 0;
@@ -95,14 +97,15 @@ private:
       const auto above = [&](std::size_t i) {
         return values[std::size_t(c[(i + (first_is_inside ? 0 : 1)) % 4])] - level_;
       };
-      // Inside: p and q, which are at least 0. The denominator is positive, or 0 / 0 of a face that is flat at the level.
+      // p and q are inside, so they are at least 0. The denominator is positive, or f(s) is 0 / 0
+      // for a face that is flat at the level.
       const double p = above(0), q = above(2), r = above(1), t = above(3);
       if (p * q - r * t >= 0) joined |= 1u << face;
     }
     return joined;
   }
 
-  // `from` and `to`: corners of the cell, to having all the bits of from.
+  // `from` and `to` are corners of the cell; `to` has all the bits of `from`.
   std::uint32_t corner_on(const Place& cell, const std::array<double, 8>& values, int from,
                           int to) {
     const int x = cell[0] + (from & 1), y = cell[1] + (from >> 1 & 1), z = cell[2] + (from >> 2);
@@ -130,7 +133,7 @@ private:
       }
     }
     for (const CellTriangle& triangle : surface.triangles) {
-      // A middle is that of the one polygon which has it, and lies in the interior of the cell.
+      // A corner in the middle belongs to only one polygon, and is in the interior of the cell.
       if (triangle[2] == kCellMiddle && corners[kCellMiddle] == kNoCorner) {
         corners[kCellMiddle] = std::uint32_t(mesh_.positions.size());
         mesh_.positions.push_back(sum / double(on_edges));
@@ -139,15 +142,16 @@ private:
     }
   }
 
-  // Freudenthal's: from corner 0 to corner 7 by one step along each axis, in the six orders. Every cell has the same diagonals on its faces
-  // as the cell beside it.
+  // Freudenthal's division into six tetrahedra: each goes from corner 0 to corner 7 by one step
+  // along each axis, in one of six orders. Neighbouring cells have the same diagonals on their
+  // common face.
   void add_tetrahedra(const Place& cell, const std::array<double, 8>& values, unsigned inside) {
     static constexpr std::array<std::array<int, 3>, 6> kOrders{
         {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
     for (std::size_t k = 0; k < kOrders.size(); ++k) {
       const auto& [first, second, third] = kOrders[k];
       const std::array<int, 4> corners{0, 1 << first, 1 << first | 1 << second, 7};
-      // The first three orders are turns of x, y, z: tetrahedra of positive volume.
+      // The first three orders are cyclic permutations of x, y, z: tetrahedra of positive volume.
       add_tetrahedron(cell, values, inside, corners, k < 3);
     }
   }
@@ -166,7 +170,8 @@ private:
     const auto on = [&](int a, int b) {
       return corner_on(cell, values, std::min(a, b), std::max(a, b));
     };
-    // Whether (the inside corners, then the outside ones) are an even order of the tetrahedron's.
+    // Whether the order (inside corners, then outside corners) is an even permutation of the
+    // tetrahedron's corners.
     std::array<int, 4> order{};
     std::copy_n(in.begin(), ins, order.begin());
     std::copy_n(out.begin(), outs, order.begin() + std::ptrdiff_t(ins));
@@ -209,7 +214,7 @@ std::string_view name_of(Polygoniser polygoniser) {
 }
 
 double crossing(double from, double to, double level) {
-  // Beyond the lattice there is no value to weigh.
+  // Outside of the lattice there is no value to interpolate with.
   if (std::isinf(from) || std::isinf(to)) return 0.5;
   return std::clamp((level - from) / (to - from), kLeastStep, 1 - kLeastStep);
 }

@@ -1,9 +1,12 @@
-// A surface around what is inside of a field: marching cubes (Lorensen and Cline, SIGGRAPH 1987; S1-39) and its competitors.
+// Finds the surface around the inside of a field: marching cubes (Lorensen and Cline, SIGGRAPH
+// 1987; S1-39) and alternatives.
 //
-// A value that equals the level is inside, as if it were larger by an infinitely small amount (C-96). The surface's corners lie
-// on edges of the lattice between an inside and an outside end, and keep kLeastStep of the edge away from both: so each lies in the
-// interior of an edge of its own, no two are in one place, and as three points in the interiors of three edges of a cube never lie on
-// one line (the middle one would be between two points of the cube that are not on its edge), no triangle is degenerate.
+// A value equal to the level is inside, as if it were larger by an infinitely small amount (C-96).
+// The surface's corners are on edges of the lattice between an inside and an outside end, at least
+// kLeastStep of the edge away from both. So each is in the interior of its own edge, and no two are
+// at the same place. Three points in the interiors of three edges of a cube are never on one line
+// (the middle one would be between two points of the cube that are not on its edge), so no triangle
+// is degenerate.
 #pragma once
 
 #include <array>
@@ -20,12 +23,13 @@ namespace glassbox::views {
 enum class Polygoniser {
   kConsistent,  // the table of 256 cases with one rule for faces
   kNaive,       // the table of fifteen cases, which leaves holes
-  kSaddle,      // ambiguous faces as the bilinear function on them has it (Nielson and Hamann 1991)
+  // Ambiguous faces are decided by the bilinear function on them (Nielson and Hamann 1991).
+  kSaddle,
   kTetrahedra,  // six tetrahedra around the diagonal of each cell
 };
 std::string_view name_of(Polygoniser polygoniser);
 
-inline constexpr double kLeastStep = 0x1p-10;  // of an edge
+inline constexpr double kLeastStep = 0x1p-10;  // as a share of an edge
 
 using PolygonCorners = std::array<std::uint32_t, 3>;
 
@@ -34,14 +38,16 @@ struct PolygonMesh {
   std::vector<PolygonCorners> polygons;  // counter-clockwise seen from outside
 };
 
-// Closed: beyond the lattice all is outside, and the surface lies half an edge before it. Values are finite. Memory grows with one
-// layer of the lattice and with what is found.
+// The surface is closed: everything outside of the lattice counts as outside, and the surface is
+// half an edge beyond the last corners. Values have to be finite. The memory is proportional to one
+// layer of the lattice, plus the result.
 PolygonMesh polygonise(const ScalarField& field, double level, Polygoniser polygoniser);
 
-// The same by any table, for those who try others.
+// The same with any table, to try out other tables.
 PolygonMesh polygonise_by(const CellTable& table, const ScalarField& field, double level);
 
-// Where on an edge the surface is, as a share of it from the end with the value `from`: one of them is at least the level.
+// The position of the surface on an edge, as a share of the edge from the end with the value
+// `from`: one of the values is at least the level.
 double crossing(double from, double to, double level);
 
 }  // namespace glassbox::views

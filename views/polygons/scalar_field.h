@@ -1,4 +1,5 @@
-// Numbers at the corners of a lattice: how full space is there. What is at least the level is inside.
+// Numbers at the corners of a lattice: how full space is there. Values of at least the level are
+// inside.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ struct ScalarField {
       : count{nx, ny, nz}, values(std::size_t(nx) * std::size_t(ny) * std::size_t(nz), value) {}
 
   double& at(int x, int y, int z) { return values[index(x, y, z)]; }
-  // Beyond the lattice there is nothing: minus infinity.
+  // Outside of the lattice the value is minus infinity.
   double operator()(int x, int y, int z) const {
     const bool is_there =
         x >= 0 && y >= 0 && z >= 0 && x < count[0] && y < count[1] && z < count[2];

@@ -40,7 +40,7 @@ PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring,
     set.pictures.push_back(std::move(picture));
     return {};
   };
-  (void)draw_each(scene, ring, settings, matte, keep);  // nothing of it fails
+  (void)draw_each(scene, ring, settings, matte, keep);  // never fails, because keep() does not
   return set;
 }
 

@@ -1,4 +1,4 @@
-// The pictures of a ring, drawn.
+// Draws the pictures of a ring of cameras.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,19 @@
 
 namespace glassbox::views {
 
-// What a matte has: pixels whose centre shows a surface, or those of whose samples at least half do.
+// Which pixels belong to the matte: those whose centre shows a surface (depth), those of whose
+// samples at least half do (alpha), or no matte at all.
 enum class Matte { kDepth, kAlpha, kNone };
 
-// Draws one after the other and hands each to `take`, which ends it with an error. The pictures are opaque. `tell` is called with the
-// name of each before it is drawn.
+// Draws one picture after the other and passes each to `take`; an error from `take` ends the
+// drawing. The pictures are opaque. `tell` is called with the name of each picture before it is
+// drawn.
 Result<void> draw_each(const Scene& scene, const std::vector<RingView>& ring,
                        RenderSettings settings, Matte matte,
                        const std::function<Result<void>(CalibratedPicture)>& take,
                        const std::function<void(const std::string&)>& tell = {});
 
-// All of them, and the scene's box.
+// All pictures of the ring, together with the scene's box.
 PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring,
                      const RenderSettings& settings, Matte matte);
 

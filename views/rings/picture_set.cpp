@@ -42,7 +42,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// The camera file of a folder.
+// Finds the camera file of a folder.
 Result<fs::path> camera_file_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
@@ -99,7 +99,7 @@ Image<std::uint8_t> matte_by(const Image<Rgba8>& color, auto is_object) {
                      [&](std::size_t i) { return is_object(color.pixels[i]); });
 }
 
-// As the file says; 0 where it says nothing.
+// The number of pixels, from the file's header; 0 if it does not say.
 std::uint64_t pixels_in(const fs::path& path) {
   const auto bytes = read_file(path.string());
   const auto size = bytes ? find_image_size(*bytes) : std::nullopt;
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  // What the pixels take is counted before they are decoded.
+  // The memory for the pixels is counted before they are decoded.
   Result<Image<Rgba8>> decode(const fs::path& path) {
     DecodeLimits limits;
     limits.max_pixels = std::min<std::uint64_t>(limits.max_pixels, bytes_left_ / sizeof(Rgba8));
@@ -153,7 +153,7 @@ private:
       });
       return {};
     }
-    // COLMAP calls the mask of a.jpg a.jpg.png.
+    // COLMAP names the mask of a.jpg a.jpg.png.
     for (const std::string& name : {"masks/" + picture.name, "masks/" + picture.name + ".png"}) {
       if (!is_file(folder_ / name)) continue;
       const auto path = directory_.find(name);
@@ -308,7 +308,7 @@ Result<PictureSetWriter> PictureSetWriter::open(const std::string& folder) {
 Result<void> PictureSetWriter::add(const CalibratedPicture& picture) {
   const fs::path path = fs::path(folder_) / picture.name;
   const fs::path mask = fs::path(folder_) / "masks" / picture.name;
-  // Of another picture by this name.
+  // Masks that another picture of this name has left behind.
   for (const std::string& stale : {mask.string(), mask.string() + ".png"}) {
     std::error_code error;
     fs::remove(stale, error);

@@ -47,16 +47,19 @@ Result<void> check_options(const RingOptions& options) {
   return {};
 }
 
-// Two directions that stand on the axis and on each other, from the axis of the world that is least along it.
+// Two directions perpendicular to the axis and to each other. The first is made from the axis of
+// the world that is least parallel to it.
 std::pair<Vector3d, Vector3d> plane_of(const Vector3d& axis) {
-  // With y up the ring begins at +z and goes towards +x, as the automatic camera counts its azimuth.
+  // With y up, the ring begins at +z and goes towards +x; the automatic camera's azimuth has the
+  // same origin and direction.
   Vector3d beside = Vector3d::UnitZ();
   if (std::abs(axis.z()) > 0.9) beside = Vector3d::UnitY();
   const Vector3d first = (beside - axis * axis.dot(beside)).normalized();
   return {first, axis.cross(first)};
 }
 
-// The distance from which a ball of this radius is within the narrower angle of view, with a margin of 2 %.
+// The distance from which a ball of this radius fits into the narrower angle of view, with a margin
+// of 2 %.
 double framing_distance(const RingOptions& options, double radius) {
   const double up = tan_half_degrees(options.fov_degrees);
   const double across = up * options.width / options.height;
@@ -69,7 +72,8 @@ struct Planes {
   double near, far;
 };
 
-// The planes that hold a box, with a 64th of room; a camera inside it takes a near plane of a 1024th of the box.
+// Near and far planes that enclose a box, with a margin of 1/64. For a camera inside the box the
+// near plane is at 1/1024 of the box's size.
 Planes planes_of(const WorldBox& box, const Vector3d& centre, const Vector3d& gaze) {
   double near = INFINITY, far = -INFINITY;
   for (const Vector3d& p : corners_of(box)) {
@@ -114,7 +118,7 @@ Result<View> view_of(const PinholeCamera& camera, int width, int height, double 
   lens.far = far;
   Camera made;
   made.lens = lens;
-  // Eye space is the camera's, turned half round the x axis (two_view/camera.h).
+  // Eye space is the camera's space turned by half a turn about the x axis (two_view/camera.h).
   const Matrix3d axes = camera.camera_from_world.transpose() * Vector3d(1, -1, -1).asDiagonal();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column)

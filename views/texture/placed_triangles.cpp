@@ -34,7 +34,7 @@ std::vector<PlacedTriangle> placed_triangles(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const auto world_from_node = world_from(scene.nodes[instance.node]);
-    // What a mirror shows turns the other way round.
+    // A mirrored node reverses the winding of its triangles.
     const bool is_mirrored = world_from_node.leftCols<3>().determinant() < 0;
     const Rgba& base = scene.materials[mesh.material].base_color;
     const Triangulation triangulation = triangulate(mesh);

@@ -1,4 +1,4 @@
-// A scene's triangles where they stand in the world.
+// A scene's triangles in world space.
 #pragma once
 
 #include <array>
@@ -12,21 +12,23 @@
 namespace glassbox::views {
 
 struct PlacedTriangle {
-  std::array<Vector3d, 3> corners;      // world, counter-clockwise seen from its front
-  std::array<std::uint8_t, 3> color{};  // its own: the mean of its corners', as displayed
-  std::uint32_t number = 0;             // of the scene's triangles
+  std::array<Vector3d, 3> corners;  // world, counter-clockwise seen from its front
+  // Its own colour: the mean of its corners' colours, as displayed.
+  std::array<std::uint8_t, 3> color{};
+  std::uint32_t number = 0;  // among the scene's triangles
 
-  // On which it stands, as long as twice its area; 0 of one without area.
+  // The normal; its length is twice the triangle's area, so it is 0 for a triangle without area.
   Vector3d normal() const;
 };
 
-// Those that are drawn, in the order in which they are: numbers ascend, and faces without area leave gaps.
+// The triangles that are drawn, in the order of drawing: their numbers ascend, with gaps for faces
+// without area.
 std::vector<PlacedTriangle> placed_triangles(const Scene& scene);
 
-// What a scene's meshes take.
+// Bytes that a scene's meshes occupy.
 double bytes_of(const Scene& scene);
 
-// The numbers taken, gaps included.
+// How many numbers the triangles take, gaps included.
 std::size_t numbers_of(const Scene& scene);
 
 }  // namespace glassbox::views

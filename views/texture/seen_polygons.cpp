@@ -63,7 +63,8 @@ std::optional<Vector3d> SeenPolygons::sample(std::size_t view, const CalibratedP
     sum += weight * Vector3d(color.r, color.g, color.b);
     weights += weight;
   }
-  // A sum of weights that is rounding alone has the object's pixels on the far side of a border.
+  // If the sum of the weights is only rounding, the object's pixels are on the far side of a
+  // border.
   if (!(weights > 0x1p-20)) return std::nullopt;
   return sum / weights;
 }

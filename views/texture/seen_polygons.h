@@ -13,7 +13,8 @@ namespace glassbox::views {
 
 class SeenPolygons {
 public:
-  // As the engine draws the scene in each picture, by a renderer of it. The set's cameras must be before the scene's box.
+  // The polygons that the engine shows when it draws the scene with each picture's camera.
+  // `renderer` is a renderer of the scene. The set's cameras must be in front of the scene's box.
   static Result<SeenPolygons> of(const Scene& scene, const PictureSet& set,
                                  UnlitRenderer& renderer);
 
@@ -25,16 +26,19 @@ public:
   }
   std::int64_t unseen() const;
 
-  // What a place on a polygon has in a picture: from those of the four pixels around it that show the surface there; none where it is
-  // beside the picture, or none of the four does. Levels. `picture` is that of the view.
+  // The colour of a place on a polygon in a picture, in levels, interpolated between those of the
+  // four pixels around it that show the surface there. None if the place is outside of the picture,
+  // or if none of the four pixels shows the surface. `picture` is the one of the view.
   //
-  // A pixel shows the surface there if it is the object's, and what is drawn at it is as far away as the polygon's plane is there, or as
-  // the place itself, up to two pixels' widths: a pixel around it is up to sqrt(2) px away, where a surface that turns from the plane by
-  // 45 degrees is sqrt(2) px before or behind it. So nothing is taken from what hides the place, or from what is seen beside an edge.
+  // A pixel shows the surface if it belongs to the object and the distance drawn at it is that of
+  // the polygon's plane there, or that of the place itself, to within two pixels' widths: a pixel
+  // around the place is up to sqrt(2) px away, where a surface inclined by 45 degrees to the plane
+  // is sqrt(2) px in front of it or behind it. So no colour is taken from something that hides the
+  // place, or from what is visible next to an edge.
   std::optional<Vector3d> sample(std::size_t view, const CalibratedPicture& picture,
                                  const PlacedTriangle& polygon, const Vector3d& world) const;
 
-  // Bits and distances.
+  // Bytes for the bits and the distances.
   static double bytes_for(const Scene& scene, const PictureSet& set);
 
 private:
@@ -43,7 +47,7 @@ private:
 
   std::size_t views_, polygons_;
   std::vector<std::uint64_t> bits_;
-  std::vector<Image<float>> distances_;  // of each view, along the gaze
+  std::vector<Image<float>> distances_;  // of each view, along the direction of view
 };
 
 }  // namespace glassbox::views

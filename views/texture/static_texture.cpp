@@ -12,8 +12,9 @@ namespace glassbox::views {
 
 namespace {
 
-// Where the corners of a triangle are in its square of texels, at middles of texels: the first three of one triangle and, from the other end, of
-// the next. Between the two lies a diagonal that neither's four texels around a place touch.
+// The corners of a triangle in its square of texels, as middles of texels. Even triangles begin at
+// the first texel of the square, odd ones at the opposite corner. The diagonal between the two
+// triangles is touched by none of the four texels around any place of either.
 std::array<Vector2d, 3> patch_of(std::size_t triangle, int texels) {
   const double leg = texels - 3, end = texels - 1;
   if (triangle % 2 == 0) return {Vector2d(0, 0), Vector2d(leg, 0), Vector2d(0, leg)};
@@ -30,7 +31,7 @@ public:
   }
   int width() const { return columns_ * texels_; }
   int height() const { return rows_ * texels_; }
-  // The first texel of a triangle's square.
+  // The first texel of the square that holds the triangle.
   std::array<int, 2> corner(std::size_t triangle) const {
     const std::size_t square = triangle / 2, columns = std::size_t(columns_);
     return {int(square % columns) * texels_, int(square / columns) * texels_};
@@ -43,7 +44,8 @@ private:
 }  // namespace
 
 double static_texture_bytes(std::size_t triangles, int texels) {
-  // Texels, as they are and twice while they are packed; a face and three corners, places and coordinates for each triangle.
+  // Texels, once as they are and twice while they are packed; for each triangle a face and three
+  // corners with their positions and coordinates.
   constexpr double kTriangle = sizeof(Face) + 3 * (sizeof(Corner) + sizeof(float) * 5);
   const Atlas atlas(triangles, texels);
   return 3 * 4.0 * atlas.width() * atlas.height() +
@@ -81,7 +83,7 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
         const int u = is_first ? column : texels - 1 - column,
                   v = is_first ? row : texels - 1 - row;
         if (u + v > texels - 2) continue;
-        // Texels beside the triangle have what is on its side.
+        // Texels outside of the triangle get the colour of the nearest point on its side.
         const double leg = texels - 3, s = u / leg, t = v / leg, over = std::max(1.0, s + t);
         const Vector3d world = c[0] + (s / over) * (c[1] - c[0]) + (t / over) * (c[2] - c[0]);
         const auto color = from.color_of(triangle, world);

@@ -52,7 +52,8 @@ Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet
   auto renderer = std::make_unique<UnlitRenderer>(scene);
   auto seen = SeenPolygons::of(scene, set, *renderer);
   if (!seen) return tl::unexpected(seen.error());
-  // By their numbers: those that no triangle has stay without corners, and no pixel shows them.
+  // Indexed by polygon number. Numbers that no triangle has stay without corners; no pixel shows
+  // them.
   std::vector<PlacedTriangle> triangles(seen->polygons());
   for (const PlacedTriangle& placed : placed_triangles(scene)) triangles[placed.number] = placed;
   const WorldBox box = box_of(scene);

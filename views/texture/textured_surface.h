@@ -1,4 +1,5 @@
-// A surface whose colours are those of pictures of it, from wherever it is looked at (S1-40: Debevec, Taylor and Malik 1996).
+// A surface that takes its colours from pictures of it and can be viewed from anywhere (S1-40:
+// Debevec, Taylor and Malik 1996).
 #pragma once
 
 #include <cstdint>
@@ -18,36 +19,41 @@ struct TexturedPicture {
   Image<Rgba8> color;
   Image<std::uint32_t> id;   // 1 + the polygon's number; 0: background
   std::int64_t surface = 0;  // pixels that show a polygon
-  std::int64_t without_view =
-      0;  // of these, those that no view sees: they have the surface's own colour
+  // Pixels of these that no view sees: they have the surface's own colour.
+  std::int64_t without_view = 0;
 };
 
 class TexturedSurface {
 public:
-  // What it takes with the scene: beside what each picture sees the triangles, and those as they are placed.
+  // Bytes needed for the surface together with the scene: the polygons that each picture sees, and
+  // the placed triangles.
   static double bytes_for(const Scene& scene, const PictureSet& set);
 
-  // The scene and the pictures must outlive it. A scene without polygons is refused.
+  // The scene and the pictures must outlive the surface. A scene without polygons is refused.
   static Result<TexturedSurface> of(const Scene& scene, const PictureSet& set, Blend blend,
                                     int neighbours = 4);
 
-  // The same surface blended in another way, and without one of its pictures; what each sees is not asked again.
+  // The same surface with another blend, and optionally without one of its pictures. What each
+  // picture sees is not computed again.
   TexturedSurface blended_by(Blend blend, int neighbours = 4,
                              std::optional<std::size_t> left_out = {}) const;
 
   const SeenPolygons& seen() const { return surface_->seen; }
   const ViewBlend& blend() const { return blend_; }
-  // From which views are told by their directions.
+  // The point from which the directions to the views are measured.
   const Vector3d& middle() const { return surface_->middle; }
   const std::vector<PlacedTriangle>& triangles() const { return surface_->triangles; }
 
-  // At a picture's own camera it is that picture, byte for byte, in all pixels of the object that show a polygon. One thread at a time draws,
-  // of all surfaces that were made of this one.
+  // Seen from a picture's own camera, the result equals that picture byte for byte in all pixels of
+  // the object that show a polygon. Only one thread may draw at a time, counting all surfaces that
+  // blended_by() made from this one.
   Result<TexturedPicture> draw(const PinholeCamera& camera, int width, int height,
                                Rgba8 background) const;
 
-  // What the views around a direction show of a place on a polygon. Those that do not see the polygon have no weight (S1-40); if
-  // something hides the place itself from one of the rest, the weights are those without it. None where no view sees it. Levels.
+  // The colour that the views around a direction show at a place on a polygon, in levels. Views
+  // that do not see the polygon have no weight (S1-40). If something hides the place itself from
+  // some of the others, the weights are computed again without them. None where no view sees the
+  // place.
   class From {
   public:
     From(const TexturedSurface& surface, const Vector3d& direction);
@@ -64,11 +70,11 @@ public:
   };
 
 private:
-  // What all ways to blend have in common.
+  // The data that all surfaces made by blended_by() share.
   struct Surface {
     const Scene& scene;
     const PictureSet& set;
-    std::unique_ptr<UnlitRenderer> renderer;  // which has prepared the scene for all pictures of it
+    std::unique_ptr<UnlitRenderer> renderer;  // has prepared the scene, for all pictures of it
     SeenPolygons seen;
     std::vector<PlacedTriangle> triangles;
     Vector3d middle;
@@ -78,15 +84,15 @@ private:
                   std::optional<std::size_t> left_out);
 
   std::shared_ptr<const Surface> surface_;
-  std::vector<std::size_t> pictures_;  // of the blend's views
+  std::vector<std::size_t> pictures_;  // of the views that are blended
   ViewBlend blend_;
 };
 
-// Against a picture that was left out.
+// Differences to a picture that was left out.
 struct TextureErrors {
-  double rms = 0;      // levels, over the object's pixels that show a polygon; NaN where none does
-  double psnr = 0;     // dB, of 255; infinite where nothing differs, NaN where no pixel is covered
-  double covered = 0;  // share of the object's pixels
+  double rms = 0;   // levels, over the object's pixels that show a polygon; NaN if none does
+  double psnr = 0;  // dB, relative to 255; infinite if nothing differs, NaN if no pixel is covered
+  double covered = 0;       // share of the object's pixels that show a polygon
   std::int64_t pixels = 0;  // the object's
 };
 TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& picture);

@@ -1,4 +1,4 @@
-// A surface's own colours, as cameras of the geometry see them, with each pixel's polygon and distance.
+// Draws a surface's own colours without light, with the polygon and the distance of each pixel.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,18 @@ namespace glassbox::views {
 
 class UnlitRenderer {
 public:
-  // The scene must outlive it.
+  // The scene must outlive the renderer.
   explicit UnlitRenderer(const Scene& scene);
 
-  // What it takes for so many triangles and a picture of so many pixels: for a triangle its corners' numbers, as they are cut, prepared and
-  // arranged by the engine; for a pixel colour, depth, distance and number.
+  // Bytes needed for so many triangles and a picture of so many pixels. For a triangle: the numbers
+  // of its corners, while the engine clips, prepares and sorts it. For a pixel: colour, depth,
+  // distance and polygon number.
   static double bytes_for(double triangles, double pixels) {
     constexpr double kTriangle = 6 * 3 * sizeof(std::uint32_t), kPixel = 4 * sizeof(std::uint32_t);
     return triangles * kTriangle + pixels * kPixel;
   }
 
-  // The camera must be before the scene's box.
+  // The camera must be in front of the scene's box.
   Result<Framebuffer> draw(const PinholeCamera& camera, int width, int height,
                            Rgba8 background = {0, 0, 0, 255});
 

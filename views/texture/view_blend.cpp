@@ -13,7 +13,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Of two unit vectors, exact for small ones as well.
+// The angle between two unit vectors in radians, accurate for small angles too.
 double angle_between(const Vector3d& a, const Vector3d& b) {
   return arctan2(a.cross(b).norm(), a.dot(b));
 }
@@ -24,8 +24,9 @@ void normalise(ViewWeights& weights) {
   for (ViewWeight& each : weights) each.weight /= sum;
 }
 
-// (1 - angle / limit) / angle, the limit being the angle of the next view: 0 there, so that a view comes and goes without a jump, and
-// without limit towards a view's own direction.
+// Weights (1 - angle / limit) / angle, where the limit is the angle of the nearest view that is not
+// used. A weight is 0 at the limit, so that views come and go without a jump, and it tends to
+// infinity towards a view's own direction.
 ViewWeights lumigraph(const std::vector<std::size_t>& seen, const std::vector<double>& angles,
                       std::size_t count) {
   ViewWeights weights;
@@ -36,7 +37,7 @@ ViewWeights lumigraph(const std::vector<std::size_t>& seen, const std::vector<do
     const double weight = (1 - angles[seen[i]] / limit) / angles[seen[i]];
     if (weight > 0) weights.push_back({seen[i], weight});
   }
-  // All as far away as the next one.
+  // All are as far away as the limit, so that every weight is 0.
   if (weights.empty()) return {{seen.front(), 1}};
   normalise(weights);
   return weights;

@@ -1,4 +1,4 @@
-// How much each view has to say of a polygon, from another eye (S1-40, D-24).
+// How much each view contributes to a polygon that is seen by another eye (S1-40, D-24).
 #pragma once
 
 #include <functional>
@@ -10,9 +10,11 @@
 namespace glassbox::views {
 
 enum class Blend {
-  kNearest,      // the nearest view alone
-  kBarycentric,  // the three around it
-  kNeighbours,  // the k nearest by their angles: unstructured lumigraph rendering (Buehler, Bosse, McMillan, Gortler and Cohen 2001)
+  kNearest,      // only the nearest view
+  kBarycentric,  // the three views around the direction
+  // The k views with the smallest angles: unstructured lumigraph rendering (Buehler, Bosse,
+  // McMillan, Gortler and Cohen 2001).
+  kNeighbours,
 };
 std::string_view name_of(Blend blend);
 
@@ -20,15 +22,17 @@ inline constexpr int kMostNeighbours = 16;
 
 class ViewBlend {
 public:
-  // Directions are unit vectors from the object's middle; `neighbours`, 1 to kMostNeighbours, is of kNeighbours.
+  // Directions are unit vectors from the object's middle. `neighbours`, 1 to kMostNeighbours, is
+  // used by kNeighbours.
   ViewBlend(Blend blend, std::vector<Vector3d> directions, int neighbours = 4);
 
   std::size_t views() const { return directions_.size(); }
   const ViewSphere& sphere() const { return sphere_; }
 
-  // For all that is seen from one direction, given which views see a polygon. Positive and summing to 1, or none where nobody sees it. Of
-  // the barycentric weights those of views that do not see it are left out, and the rest divided by its sum; where that is 0 the
-  // nearest view that sees it has all.
+  // The weights for everything that is seen from one direction, given which views see a polygon.
+  // They are positive and sum to 1; there are none if no view sees the polygon. From the
+  // barycentric weights, those of views that do not see it are removed, and the rest is divided by
+  // its sum; if that is 0, the nearest view that sees it has all the weight.
   class From {
   public:
     From(const ViewBlend& blend, const Vector3d& direction);
@@ -36,9 +40,10 @@ public:
 
   private:
     const ViewBlend& blend_;
-    ViewWeights around_;                // of the three
-    std::vector<std::size_t> nearest_;  // all views, nearest first, of equally near ones the first
-    std::vector<double> angles_;        // radians, by view
+    ViewWeights around_;  // of the three views around the direction
+    // All views, nearest first; equally near ones in their order.
+    std::vector<std::size_t> nearest_;
+    std::vector<double> angles_;  // radians, by view
   };
   From from(const Vector3d& direction) const { return {*this, direction}; }
 

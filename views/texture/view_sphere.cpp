@@ -17,8 +17,9 @@ namespace {
 __extension__ using Wide = __int128;
 using Place = std::array<std::int64_t, 3>;
 
-// Directions as whole numbers, each moved by up to 2^-18 in a way of its own, so that no four are in one plane: which of the
-// triangulations of four views on a circle is taken is decided by that. Differences have 26 bits, the determinant 81.
+// Directions as whole numbers, each moved by up to 2^-18 in its own way, so that no four are in one
+// plane. This decides which of the possible triangulations of four views on a circle is taken.
+// Differences have 26 bits, the determinant 81.
 Place place_of(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
   std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u + round * 0xbf58476d1ce4e5b9u;
   hash ^= hash >> 29;
@@ -31,7 +32,8 @@ Place place_of(const Vector3d& direction, std::uint64_t number, std::uint64_t ro
   return place;
 }
 
-// Six times the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the side where d is not.
+// The sign of the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the
+// side where d is not.
 int side_of(const Place& a, const Place& b, const Place& c, const Place& d) {
   const auto less = [&](const Place& p) { return Place{p[0] - d[0], p[1] - d[1], p[2] - d[2]}; };
   const Place u = less(a), v = less(b), w = less(c);
@@ -43,7 +45,8 @@ int side_of(const Place& a, const Place& b, const Place& c, const Place& d) {
 
 using Face = std::array<std::size_t, 3>;
 
-// Faces of the convex hull, counter-clockwise seen from outside; none if four places are in one plane where that matters.
+// Faces of the convex hull, counter-clockwise seen from outside; none if four relevant places are
+// in one plane.
 std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
   std::vector<Face> faces;
   const int first = side_of(places[0], places[1], places[2], places[3]);
@@ -53,7 +56,7 @@ std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
   faces = {base, {base[1], base[0], 3}, {base[2], base[1], 3}, {base[0], base[2], 3}};
   for (std::size_t next = 4; next < places.size(); ++next) {
     std::vector<Face> kept;
-    std::set<std::array<std::size_t, 2>> sides;  // of the faces that see it
+    std::set<std::array<std::size_t, 2>> sides;  // sides of the faces that see the next place
     for (const Face& f : faces) {
       const int side = side_of(places[f[0]], places[f[1]], places[f[2]], places[next]);
       if (side == 0) return std::nullopt;
@@ -72,7 +75,7 @@ std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
 }
 
 std::vector<Face> hull_of_directions(const std::vector<Vector3d>& directions) {
-  // A round in which four places are in one plane is tried again with other lengths.
+  // If four places are in one plane, the round is repeated with other displacements.
   for (std::uint64_t round = 0;; ++round) {
     std::vector<Place> places;
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -81,12 +84,12 @@ std::vector<Face> hull_of_directions(const std::vector<Vector3d>& directions) {
   }
 }
 
-// Whether the middle is on the inner side of a face.
+// Positive if the middle is on the inner side of a face.
 double outwards(const std::vector<Vector3d>& d, const Face& f) {
   return d[f[0]].dot(d[f[1]].cross(d[f[2]]));
 }
 
-// What stands on the plane in which all directions lie as well as they can.
+// The normal of the plane that all directions are nearest to.
 Vector3d normal_of(const std::vector<Vector3d>& directions) {
   Vector3d normal = Vector3d::Zero();
   for (const Vector3d& d : directions) {
@@ -96,10 +99,12 @@ Vector3d normal_of(const std::vector<Vector3d>& directions) {
   return normal.normalized();
 }
 
-// A cone of three directions that is thinner than this is none: its views lie on one great circle, up to the rounding of hull_of.
+// Three directions whose cone is thinner than this make no triangle: their views are on one great
+// circle, up to the rounding in hull_of.
 constexpr double kFlat = 0x1p-18;
 
-// Whether they are on one great circle. Nearer to one than this, three of them make a cone that is none (kFlat).
+// Whether the directions are on one great circle. The tolerance is that of kFlat: no three of them
+// make a triangle.
 bool is_circle(const std::vector<Vector3d>& directions) {
   const Vector3d normal = normal_of(directions);
   return std::ranges::all_of(directions,
@@ -110,7 +115,7 @@ bool is_circle(const std::vector<Vector3d>& directions) {
 
 ViewSphere::ViewSphere(std::span<const Vector3d> directions)
     : directions_(directions.begin(), directions.end()) {
-  std::vector<std::size_t> number;  // of those that are apart
+  std::vector<std::size_t> number;  // of the views that are apart from each other
   std::vector<Vector3d> apart;
   for (std::size_t i = 0; i < directions_.size(); ++i) {
     const bool is_new = std::ranges::none_of(
@@ -160,7 +165,8 @@ ViewWeights ViewSphere::weights(const Vector3d& direction) const {
     Matrix3d basis;
     for (int k = 0; k < 3; ++k) basis.col(k) = directions_[t[std::size_t(k)]];
     const Vector3d w = basis.inverse() * direction;
-    // What is on a side is in both triangles, and rounding must leave it in neither less than in one.
+    // A direction on a side is in both triangles. The tolerance makes sure that rounding leaves it
+    // in at least one.
     if (!(w.minCoeff() >= -1e-12)) continue;
     const Vector3d share = w.cwiseMax(0.0) / w.cwiseMax(0.0).sum();
     ViewWeights weights;
@@ -169,7 +175,8 @@ ViewWeights ViewSphere::weights(const Vector3d& direction) const {
     }
     return weights;
   }
-  // The nearest direction of the cone lies on its border: in the plane of two views, between them, or at one.
+  // The nearest direction of the cone is on its border: in the plane of two views, between them, or
+  // at one of them.
   ViewWeights best;
   double most = -2;
   for (const auto& [a, b] : border_) {

@@ -30,7 +30,9 @@ void add_fundamental(const FundamentalEstimate& found, PairAnalysis& analysis) {
   analysis.samples = found.samples;
 }
 
-// Where no sample decides a model, all matches may lie on one plane, or be seen from one point: rank 6. Less is too little to say.
+// The analysis when no sample determines a model: then all matches may be on one plane, or be seen
+// from one point, which gives rank 6. With a lower rank, there is too little information for any
+// judgement.
 Result<PairAnalysis> undecided_analysis(const PairQuestion& question, const Error& error) {
   constexpr int kRankOfPlane = 6;
   PairAnalysis analysis;
@@ -41,7 +43,8 @@ Result<PairAnalysis> undecided_analysis(const PairQuestion& question, const Erro
   return analysis;
 }
 
-// What the samples found, with a pose where there are intrinsics and one is in front of the others.
+// The analysis from the samples' model, with a pose if there are intrinsics and one pose has more
+// points in front of the cameras than the others.
 Result<PairAnalysis> sampled_analysis(const PairQuestion& question) {
   PairAnalysis analysis;
   if (!question.intrinsics) {
@@ -54,7 +57,8 @@ Result<PairAnalysis> sampled_analysis(const PairQuestion& question) {
   const auto found =
       estimate_pose(question.matches, left, right, question.estimator, question.ransac);
   if (!found) {
-    // Of a camera that only turned the rays are parallel, and nothing lies in front. F of the pixels may be enough to name it.
+    // If the camera only turned, the rays are parallel, and no point is in front. F of the pixels
+    // may be enough to recognise this case.
     const Estimator of_pixels =
         question.estimator == Estimator::kFivePoint ? Estimator::kSevenPoint : question.estimator;
     const auto instead = estimate_fundamental(question.matches, of_pixels, question.ransac);

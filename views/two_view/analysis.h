@@ -1,4 +1,4 @@
-// All that two-view geometry says of one list of matches.
+// The complete two-view analysis of one list of matches.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace glassbox::views {
 
 struct PairQuestion {
   Matches matches;  // pixels
-  // Without them F alone can be found, and no pose.
+  // Without intrinsics only F can be found, and no pose.
   std::optional<std::array<Matrix3d, 2>> intrinsics;  // left, right
-  Estimator estimator = Estimator::kFivePoint;        // eight or seven points without intrinsics
-  double sigma = 0.5;                                 // px: what a coordinate of a match may be off
+  Estimator estimator = Estimator::kFivePoint;        // without intrinsics: eight or seven points
+  double sigma = 0.5;  // px: standard deviation of a coordinate of a match
   RansacOptions ransac;
 };
 
-// Of the system of eight-point equations of the inliers.
+// Properties of the system of eight-point equations of the inliers.
 struct SystemFacts {
-  int rank = 0;  // of 8
+  int rank = 0;  // at most 8
   double condition_raw = 0, condition_normalised = 0;
 };
 
@@ -31,20 +31,23 @@ struct PairAnalysis {
   int inliers = 0, samples = 0;
   SystemFacts system;
   PairJudgement judgement;
-  // None of a camera that only turned, and of a critical surface; of a plane only where intrinsics and five points decide it.
+  // Absent for a camera that only turned, and for a critical surface; for a plane it is only
+  // present if intrinsics and five points determine it.
   std::optional<Matrix3d> fundamental;
   std::optional<RelativePose> pose;  // with intrinsics; |T| is 1
-  int in_front = 0;                  // of the inliers, of both cameras
-  // What kept the samples from a model, or a pose, where the judgement says why.
+  int in_front = 0;                  // inliers in front of both cameras
+  // Why the samples gave no model, or no pose, if the judgement explains it.
   std::optional<Error> why_no_model;
-  std::vector<double> residuals;  // of all matches: Sampson's distance, px; empty without F
-  double rms = 0;                 // of the inliers'
+  std::vector<double> residuals;  // for all matches: Sampson's distance, px; empty without F
+  double rms = 0;                 // of the inliers' residuals
 };
 
-// The threshold of an inlier is the question's RANSAC's. An error for fewer than 8 matches, and where no model is found.
+// Inliers are found with the threshold of the question's RANSAC options. An error for fewer than 8
+// matches, and if no model is found.
 Result<PairAnalysis> analyse(const PairQuestion& question);
 
-// Where all epipolar lines of a picture meet, homogeneous, of length 1: the other camera's place. F e = 0, F^T e' = 0.
+// The epipoles: the point where all epipolar lines of a picture meet, which is the image of the
+// other camera's centre. Homogeneous, of length 1. F e = 0, F^T e' = 0.
 Vector3d epipole_left(const Matrix3d& fundamental);
 Vector3d epipole_right(const Matrix3d& fundamental);
 

@@ -1,5 +1,6 @@
-// Cameras as the geometry of two views speaks of them: x to the right, y down, Z along the gaze; the pixel of a point P of the camera's
-// space is K P, up to scale (SPEC S2-10). Eye space (x right, y up, the gaze is -z) is the same, turned half round the x axis.
+// Cameras in the convention of two-view geometry: x to the right, y down, Z along the direction of
+// view. The pixel of a point P in the camera's space is K P, up to scale (S2-10). Eye space (x
+// right, y up, direction of view -z) is the same space turned by half a turn about the x axis.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,21 +21,23 @@ struct PinholeCamera {
   Vector3d centre = Vector3d::Zero();                 // world units
 };
 
-// P_r = R (P_l - T): T is the right camera's centre as the left one sees it (S2-07).
+// P_r = R (P_l - T): T is the right camera's centre in the left camera's space (S2-07).
 struct RelativePose {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d translation = Vector3d::Zero();
 };
 
-// Of perspective views; a parallel one has no centre, and is an error.
+// The camera of a perspective view; a parallel view has no centre, so it is an error.
 Result<PinholeCamera> camera_of(const View& view);
 
 RelativePose relative_pose(const PinholeCamera& left, const PinholeCamera& right);
 
-// The pixel of a world point; its third number is the distance along the gaze, which is negative behind the camera.
+// The pixel of a world point; the third number is the distance along the direction of view, which
+// is negative behind the camera.
 Vector3d project(const PinholeCamera& camera, const Vector3d& world);
 
-// What a pixel looks along, in the camera's space: K^-1 (x, y, 1), of distance 1 along the gaze.
+// The direction of a pixel's ray in the camera's space: K^-1 (x, y, 1), at distance 1 along the
+// direction of view.
 Vector3d ray_through(const Matrix3d& intrinsic, const Vector2d& pixel);
 
 }  // namespace glassbox::views

@@ -1,4 +1,4 @@
-// The nearest pair of pixels that fulfils the epipolar constraint.
+// Finds the nearest pair of pixels that fulfils the epipolar constraint.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +12,9 @@
 
 namespace glassbox::views {
 
-// n and n' are the gradients of the constraint by either pixel; a step along both that solves it to second order, then once more
-// with the gradients there. Lindstrom's x and x' are the right and the left pixel here: x^T F x' = 0.
+// n and n' are the gradients of the constraint with respect to either pixel. One step along both
+// solves the constraint to second order, and a second step uses the gradients at the new pixels.
+// Lindstrom's x and x' are the right and the left pixel here: x^T F x' = 0.
 Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental) {
   const Eigen::Matrix2d inner = fundamental.topLeftCorner<2, 2>();
   const Vector3d left = pixels.left.homogeneous(), right = pixels.right.homogeneous();
@@ -34,7 +35,8 @@ Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental) {
 
 namespace {
 
-// Moves the point to the origin and turns the epipole onto the x axis, at (1, 0, f).
+// A transform that moves the point to the origin and turns the epipole onto the x axis, to (1, 0,
+// f).
 struct Placed {
   Matrix3d from_picture;
   double f = 0;
@@ -50,7 +52,7 @@ Placed placed(const Vector2d& point, const Vector3d& epipole) {
   return {turned * moved, at.z()};
 }
 
-// Of the line a x + b y + c = 0, the point nearest to the origin.
+// The point of the line a x + b y + c = 0 that is nearest to the origin, homogeneous.
 Vector3d nearest_to_origin(const Vector3d& line) {
   return {-line.x() * line.z(), -line.y() * line.z(), line.head<2>().squaredNorm()};
 }
@@ -63,9 +65,11 @@ Eigen::VectorXd product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
 
 }  // namespace
 
-// Lines through the left epipole are a pencil with parameter t; the squared distance of both pixels to a line and its partner is
+// The lines through the left epipole are a pencil with parameter t. The squared distance of both
+// pixels to a line and to its partner in the other picture is
 //   s(t) = t^2/(1 + (f t)^2) + (c t + d)^2/((a t + b)^2 + f'^2 (c t + d)^2),
-// whose slope is zero at roots of a polynomial of degree 6. The least of its values there, and for t at infinity, is the answer.
+// and its derivative is zero at the roots of a polynomial of degree 6. The result is the least of s
+// at these roots and for t at infinity.
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental) {
   const Eigen::JacobiSVD<Matrix3d> svd(fundamental, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Placed left = placed(pixels.left, svd.matrixV().col(2));

@@ -40,7 +40,8 @@ tl::unexpected<Error> few_inliers(int inliers, double threshold) {
               "give better ones, or a larger threshold");
 }
 
-// `refine(inliers)` gives a model and its F; the inliers are chosen anew with it, until they stay.
+// `refine(inliers)` returns a model and its F. The inliers are selected again with the new F, until
+// they no longer change.
 template <class Model, class Refine, class FundamentalOf>
 void settle(const Matches& pixels, double threshold, const Refine& refine,
             const FundamentalOf& fundamental, Model& model, std::vector<bool>& is_inlier) {

@@ -1,4 +1,5 @@
-// The whole way from matches with outliers to a matrix, or a relative pose: samples, then all that agree with it.
+// The complete estimation of a matrix, or a relative pose, from matches with outliers: random
+// samples first, then all matches that agree with the best one.
 #pragma once
 
 #include <vector>
@@ -16,7 +17,8 @@ inline constexpr Estimator kEstimators[] = {Estimator::kEightPoint, Estimator::k
 const char* name_of(Estimator estimator);
 int sample_size(Estimator estimator);
 
-// F from pixels (eight or seven points), or E from calibrated points (eight or five), with Sampson's distance as the residual.
+// The RANSAC model of an estimator: F from pixels (eight or seven points), or E from calibrated
+// points (eight or five), with Sampson's distance as the residual.
 RansacModel sampled(Estimator estimator);
 
 struct FundamentalEstimate {
@@ -29,11 +31,12 @@ struct PoseEstimate {
   RelativePose pose;  // |T| is 1
   std::vector<bool> is_inlier;
   int inliers = 0, samples = 0;
-  int in_front = 0;  // of the inliers, of both cameras
+  int in_front = 0;  // inliers in front of both cameras
 };
 
-// The threshold is in pixels. After the samples, the refined model chooses its inliers anew, until they stay. An error where no
-// sample has a model, where fewer inliers are left than the refinement has unknowns, or where they lie as much behind the
+// The threshold is in pixels. After the samples, the refined model selects its inliers again, until
+// they no longer change. An error if no sample has a model, if there are fewer inliers than the
+// refinement has unknowns, or if the pose is ambiguous because as many points are behind the
 // cameras as in front of them.
 Result<FundamentalEstimate> estimate_fundamental(const Matches& pixels, Estimator estimator,
                                                  const RansacOptions& options);
@@ -41,7 +44,7 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
                                    const Matrix3d& right_intrinsic, Estimator estimator,
                                    const RansacOptions& options);
 
-// On the planes at distance 1.
+// The matches as points on the planes at distance 1.
 Matches calibrated(const Matches& pixels, const Matrix3d& left_intrinsic,
                    const Matrix3d& right_intrinsic);
 

@@ -26,7 +26,7 @@ using Cubics = Eigen::MatrixXd;         // 10 x 20
 // ---- polynomials of degree 3 or less in x, y and z ----
 
 constexpr int kMonomials = 20;
-// Powers of x, y, z: the ten cubic monomials, then the ten smaller ones, by degree.
+// Exponents of x, y, z: the ten cubic monomials, then the ten smaller ones, by descending degree.
 constexpr std::array<std::array<int, 3>, kMonomials> kPowers{
     {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},
      {0, 2, 1}, {0, 1, 2}, {0, 0, 3}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0},
@@ -49,7 +49,7 @@ struct Polynomial {
     a.c -= b.c;
     return a;
   }
-  // Degrees must add up to 3 or less.
+  // The degrees of the factors must add up to at most 3.
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     Polynomial product;
     for (int i = 0; i < kMonomials; ++i) {
@@ -87,7 +87,7 @@ Polynomial determinant(const PolynomialMatrix& e) {
          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
 }
 
-// det E = 0, and the nine entries of 2 E E^T E - tr(E E^T) E = 0.
+// The ten cubic equations: det E = 0, and the nine entries of 2 E E^T E - tr(E E^T) E = 0.
 Cubics cubics_of(const Basis& basis) {
   const PolynomialMatrix e = unknown_essential(basis);
   PolynomialMatrix square;
@@ -125,7 +125,7 @@ Eigen::VectorXd monomials_at(const Vector3d& at) {
   return values;
 }
 
-// d/dx, d/dy, d/dz of each monomial.
+// The derivatives d/dx, d/dy, d/dz of each monomial.
 Eigen::MatrixXd monomial_slopes_at(const Vector3d& at) {
   Eigen::MatrixXd slopes(kMonomials, 3);
   for (int i = 0; i < kMonomials; ++i) {
@@ -141,7 +141,7 @@ Eigen::MatrixXd monomial_slopes_at(const Vector3d& at) {
   return slopes;
 }
 
-// Gauss and Newton, as long as the equations' residual falls.
+// Gauss-Newton steps, as long as the residual of the equations decreases.
 Vector3d improved(const Cubics& cubics, Vector3d at) {
   constexpr int kMostSteps = 10;
   Eigen::VectorXd residual = cubics * monomials_at(at);
@@ -156,8 +156,9 @@ Vector3d improved(const Cubics& cubics, Vector3d at) {
   return at;
 }
 
-// Multiplication by x, on the ten smaller monomials: x times one of degree 2 is a cubic one, which the equations express by smaller
-// ones; x times one of degree 1 or 0 is among them.
+// The matrix of the multiplication by x on the ten smaller monomials. x times a monomial of degree
+// 2 is a cubic one, which the equations express by smaller ones; x times one of degree 1 or 0 is
+// one of the smaller ones.
 Eigen::MatrixXd multiplication_by_x(const Cubics& cubics) {
   const Eigen::MatrixXd smaller = -Eigen::MatrixXd(cubics.leftCols(10))
                                        .partialPivLu()
@@ -176,8 +177,9 @@ Eigen::MatrixXd multiplication_by_x(const Cubics& cubics) {
   return action;
 }
 
-// Where a solution has no W at all, x, y and z are infinite. Points in special positions have such solutions in the basis that the
-// decomposition gives; a turned one has none but by chance. Columns of an orthogonal matrix with no zero in it.
+// For a solution without a W component, x, y and z would be infinite. Points in special positions
+// have such solutions in the basis that the decomposition returns; in a rotated basis this happens
+// only by chance. The rotation is an orthogonal matrix without a zero entry.
 Basis turned_basis(const Eigen::Matrix<double, 9, Eigen::Dynamic>& kernel) {
   Eigen::MatrixXd mixed(4, 4);
   mixed << 0.8, 0.4, -0.4, 0.2,  //
@@ -205,7 +207,7 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
   const Basis basis = turned_basis(fit->kernel.rightCols(4));
   const Cubics cubics = cubics_of(basis);
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(multiplication_by_x(cubics));
-  // Pairs of roots that are one are found with imaginary parts of the root of the rounding error.
+  // Double roots are found with imaginary parts as large as the square root of the rounding error.
   const double close = 256 * std::sqrt(std::numeric_limits<double>::epsilon());
   std::vector<Matrix3d> found;
   for (int i = 0; i < 10; ++i) {
@@ -218,7 +220,8 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
     const bool is_new = std::ranges::none_of(found, [&](const Matrix3d& other) {
       return std::min((e - other).norm(), (e + other).norm()) < close;
     });
-    // What Newton's method did not bring to a root is none: 2 E E^T E - tr(E E^T) E of a matrix of norm 1.
+    // If Newton's method did not reach a root, the residual 2 E E^T E - tr(E E^T) E of the matrix,
+    // whose norm is 1, is not small.
     if (is_new && demazure<double>(e).norm() < close) found.push_back(e);
   }
   return found;

@@ -9,7 +9,7 @@
 
 namespace glassbox::views {
 
-// p_r x H p_l = 0: two equations of a match are independent.
+// Uses p_r x H p_l = 0, which gives two independent equations for each match.
 Result<Eigen::Matrix3d> fit_homography(const Matches& matches) {
   if (matches.size() < 4) {
     return fail("the matches", fmt::format("there are {}, and 4 are needed", matches.size()),

@@ -7,7 +7,8 @@ namespace glassbox::views {
 
 namespace {
 
-// What Eigen's optimiser asks of a function: residuals as a function of a few numbers.
+// The interface that Eigen's optimiser expects of a function: residuals depending on a few
+// unknowns.
 struct ResidualFunction {
   using Scalar = double;
   using InputType = Eigen::VectorXd;

@@ -1,4 +1,4 @@
-// Least squares by Levenberg and Marquardt's method, as Eigen has it.
+// Least squares by Levenberg and Marquardt's method, with Eigen's implementation.
 #pragma once
 
 #include <functional>
@@ -7,12 +7,13 @@
 
 namespace glassbox::views {
 
-// residuals(at, off) puts the residuals at the unknowns `at` into `off`, which has room for them.
+// residuals(at, off) writes the residuals for the unknowns `at` into `off`, which has the right
+// size.
 using Residuals = std::function<void(const Eigen::VectorXd& at, Eigen::VectorXd& off)>;
 
-// The unknowns for which the sum of the squares of `count` residuals is least. The search begins with
-// all unknowns at 0 and ends in the minimum that it meets first. All stay 0 where there are fewer
-// residuals than unknowns.
+// The unknowns that minimise the sum of the squares of `count` residuals. The search begins with
+// all unknowns at 0 and ends in the first local minimum that it reaches. All stay 0 if there are
+// fewer residuals than unknowns.
 Eigen::VectorXd least_squares(int unknowns, int count, const Residuals& residuals);
 
 }  // namespace glassbox::views

@@ -30,18 +30,20 @@ tl::unexpected<Error> not_finite() {
               "leave that match out");
 }
 
-// Eigen's allFinite() subtracts each number from itself, which of infinite ones is an invalid operation.
+// Replaces Eigen's allFinite(), which subtracts each number from itself: for infinite ones that
+// raises the floating-point exception "invalid operation".
 template <class Matrix>
 bool is_finite(const Matrix& matrix) {
   return matrix.array().isFinite().all();
 }
 
-// Of the points that `point` picks from each match.
+// The normalising transform for the points that `point` selects from each match.
 template <class Pick>
 Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pick& point) {
   Vector2d centre = Vector2d::Zero();
   for (const Match& match : matches) {
-    if (!is_finite(point(match))) return not_finite();  // before two infinite ones are subtracted
+    // Before two infinite numbers are subtracted.
+    if (!is_finite(point(match))) return not_finite();
     centre += point(match);
   }
   centre /= double(matches.size());
@@ -49,7 +51,7 @@ Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pic
   for (const Match& match : matches) distance += (point(match) - centre).norm();
   distance /= double(matches.size());
   if (!std::isfinite(distance)) return not_finite();  // a sum or a square has overflowed
-  // Of equal points the mean may differ from them by its rounding.
+  // The mean of equal points may differ from them by its rounding error.
   const double rounding = double(matches.size()) * std::numeric_limits<double>::epsilon();
   if (!(distance > rounding * centre.norm())) {
     return fail("the matches", fmt::format("all points of the {} picture are the same one", side),

@@ -1,4 +1,4 @@
-// One point seen twice.
+// A match: one point seen in two pictures.
 #pragma once
 
 #include <vector>

@@ -18,8 +18,9 @@ namespace glassbox::views {
 
 namespace {
 
-// GRIC = sum rho(e^2/sigma^2) + lambda1 d n + lambda2 k, rho(x) = min(x, lambda3 (r - d)), with lambda1 = log 4, lambda2 = log 4 n,
-// lambda3 = 2: matches are r = 4 numbers, on a manifold of d dimensions, of a model of k parameters.
+// GRIC = sum rho(e^2/sigma^2) + lambda1 d n + lambda2 k, rho(x) = min(x, lambda3 (r - d)), with
+// lambda1 = log 4, lambda2 = log 4 n, lambda3 = 2. A match has r = 4 numbers; the model has k
+// parameters and restricts matches to a manifold of d dimensions.
 struct ModelSize {
   int dimensions, parameters;
 };
@@ -35,7 +36,8 @@ double criterion(const Matches& matches, double sigma, ModelSize size, const Squ
   return sum;
 }
 
-// The rotation that carries the left rays nearest to the right ones (Kabsch, Acta Crystallographica A32, 1976).
+// The rotation that turns the left rays as near as possible to the right ones (Kabsch, Acta
+// Crystallographica A32, 1976).
 Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
                       const Matrix3d& right_intrinsic) {
   Matrix3d sum = Matrix3d::Zero();
@@ -49,7 +51,8 @@ Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
   return u * signs.asDiagonal() * v.transpose();
 }
 
-// Half of the transfer errors' squares is what both points together are off, to first order.
+// To first order, the squared distance of both points together is half of the squared transfer
+// errors.
 double cost_of_transfer(const Matches& pixels, const Matrix3d& homography, double sigma,
                         ModelSize size) {
   const Matrix3d inverse = homography.inverse();
@@ -97,7 +100,8 @@ Result<PairJudgement> judge_pair(const Matches& pixels, const Matrix3d& left_int
 
   const double simpler = std::min(judgement.cost_of_homography, judgement.cost_of_rotation);
   const bool is_family = fit->system.rank() < 8 || judgement.eighth_over_ninth < 3;
-  // Of a plane F is one of a family of two dimensions, whose best member has been fitted to the noise: two more parameters.
+  // For a plane, F is one member of a two-dimensional family, and the fit has chosen the member
+  // that suits the noise best: two more parameters.
   const double freedom = is_family ? 2 * logarithm(4.0 * double(pixels.size())) : 0;
   if (simpler <= judgement.cost_of_fundamental + freedom) {
     judgement.kind = judgement.cost_of_rotation == simpler ? PairKind::kTurned : PairKind::kPlane;

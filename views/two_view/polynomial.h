@@ -10,8 +10,9 @@ namespace glassbox::views {
 // p(x) = c[0] + c[1] x + ... by Horner's rule.
 double polynomial_at(const Eigen::VectorXd& coefficients, double x);
 
-// Real roots, ascending: eigenvalues of the companion matrix, whose imaginary part is within the error of a double root
-// (the root of the unit roundoff), each improved by Newton's method. Leading zeros are left out; none for a constant.
+// Real roots, ascending: those eigenvalues of the companion matrix whose imaginary part is within
+// the error of a double root (the square root of the unit roundoff), each improved by Newton's
+// method. Leading zeros are ignored; a constant has no roots.
 std::vector<double> real_roots(const Eigen::VectorXd& coefficients);
 
 }  // namespace glassbox::views

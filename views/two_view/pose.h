@@ -1,4 +1,4 @@
-// From an essential matrix to where the cameras stood.
+// The relative pose of the cameras from an essential matrix.
 #pragma once
 
 #include <array>
@@ -9,22 +9,23 @@
 
 namespace glassbox::views {
 
-// The four (R, T) with E = R S up to sign and scale: T or -T, and the right camera turned half round the baseline or not (C-105).
-// T is of length 1: pictures do not tell how far apart cameras are.
+// The four (R, T) with E = R S up to sign and scale: with T or -T, and with the right camera turned
+// by half a turn about the baseline or not (C-105). T has length 1: pictures do not show how far
+// apart the cameras are.
 std::array<RelativePose, 4> poses_of(const Matrix3d& essential);
 
-// How many calibrated matches lie in front of both cameras.
+// The number of calibrated matches in front of both cameras.
 int in_front_of_both(const RelativePose& pose, const Matches& calibrated);
 
-// The one of the four for which more matches lie in front of both cameras than for any other.
+// The pose among the four with the most matches in front of both cameras.
 struct ChosenPose {
   RelativePose pose;
-  int in_front = 0;  // of the matches
+  int in_front = 0;  // number of matches in front of both cameras
   int runner_up = 0;
 };
 std::optional<ChosenPose> pose_in_front(const Matrix3d& essential, const Matches& calibrated);
 
-// The angle between the direction that was estimated and what it is, radians.
+// The angle between the estimated direction and the true one, radians.
 double direction_error(const Vector3d& estimated, const Vector3d& truth);
 
 }  // namespace glassbox::views

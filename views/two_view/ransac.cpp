@@ -11,7 +11,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Different ones of 0 .. count - 1.
+// Draws `size` different numbers from 0 .. count - 1.
 std::vector<std::size_t> drawn(Random& random, std::size_t count, int size) {
   std::vector<std::size_t> chosen;
   while (int(chosen.size()) < size) {

@@ -14,7 +14,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Near 0, the numbers for which the Sampson distances of the matrix that they make are least.
+// The parameters near 0 for which the resulting matrix has the least Sampson distances.
 template <class MatrixOf>
 Eigen::VectorXd nearest_to_matches(const MatrixOf& matrix_of, const Matches& pixels, int unknowns) {
   return least_squares(unknowns, int(pixels.size()),
@@ -43,7 +43,7 @@ RelativePose refined_pose(const StereoRig& first, const Matches& pixels) {
 }
 
 Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels) {
-  // Pixels are of very different sizes than 1; the unknowns are turns of normalised ones.
+  // Pixel coordinates are much larger than 1, so the unknowns are rotations for normalised points.
   const auto from = normalised(pixels);
   if (!from) return first.normalized();
   const Matrix3d there = from->right.inverse().transpose() * first * from->left.inverse();

@@ -17,7 +17,8 @@ Matrix3d turned_by(const Vector3d& rotation_vector) {
   return cosine * Matrix3d::Identity() + sine * cross + (1 - cosine) * axis * axis.transpose();
 }
 
-// |A - B| of two rotations is 2 sqrt 2 sin(angle / 2), which small angles keep their digits in, as the trace's cosine does not.
+// |A - B| of two rotations is 2 sqrt 2 sin(angle / 2). It is accurate for small angles, while the
+// cosine from the trace is not.
 double rotation_error(const Matrix3d& estimated, const Matrix3d& truth) {
   const double half = (estimated - truth).norm() / (2 * std::sqrt(2.0));
   const double sine = std::min(1.0, half);

@@ -1,14 +1,15 @@
-// Rotations as three numbers, and how far two of them are apart.
+// Rotations given by three numbers, and the angle between two rotations.
 #pragma once
 
 #include "views/two_view/camera.h"
 
 namespace glassbox::views {
 
-// By this vector's length in radians around its direction; none around 0.
+// The rotation about this vector's direction by its length in radians; the identity for the zero
+// vector.
 Matrix3d turned_by(const Vector3d& rotation_vector);
 
-// The angle between what was estimated and what is, radians.
+// The angle between the estimated rotation and the true one, radians.
 double rotation_error(const Matrix3d& estimated, const Matrix3d& truth);
 
 }  // namespace glassbox::views

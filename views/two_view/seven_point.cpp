@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// det(t A + B) = c3 t^3 + c2 t^2 + c1 t + c0, from its values at 0, 1, -1 and infinity.
+// The coefficients of det(t A + B) = c3 t^3 + c2 t^2 + c1 t + c0, from its values at 0, 1, -1 and
+// infinity.
 Eigen::VectorXd determinant_of_pencil(const Matrix3d& a, const Matrix3d& b) {
   const double c0 = b.determinant(), c3 = a.determinant();
   const double at_one = (a + b).determinant(), at_minus_one = (b - a).determinant();
@@ -38,7 +39,8 @@ Result<std::vector<Matrix3d>> seven_point(const Matches& pixels) {
                 "give matches in general position");
   }
   const auto kernel = fit->kernel.rightCols(2);
-  // A root at infinity would be lost: of a few bases of the same pencil, the one whose first matrix is furthest from singular.
+  // A root at infinity would be lost, so try several bases of the same pencil and take the one
+  // whose first matrix is farthest from singular.
   Eigen::VectorXd best = Eigen::VectorXd::Zero(4);
   Matrix3d first = Matrix3d::Zero(), second = Matrix3d::Zero();
   constexpr int kBases = 4;

@@ -16,7 +16,7 @@ namespace {
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
-// K_r R [I | -T]; K_l [I | 0] for the left one.
+// K_r R [I | -T] for the right camera; K_l [I | 0] for the left one.
 ProjectionMatrix projection_matrix(const Matrix3d& intrinsic, const RelativePose& pose) {
   ProjectionMatrix matrix;
   matrix << pose.rotation, -pose.rotation * pose.translation;
@@ -44,7 +44,8 @@ Equations equations_of(const Match& seen, const ProjectionMatrix& left,
   return rows;
 }
 
-// A point whose last number is below the rounding of the others is at infinity.
+// The null vector of the equations. A point whose last number is below the rounding error of the
+// others is at infinity.
 Vector4d null_vector(const Equations& rows) {
   const Eigen::JacobiSVD<Equations> svd(rows, Eigen::ComputeFullV);
   Vector4d point = svd.matrixV().col(3);
@@ -67,7 +68,8 @@ Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d
   return {ray_through(left_intrinsic, pixels.left), ray_through(right_intrinsic, pixels.right)};
 }
 
-// t_l and t_r of the least squares problem t_l d - t_r e = T: with the normal equations' determinant |d x e|^2.
+// Solves the least squares problem t_l d - t_r e = T for t_l and t_r, with the normal equations'
+// determinant |d x e|^2.
 Triangulated midpoint(const Rays& rays, const RelativePose& pose) {
   const Vector3d d = rays.left, e = pose.rotation.transpose() * rays.right, t = pose.translation;
   const Vector3d across = d.cross(e);
@@ -138,7 +140,7 @@ Triangulated triangulate(Triangulator triangulator, const Match& pixels, const S
 }
 
 Matrix3d covariance_of(const Vector3d& point, const StereoRig& rig, double sigma) {
-  // Of the pixel K P: rows x and y of K (I - P z^T/Z)/Z, z the third axis.
+  // The derivatives of the pixel K P: rows x and y of K (I - P z^T/Z)/Z, where z is the third axis.
   const auto slopes = [](const Matrix3d& intrinsic, const Vector3d& at) {
     Matrix3d inner = Matrix3d::Identity();
     inner.col(2) -= at / at.z();

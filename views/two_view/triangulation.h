@@ -1,4 +1,5 @@
-// Where the point is that two pictures show (S2-05, D-23). Points are in the left camera's space.
+// Triangulation: finds the point that two pictures show (S2-05, D-23). Points are in the left
+// camera's space.
 #pragma once
 
 #include "views/two_view/camera.h"
@@ -6,41 +7,45 @@
 
 namespace glassbox::views {
 
-// What the two pixels look along, each in its own camera's space; of distance 1 along the gaze.
+// The directions of the two pixels' rays, each in its own camera's space; at distance 1 along the
+// direction of view.
 struct Rays {
   Vector3d left, right;
 };
 Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d& right_intrinsic);
 
-// Parallel rays meet at infinity (C-107): the last number is 0, and the first three are the direction.
+// Parallel rays meet at infinity (C-107): then the last number is 0, and the first three are the
+// direction.
 struct Triangulated {
-  Vector4d point = Vector4d::Zero();  // homogeneous; (X, Y, Z, 1) where it is finite
-  double gap = 0;                     // between the rays where they come closest; 0 at infinity
+  Vector4d point = Vector4d::Zero();  // homogeneous; (X, Y, Z, 1) if it is finite
+  double gap = 0;                     // smallest distance between the rays; 0 at infinity
   bool in_front_of_both = false;
 
   bool is_finite() const { return point.w() != 0; }
 };
 
-// The slides' midpoint: the shortest way from t_l d_l to T + t_r R^T d_r, halved. Rays that are parallel but for the rounding of
-// their directions (8 u) are parallel.
+// The slides' midpoint method: the middle of the shortest segment from t_l d_l to T + t_r R^T d_r.
+// Rays count as parallel if they are parallel to within the rounding of their directions (8 u).
 Triangulated midpoint(const Rays& rays, const RelativePose& pose);
 
-// Two views whose pixels are matched.
+// Two views with matched pixels.
 struct StereoRig {
   Matrix3d left_intrinsic = Matrix3d::Identity(), right_intrinsic = Matrix3d::Identity();
   RelativePose pose;
 };
 
-// F of its pixels.
+// The fundamental matrix F for the rig's pixels.
 Matrix3d fundamental_of(const StereoRig& rig);
 
-// The null vector of the four equations x (p_3 P) - p_1 P, y (p_3 P) - p_2 P of both cameras' matrices, in pixels: an algebraic error.
-// Normalised: on the plane at distance 1, each equation of norm 1.
+// The null vector of the four equations x (p_3 P) - p_1 P, y (p_3 P) - p_2 P with both cameras'
+// matrices, in pixels; it minimises an algebraic error. The normalised version is on the planes at
+// distance 1, with each equation scaled to norm 1.
 Triangulated triangulate_linear(const Match& pixels, const StereoRig& rig);
 Triangulated triangulate_linear_normalised(const Match& pixels, const StereoRig& rig);
 
-// The nearest pixels, in the least squares sense, that fulfil the epipolar constraint; then their rays meet. Lindstrom, Triangulation
-// Made Easy, CVPR 2010 (two iterations); Hartley and Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6).
+// The nearest pixels, in the least squares sense, that fulfil the epipolar constraint; the rays of
+// these pixels meet. Lindstrom, Triangulation Made Easy, CVPR 2010 (two iterations); Hartley and
+// Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6).
 Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental);
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental);
 
@@ -51,14 +56,16 @@ inline constexpr Triangulator kTriangulators[] = {
 const char* name_of(Triangulator triangulator);
 Triangulated triangulate(Triangulator triangulator, const Match& pixels, const StereoRig& rig);
 
-// The point's covariance if each coordinate of both pixels has an error of `sigma` pixels: (J^T J)^-1 sigma^2, J the four pixel
-// coordinates' derivatives by the point. The axes of an error ellipsoid; infinite where the rays are parallel.
+// The point's covariance if each coordinate of both pixels has an error of `sigma` pixels: (J^T
+// J)^-1 sigma^2, where J has the derivatives of the four pixel coordinates with respect to the
+// point. It gives the axes of an error ellipsoid; infinite if the rays are parallel.
 Matrix3d covariance_of(const Vector3d& point, const StereoRig& rig, double sigma);
 
-// The law for parallel axes: sigma_Z = Z^2 sqrt(2) sigma/(f B) (S2-13).
+// The depth error for parallel axes: sigma_Z = Z^2 sqrt(2) sigma/(f B) (S2-13).
 double depth_error_of_parallel(double depth, double sigma, double focal_length, double baseline);
 
-// Pixels between where a point is seen and where it should be: the larger of both cameras'.
+// The distance in pixels between the point's projection and the pixel of the match: the larger one
+// of both cameras.
 double reprojection_error(const Vector3d& point, const Match& pixels, const StereoRig& rig);
 
 }  // namespace glassbox::views

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kSame = 0.5;  // px of parallax
 
-// How far apart, at most, the other picture shows two points of one of its pixels that have these distances: f B |1/a - 1/b|.
+// If two points in one pixel have these distances, how far apart can the other picture show them: f
+// B |1/a - 1/b|.
 double parallax_between(double pixels_per_unit, double a, double b) {
   return pixels_per_unit * std::abs(1 / a - 1 / b);
 }
@@ -57,7 +58,7 @@ TrueMatch match_of(const KnownPicture& own, const KnownPicture& other, int x, in
   return {float(place.x()), float(place.y()), fate_of(other, place, pixels_per_unit)};
 }
 
-// Box and Muller.
+// Normally distributed numbers by the method of Box and Muller.
 Vector2d gaussian(Random& random, double sigma) {
   const double radius = sigma * std::sqrt(-2 * logarithm_1p(-random.unit()));
   const double angle = 2 * std::numbers::pi * random.unit();
@@ -101,7 +102,7 @@ SampledMatches sample_matches(const Image<TrueMatch>& truth, const Image<float>&
   const std::size_t count = std::min(seen.size(), std::size_t(sampling.count));
   SampledMatches sampled;
   for (std::size_t i = 0; i < count; ++i) {
-    // The first `count` of a shuffled list (Fisher and Yates).
+    // The first `count` numbers of a shuffled list (Fisher and Yates).
     std::swap(seen[i], seen[i + std::size_t(random.integer(0, std::int64_t(seen.size() - i) - 1))]);
     const TrueMatch& match = truth.pixels[seen[i]];
     const auto width = std::size_t(truth.width);

@@ -1,4 +1,5 @@
-// The right answers: two pictures of a scene from the rasterizer, of which every point's place in the other is known (S2-03).
+// Ground truth: two pictures of a scene from the rasterizer, for which it is known where each point
+// of one is in the other (S2-03).
 #pragma once
 
 #include <cstdint>
@@ -16,29 +17,31 @@ namespace glassbox::views {
 struct KnownPicture {
   PinholeCamera camera;
   Image<Rgba8> color;
-  Image<float>
-      distance;  // of what a pixel's centre shows, along the gaze; infinite where nothing was drawn
+  // Of the surface at a pixel's centre, along the direction of view; infinite where nothing was
+  // drawn.
+  Image<float> distance;
 };
 
-// Of a perspective view.
+// The view must be perspective.
 Result<KnownPicture> known_picture(const Scene& scene, const View& view,
                                    const RenderSettings& settings);
 
 struct TrueMatch {
-  float
-      x = 0,
-      y = 0;  // in the other picture, px; NaN where nothing was drawn, or what is there lies behind the other camera
+  float x = 0,
+        y = 0;  // px in the other picture; NaN: nothing drawn, or behind the other camera
   OtherEye fate = OtherEye::kNothingDrawn;
 };
 
-// Where the other picture has what each pixel's centre shows, and whether it shows it: the other's pixel there, and those around it,
-// are asked for their distance. Half a pixel of parallax either way counts as the same, as in render/stereo/monocular.h.
+// For each pixel, where the other picture has the point at its centre, and whether it is visible
+// there: its distance is compared with those of the other picture's pixel and the pixels around it.
+// Half a pixel of parallax in either direction counts as the same, as in render/stereo/monocular.h.
 Image<TrueMatch> true_matches(const KnownPicture& own, const KnownPicture& other);
 
-// Pixels of the left picture whose point the right one sees, drawn at random; each coordinate of both points with Gaussian noise
-// of `noise` pixels, and a share of `outliers` of them with a right point anywhere in the picture.
+// Random pixels of the left picture whose point the right one shows. Each coordinate of both points
+// gets Gaussian noise of `noise` pixels, and a share `outliers` of the matches gets a right point
+// anywhere in the picture.
 struct MatchSampling {
-  int count = 500;  // at most, of different pixels
+  int count = 500;  // at most; all pixels are different
   double noise = 0;
   double outliers = 0;  // [0, 1]
   std::uint64_t seed = 1;

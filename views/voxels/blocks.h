@@ -1,4 +1,4 @@
-// Work in parts, by so many threads.
+// Divides work into parts for several threads.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace glassbox::views {
 
-// each(i) for i = 0 .. count - 1, in any order; `threads` 0: all.
+// Calls each(i) for i = 0 .. count - 1, in any order, with this many threads; 0: all of the
+// machine's.
 template <class Each>
 void for_blocks(std::size_t count, int threads, const Each& each) {
   if (threads == 1 || count <= 1) {

@@ -10,7 +10,7 @@ namespace glassbox::views {
 
 namespace {
 
-// One bit for each voxel: not carved.
+// One bit for each voxel: set if it has not been carved.
 class Solid {
 public:
   explicit Solid(const VoxelGrid& grid)
@@ -21,7 +21,7 @@ public:
            at.z < count_[2];
   }
   void carve(const VoxelAt& at) { bits_[index(at) / 64] &= ~(std::uint64_t(1) << index(at) % 64); }
-  // At least one of the six beside it is carved or outside.
+  // Whether at least one of the six neighbouring voxels is carved or outside of the grid.
   bool is_boundary(const VoxelAt& at) const {
     for (const VoxelAt& beside : {VoxelAt{at.x - 1, at.y, at.z}, VoxelAt{at.x + 1, at.y, at.z},
                                   VoxelAt{at.x, at.y - 1, at.z}, VoxelAt{at.x, at.y + 1, at.z},
@@ -30,7 +30,7 @@ public:
     }
     return false;
   }
-  // The runs of what is left of these.
+  // The parts of these runs that have not been carved.
   std::vector<VoxelRun> left_of(const std::vector<VoxelRun>& runs) const {
     std::vector<VoxelRun> left;
     for (const VoxelRun& run : runs) {
@@ -57,7 +57,7 @@ bool is_carved(Verdict verdict) {
   return verdict == Verdict::kBackground || verdict == Verdict::kInconsistent;
 }
 
-// One direction's sweep: how many voxels it carves.
+// Sweeps in one direction. Returns how many voxels it carves.
 std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                         const ColoringRequest& request, const std::vector<double>& ratios,
                         std::array<int, 2> direction, Solid& solid, std::int64_t& judged) {
@@ -65,7 +65,7 @@ std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictu
              [&](std::size_t i) { uncover(pictures[i]); });
   Sweep sweep(grid, pictures, request.settings, ratios);
   const PlaneLayers planes(grid, direction);
-  std::vector<double> along;  // of the eyes, in voxels
+  std::vector<double> along;  // coordinates of the eyes along the direction, in voxels
   for (const PackedPicture& picture : pictures)
     along.push_back(grid.coordinates(picture.eye)[direction[0]]);
   std::vector<std::uint8_t> active(pictures.size());
@@ -90,7 +90,7 @@ std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictu
   return carved;
 }
 
-// What the pictures say of a voxel at the surface.
+// What the pictures show of a voxel at the surface.
 struct SurfaceSum {
   ColorSums sums;
   double rgb[3] = {0, 0, 0};
@@ -108,7 +108,7 @@ std::vector<VoxelAt> boundary_of(const VoxelGrid& grid, const Solid& solid) {
   return boundary;
 }
 
-// The distance of the nearest of these voxels at each pixel.
+// For each pixel, the distance of the nearest of these voxels.
 std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture,
                              const std::vector<VoxelAt>& voxels) {
   const GridPicture lens = grid_picture(grid, picture);
@@ -123,7 +123,8 @@ std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture
   return depths;
 }
 
-// A picture sees a voxel if nothing at its centre's pixel is nearer by more than its own diagonal.
+// A picture sees a voxel if nothing at the pixel of its centre is nearer by more than the voxel's
+// diagonal.
 void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest& request,
                     const Solid& solid, Coloring& result) {
   const VoxelGrid& grid = result.grid;
@@ -176,7 +177,8 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
 }  // namespace
 
 double carving_bytes(const VoxelGrid& grid, double surface) {
-  // A bit for each voxel, a run or more for each row of them, the places of a layer that hide what is behind, and what the surface takes.
+  // A bit for each voxel, one or more runs for each row of voxels, the indices of a layer's
+  // occluders, and the surface's voxels.
   const auto [nx, ny, nz] = grid.count;
   const double layer = std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
   return double(grid.voxels()) / 8 + double(ny) * nz * sizeof(VoxelRun) +

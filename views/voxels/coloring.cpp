@@ -25,7 +25,7 @@ std::vector<Vector3d> eyes_of(const PictureSet& set) {
   return eyes;
 }
 
-// The order, and the axes that the grid needs for it.
+// The plan of a request, and the axes that its grid needs.
 struct Visit {
   ColoringPlan plan;
   Matrix3d axes = Matrix3d::Identity();
@@ -58,8 +58,9 @@ double layer_voxels(const VoxelGrid& grid) {
   return std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
 }
 
-// A pixel as it was read has its colour and its matte; as it is swept a word, and where they are asked for a deviation and RGB; smaller
-// pictures of coarser levels have a third of that. One picture after the other has the depths that a carved surface is found with.
+// Memory for the pictures. A pixel has its colour and its matte as it was read; for the sweep it
+// has a word, and on demand a deviation and RGB. The smaller pictures of coarser levels need a
+// third of that. The depths that find a carved surface are made for one picture after the other.
 double picture_bytes(const PictureSet& set, const ColoringRequest& request, Order order) {
   double tiles = 0, largest = 0;
   for (const CalibratedPicture& picture : set.pictures) {
@@ -82,7 +83,7 @@ double bytes_needed(const PictureSet& set, const ColoringRequest& request,
   double bytes = picture_bytes(set, request, plan.order) + surface * double(sizeof(ColoredVoxel)) +
                  layer_voxels(grid) * double(sizeof(Verdict) + sizeof(Seen) + sizeof(VoxelAt));
   if (plan.order == Order::kCarve) bytes += carving_bytes(grid, surface);
-  // A byte for each cell of the level before, and the copy that it is grown in.
+  // A byte for each cell of the previous level, and a copy while the cells are grown.
   if (request.levels > 0) bytes += double(grid.voxels()) / 8 * 2;
   return bytes;
 }
@@ -136,7 +137,8 @@ std::vector<PackedPicture> packed(const std::vector<CalibratedPicture>& pictures
   return all;
 }
 
-// One sweep over a grid: of all its voxels, or of those that `cells` of the coarser level leave.
+// One sweep over a grid: over all its voxels, or only over those in the `cells` of the coarser
+// level.
 void run_sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                const ColoringSettings& settings, const std::vector<double>& ratios,
                const ColoringRequest& request, const std::vector<Vector3d>& eyes,
@@ -163,8 +165,9 @@ VoxelGrid coarser(const VoxelGrid& grid) {
   return half;
 }
 
-// Prock and Dyer (1998): coarse voxels are coloured from pictures of their own size, and only those that were, and what is around
-// them, are looked at again. A threshold of `slack` times leaves room for what a coarse voxel mixes.
+// Coarse to fine (Prock and Dyer 1998): coarse voxels are coloured from pictures of reduced size,
+// and only the coloured ones and their neighbours are examined at the next level. The threshold is
+// multiplied by `slack`, because a coarse voxel mixes several colours.
 void run_levels(const PictureSet& set, const ColoringRequest& request, const LayerWatcher& watch,
                 Coloring& result) {
   const std::vector<Vector3d> eyes = eyes_of(set);

@@ -1,6 +1,7 @@
-// Voxel colouring (Seitz and Dyer 1997): the voxels of a box that have one colour in all pictures that see them (S1-15 to S1-21), in an
-// order in which what hides is decided before what it hides; and space carving (Kutulakos and Seitz 2000) where there is no such
-// order.
+// Voxel colouring (Seitz and Dyer 1997): finds the voxels of a box that have one colour in all
+// pictures that see them (S1-15 to S1-21). Voxels are visited in an order in which an occluder is
+// decided before what it hides. Where there is no such order, space carving is used (Kutulakos and
+// Seitz 2000).
 #pragma once
 
 #include <cstdint>
@@ -21,62 +22,70 @@
 namespace glassbox::views {
 
 enum class Order {
-  kAuto,   // a sweep where the cameras allow one, else carving
-  kSweep,  // one sweep, even where it is wrong (C-90)
-  kCarve,  // sweeps along all six directions, each with the cameras before its plane, until nothing is carved any more
+  kAuto,   // a sweep if the cameras allow one, else carving
+  kSweep,  // one sweep, even if its result is wrong for these cameras (C-90)
+  // Sweeps along all six directions, each with the cameras in front of its plane, until nothing
+  // more is carved.
+  kCarve,
 };
 std::string_view name_of(Order order);
 
 struct ColoringRequest {
   WorldBox box;
   double voxel_size = 1;
-  std::string size_option = kVoxelOption;  // what asks for that size, which refusals of it name
+  // The option that asks for this size; error messages name it.
+  std::string size_option = kVoxelOption;
   Order order = Order::kAuto;
-  // Of kSweep: the axis, 0 .. 2, and 1 or -1; absent: as classify() says, along the z axis of the surrounded.
+  // For kSweep: the axis, 0 .. 2, and 1 or -1; absent: chosen by classify(), or the z axis if the
+  // cameras surround the scene.
   std::optional<std::array<int, 2>> direction;
   ColoringSettings settings;
-  int levels = 0;        // coarse to fine: so many halvings before the voxels asked for; 0: none
-  double slack = 2;      // what the threshold is multiplied by at coarser levels
-  int most_passes = 20;  // of kCarve, each of six sweeps
+  // Coarse to fine: number of coarser levels, each with voxels twice as large; 0: none.
+  int levels = 0;
+  double slack = 2;      // factor of the threshold at coarser levels
+  int most_passes = 20;  // for kCarve; each pass has six sweeps
   std::uint64_t most_bytes = std::uint64_t(1) << 32;
 };
 
-// What was judged: its layer in the order of visiting and the verdicts of its voxels.
+// Called with a layer that was judged: its number in the order of visiting, and the verdicts of its
+// voxels.
 using LayerWatcher = std::function<void(int layer, std::span<const VoxelRun> runs,
                                         std::span<const Verdict> verdicts)>;
 
-// A request with what it leaves open decided: how its voxels are visited.
+// How the voxels are visited: the request, with everything decided that it leaves open.
 struct ColoringPlan {
   VoxelGrid grid;
   TraversalKind traversal = TraversalKind::kHalfSpace;
-  Order order = Order::kSweep;         // kSweep or kCarve
-  bool in_shells = false;              // of a sweep: outwards around the cameras, not by planes
-  std::array<int, 2> direction{2, 1};  // of a sweep by planes: an axis of the grid, and 1 or -1
-  std::uint64_t bytes = 0;             // of all that grows with pictures and voxels
+  Order order = Order::kSweep;  // kSweep or kCarve
+  bool in_shells = false;       // for a sweep: outwards around the cameras instead of by planes
+  std::array<int, 2> direction{2, 1};  // for a sweep by planes: an axis of the grid, and 1 or -1
+  std::uint64_t bytes = 0;  // of everything whose size depends on the pictures and voxels
 };
 
 struct Coloring : ColoringPlan {
   int layers = 0, passes = 0;
-  bool is_finished = true;         // of carving: the last pass carved nothing
+  bool is_finished = true;         // for carving: the last pass carved nothing
   std::int64_t judged = 0;         // voxels of the finest level
-  std::int64_t judged_coarse = 0;  // of the levels before it
-  VerdictCounts counts{};  // of the finest level; of carving, those of the surface that remains
+  std::int64_t judged_coarse = 0;  // voxels of the coarser levels
+  VerdictCounts counts{};          // of the finest level; for carving, of the surface that remains
   std::vector<ColoredVoxel> voxels;
-  std::vector<VoxelRun> solid;  // what carving leaves, its inside too
-  double milliseconds = 0;      // of the whole, packing of the pictures included
+  std::vector<VoxelRun> solid;  // all voxels that carving leaves, the interior included
+  double milliseconds = 0;      // in total, including the packing of the pictures
 };
 
-// Refused: what grid_of refuses, fewer than one picture, cameras whose numbers leave the range of floats, a direction or coarser levels
-// where voxels are carved, and what would take more than `most_bytes`, computed before anything of it is taken. Counted are the pictures
-// as they were read and as they are swept with their tiles, a layer, and as many coloured voxels as the box has at its six sides; how many there will
-// be, nobody knows before.
+// Refused: what grid_of refuses, fewer than one picture, cameras whose numbers are too large for
+// float, a direction or coarser levels together with carving, and anything that would need more
+// than `most_bytes`. The memory is computed before any of it is allocated: the pictures as they
+// were read and as they are swept with their tiles, one layer, and as many coloured voxels as the
+// box has at its six sides; their real number is not known in advance.
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request);
 
-// `watch` is called for each layer of the finest level; carving has no layers that could be watched.
+// Colours the voxels of a plan. `watch` is called for each layer of the finest level; carving has
+// no layers to watch.
 Coloring color_voxels(const PictureSet& set, const ColoringRequest& request,
                       const ColoringPlan& plan, const LayerWatcher& watch = {});
 
-// Both.
+// Makes the plan and colours its voxels.
 Result<Coloring> color_voxels(const PictureSet& set, const ColoringRequest& request,
                               const LayerWatcher& watch = {});
 

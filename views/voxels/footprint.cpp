@@ -30,7 +30,8 @@ GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture) {
 }
 
 bool is_finite(const GridPicture& lens) {
-  // Of the farthest voxel too: its three products and the column of 1 are added in double before they are rounded.
+  // For the farthest voxel, too: its three products and the constant column are added in double
+  // before they are rounded.
   const double most = lens.pixel_from_grid.cwiseAbs().maxCoeff() * (3.0 * kMostVoxelsAlong + 1);
   return most <= double(std::numeric_limits<float>::max());
 }

@@ -1,4 +1,4 @@
-// The pixels of a picture that are a voxel's (S1-31).
+// Footprints: the pixels of a picture that belong to a voxel (S1-31).
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,12 @@
 
 namespace glassbox::views {
 
-// A camera in grid coordinates: the pixel of (x, y, z) is columns (x, y, z, 1), homogeneous. One rule of rounding for all that looks a
-// voxel up: the row's start is made in double, rounded to float, and goes on in float (kernels.h).
+// A camera in grid coordinates: the pixel of (x, y, z) is pixel_from_grid (x, y, z, 1),
+// homogeneous. Every look-up of a voxel rounds in the same way: the start of its row is computed in
+// double and rounded to float, and the steps along the row are in float (kernels.h).
 struct GridPicture {
   ProjectionMatrix pixel_from_grid;
-  // From a voxel's centre to its eight corners, homogeneous: x, y, w.
+  // Offsets from a voxel's centre to its eight corners, homogeneous: x, y, w.
   std::array<float, 8> corner_x, corner_y, corner_w;
   float width = 0, height = 0;
   std::int32_t stride = 0;
@@ -25,16 +26,16 @@ struct GridPicture {
 GridPicture grid_picture(const VoxelGrid& grid, const ProjectionMatrix& pixel_from_world, int width,
                          int height);
 GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture);
-// Whether all its numbers are finite as floats, as those of every look-up are.
+// Whether all its numbers are finite as floats; then those of every look-up are, too.
 bool is_finite(const GridPicture& lens);
 
-// The row of voxels along `axis` through `at`, whose voxel 0 is that with coordinate 0.
+// The row of voxels along `axis` through `at`; its voxel 0 is the one with coordinate 0.
 RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelAt& at,
                   int axis);
-// The same without pixels.
+// The same without the picture's pixels.
 RowPicture row_of(const GridPicture& lens, const VoxelAt& at, int axis);
 
-// Homogeneous, of voxel i of a row.
+// The homogeneous position of voxel i of a row in the picture.
 struct Projected {
   float x, y, w;
 };
@@ -42,10 +43,10 @@ inline Projected projected(const RowPicture& row, int i) {
   const float place = float(i);
   return {row.x + place * row.dx, row.y + place * row.dy, row.w + place * row.dw};
 }
-// Of one voxel's centre, as in its row along x.
+// The position of one voxel's centre, computed as in its row along x.
 Projected centre_of(const GridPicture& lens, const VoxelAt& at);
 
-// The pixel of a voxel's centre; column < 0 where it is beside the picture or behind the camera.
+// The pixel of a voxel's centre; column < 0 if it is outside of the picture or behind the camera.
 struct PixelOf {
   int column = -1, row = -1;
 };
@@ -55,8 +56,9 @@ inline PixelOf centre_pixel(const Projected& p, float width, float height) {
   return inside ? PixelOf{int(u), int(v)} : PixelOf{};
 }
 
-// Calls visit(column, row) for each pixel of the footprint that is in the picture. A voxel of which a corner is not before the camera,
-// or falls on no finite place of the picture, has its centre's pixel alone.
+// Calls visit(column, row) for each pixel of the footprint that is inside the picture. If a corner
+// of the voxel is not in front of the camera, or is projected to no finite position, only the pixel
+// of its centre is visited.
 template <class Visit>
 void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint footprint,
                     const Visit& visit);
@@ -67,7 +69,8 @@ struct Corner {
   float u, v;
 };
 
-// Counter-clockwise or clockwise, without the points between: Andrew's monotone chain (1979).
+// The convex hull, counter-clockwise or clockwise, without points in between: Andrew's monotone
+// chain (1979).
 inline int hull_of(std::array<Corner, 8>& corners, std::array<Corner, 16>& hull) {
   std::ranges::sort(
       corners, [](const Corner& a, const Corner& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
@@ -122,7 +125,7 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
     u[i] = (centre.x + lens.corner_x[i]) / w[i];
     v[i] = (centre.y + lens.corner_y[i]) / w[i];
   }
-  // A sum with an infinite number or with none in it is not finite.
+  // If one of the numbers is infinite or NaN, the sum is not finite.
   float all = 0;
   for (std::size_t i = 0; i < 8; ++i) all += std::abs(u[i]) + std::abs(v[i]);
   if (!std::isfinite(all)) {
@@ -136,7 +139,7 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
     top = std::min(top, v[i]);
     bottom = std::max(bottom, v[i]);
   }
-  // Pixels whose centres are within, kept to the picture before they become whole numbers.
+  // Pixels whose centres are inside, limited to the picture before conversion to integers.
   const int x0 = int(std::ceil(std::clamp(left - 0.5f, 0.0f, lens.width)));
   const int x1 = int(std::floor(std::clamp(right - 0.5f, -1.0f, lens.width - 1)));
   const int y0 = int(std::ceil(std::clamp(top - 0.5f, 0.0f, lens.height)));
@@ -164,15 +167,15 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
   if (!has_middle) visit(middle.column, middle.row);
 }
 
-// What the pictures say of one voxel.
+// The pictures' information about one voxel.
 struct Seen {
-  ColorSums sums;     // over pixels that are not hidden, codes
-  int views = 0;      // pictures that have one
+  ColorSums sums;     // over the pixels where the voxel is not hidden, in codes
+  int views = 0;      // pictures with at least one such pixel
   double spread = 0;  // summed over these pictures, codes
   double least_spread = 0;
   bool is_background = false;
-  bool is_inconsistent = false;  // known before all pictures were asked
-  Rgba8 color;                   // the mean; of coloured voxels
+  bool is_inconsistent = false;  // found before all pictures were looked at
+  Rgba8 color;                   // the mean; for coloured voxels only
 };
 
 }  // namespace glassbox::views

@@ -25,7 +25,8 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
   grid.size = size;
   grid.corner = axes * low;
   for (int axis = 0; axis < 3; ++axis) {
-    // What sticks out of the last voxel by rounding alone needs no voxel of its own.
+    // A part of the box that extends beyond the last voxel only by rounding needs no voxel of its
+    // own.
     constexpr double kRounding = 1e-9;
     const double along = std::ceil((high[axis] - low[axis]) / size - kRounding);
     if (!(along <= kMostVoxelsAlong)) {

@@ -11,10 +11,11 @@ VoxelAt voxel_at(const std::array<int, 3>& at) {
   return {at[0], at[1], at[2]};
 }
 
-// The part of a run whose centres are between the planes of a box, of which a grid along the world's axes has all.
+// The part of a run whose centres are between the planes of a box. (In a grid along the world's
+// axes all centres are.)
 VoxelRun clipped(VoxelRun run, const VoxelGrid& grid, const WorldBox& box) {
   const Vector3d start = grid.centre(run.first), step = grid.size * grid.axes.col(run.axis);
-  // What sticks out by rounding is inside.
+  // Centres that are outside only by rounding count as inside.
   const double room = grid.size * 1e-6;
   double from = 0, to = run.count - 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -50,7 +51,8 @@ std::vector<VoxelRun> PlaneLayers::runs(int k, const WorldBox& box) const {
     first[std::size_t(axis_)] = place(k);
     first[std::size_t(column_)] = column;
     VoxelRun run{voxel_at(first), row_, grid_.count[std::size_t(row_)]};
-    // The last voxels of a grid along the world's axes may stick out of the box by less than one.
+    // In a grid along the world's axes the last voxels may extend beyond the box, by less than one
+    // voxel.
     if (!is_aligned) run = clipped(run, grid_, box);
     if (run.count > 0) runs.push_back(run);
   }
@@ -79,7 +81,7 @@ std::vector<VoxelRun> ShellLayers::runs(int k) const {
     return std::min(high_[axis] + room, grid_.count[axis] - 1);
   };
   const auto has = [&](std::size_t axis, int at) { return at >= 0 && at < grid_.count[axis]; };
-  // Both faces along z, then those along y without what the first have, then those along x.
+  // Both faces across z, then the rest of those across y, then the rest of those across x.
   const auto add = [&](VoxelAt first, int axis, int last) {
     const VoxelRun run{first, axis, last - VoxelRun{first, axis, 0}.begin() + 1};
     if (run.count > 0) runs.push_back(run);

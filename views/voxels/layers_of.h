@@ -1,4 +1,5 @@
-// The voxels of each layer, as runs: planes along an axis, shells around cameras, and the few that a coarser level leaves.
+// The voxels of each layer, as runs. Layers are planes along an axis, shells around cameras, or the
+// remaining cells of a coarser level.
 #pragma once
 
 #include <array>
@@ -9,19 +10,20 @@
 
 namespace glassbox::views {
 
-// Layers 0 .. n - 1 of planes: along direction[0], from its low end if direction[1] is 1.
+// Layers 0 .. n - 1 are planes along the axis direction[0], from its low end if direction[1] is 1,
+// else from its high end.
 class PlaneLayers {
 public:
   PlaneLayers(const VoxelGrid& grid, std::array<int, 2> direction);
   int count() const { return grid_.count[std::size_t(axis_)]; }
-  // The coordinate of layer k.
+  // The coordinate of layer k along the axis.
   int place(int k) const { return forward_ ? k : count() - 1 - k; }
-  // The layer that a voxel is of.
+  // The number of a voxel's layer.
   int layer_of(const VoxelAt& at) const {
     const int place = axis_ == 0 ? at.x : axis_ == 1 ? at.y : at.z;
     return forward_ ? place : count() - 1 - place;
   }
-  // All of its voxels whose centres are in the box.
+  // All voxels of layer k whose centres are in the box.
   std::vector<VoxelRun> runs(int k, const WorldBox& box) const;
 
 private:
@@ -30,9 +32,10 @@ private:
   bool forward_;
 };
 
-// Shells around the voxels that have cameras in them: layer k has the voxels that are k + 1 away from the box of those, counted along
-// the axis along which it is most. That distance is a convex function which is 0 in the box, so it grows along every ray from a
-// camera; what is in the box itself is taken for empty.
+// Shells around the voxels with cameras in them: layer k has the voxels at the distance k + 1 from
+// the bounding box of those, measured along the axis along which it is largest. This distance is a
+// convex function that is 0 in the box, so it grows along every ray from a camera. The inside of
+// that box is taken to be empty.
 class ShellLayers {
 public:
   ShellLayers(const VoxelGrid& grid, const std::vector<Vector3d>& cameras);
@@ -45,14 +48,14 @@ private:
   int layers_ = 0;
 };
 
-// One byte for each cell of a coarser level.
+// The cells of a coarser level, one byte each.
 class Cells {
 public:
   explicit Cells(const VoxelGrid& grid);
   void set(const VoxelAt& at) { bytes_[index(at)] = 1; }
-  // And those around each, corners too.
+  // Sets all neighbours of set cells, too, those at corners included.
   void grow();
-  // Of a layer of the next finer level: the runs whose cells are set.
+  // For a layer of the next finer level, the runs whose cells are set.
   std::vector<VoxelRun> finer(const std::vector<VoxelRun>& runs) const;
 
 private:

@@ -1,4 +1,4 @@
-// A picture as the sweep reads it: one word for each pixel, which has its colour and what it may not be used for.
+// A picture in the layout for the sweep: one word for each pixel, with its colour and two flags.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace glassbox::views {
 
-// Bit 31: something nearer has been coloured at this pixel, the one bit of its mask; bit 30: background. Below, three channels of ten
-// bits in quarters of a level: R, G, B; or L times its weight, a + 128, b + 128.
+// Bit 31: a coloured voxel in front hides this pixel; bit 30: background. Below are three channels
+// of ten bits each, in quarters of a level: R, G, B; or L times its weight, a + 128, b + 128.
 inline constexpr std::uint32_t kHidden = 0x80000000u, kBackground = 0x40000000u;
 inline constexpr int kCodesPerLevel = 4, kChannelBits = 10;
 inline constexpr std::uint32_t kChannelMask = 1023;
@@ -32,18 +32,20 @@ struct PackedPicture {
   ProjectionMatrix pixel_from_world;
   Vector3d eye = Vector3d::Zero();
   int width = 0, height = 0;
-  // The matte has no object at its border: the object is wholly in the picture, and what is beside the picture is background.
+  // The matte has no object at its border: the object is entirely inside the picture, and
+  // everything outside of the picture is background.
   bool has_whole = false;
   std::vector<std::uint32_t> words;
-  // Where settings ask for it: the deviation of the colours of the object in the 3 x 3 pixels around each, in the same codes.
+  // If the settings need it: the deviation of the object's colours in the 3 x 3 pixels around each
+  // pixel, in the same codes.
   std::vector<std::uint32_t> spread;
-  // Where the words are not RGB: their pixels' RGB, of which coloured voxels have the mean.
+  // If the words are not RGB: the pixels' RGB, whose mean is the colour of a voxel.
   std::vector<Rgba8> rgb;
 };
 
 ProjectionMatrix projection_of(const PinholeCamera& camera);
 
-// The channels of a colour; bits 30 and 31 are 0.
+// The three channels of a colour; bits 30 and 31 are 0.
 std::uint32_t packed_color(const Rgba8& color, const ColoringSettings& settings);
 
 PackedPicture pack(const CalibratedPicture& picture, const ColoringSettings& settings);
@@ -52,7 +54,7 @@ inline bool wants_spread(const ColoringSettings& settings) {
   return settings.consistency == Consistency::kAdaptive || settings.edge > 0;
 }
 
-// Nothing is hidden any more.
+// Clears the hidden bit of every pixel.
 void uncover(PackedPicture& picture);
 
 }  // namespace glassbox::views

@@ -6,7 +6,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The places of a pixel's four, of which a picture of odd size has fewer at its end.
+// The positions of a pixel's four pixels; at the end of a picture of odd size there are fewer.
 struct Four {
   std::size_t at[4];
   int count = 0;
@@ -36,7 +36,8 @@ std::uint32_t mean_word(const PackedPicture& picture, const Four& four) {
   return mean;
 }
 
-// The deviation around a pixel of the coarser picture is taken for that around its pixels.
+// The mean of its four pixels' deviations is used for the deviation around a pixel of the coarser
+// picture.
 std::uint32_t mean_spread(const PackedPicture& picture, const Four& four) {
   std::uint32_t sum = 0;
   for (int i = 0; i < four.count; ++i) sum += picture.spread[four.at[i]];

@@ -11,8 +11,9 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-// ln Gamma(a), a > 0: Stirling's series at 10 and beyond, which a product leads to. The first term
-// that is left out is 1 / (156 a^13) there, less than 1e-15.
+// ln Gamma(a), a > 0: Stirling's series for a >= 10; smaller arguments are increased by the
+// recurrence Gamma(a + 1) = a Gamma(a). The first term that is left out is 1 / (156 a^13), less
+// than 1e-15 there.
 double log_gamma(double a) {
   double product = 1;
   for (; a < 10; a += 1) product *= a;
@@ -25,8 +26,8 @@ double log_gamma(double a) {
   return (a - 0.5) * logarithm(a) - a + kHalfLogOfTwoPi + series - logarithm(product);
 }
 
-// The regularised incomplete gamma functions, by the series for P and Lentz's continued fraction for Q: each where it converges
-// quickly (Press et al., Numerical Recipes, 6.2). Q(a, x) is returned.
+// The regularised incomplete gamma function Q(a, x), from the series for P or from Lentz's
+// continued fraction for Q, whichever converges quickly (Press et al., Numerical Recipes, 6.2).
 double gamma_tail(double a, double x) {
   if (!(x > 0)) return 1;
   const double front = exponential(a * logarithm(x) - x - log_gamma(a));
@@ -77,7 +78,7 @@ double chi_squared_quantile(double degrees, double tail) {
     const double middle = (low + high) / 2;
     (chi_squared_tail(degrees, middle) > tail ? low : high) = middle;
   }
-  // Nine digits, as many as the series are good for.
+  // Nine digits, the accuracy of the series.
   const double scale = whole_power(10, std::max(0, 9 - int(std::ceil(logarithm_10(high)))));
   return std::round(high * scale) / scale;
 }

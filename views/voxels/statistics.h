@@ -1,12 +1,13 @@
-// Are these numbers one number with noise? Mean and variance without cancellation, and the law of the test (S1-19).
+// Statistics for the question whether numbers are one number with noise: mean and variance without
+// cancellation, and the distribution of the test (S1-19).
 #pragma once
 
 #include <cstdint>
 
 namespace glassbox::views {
 
-// Welford's recurrence (1962): the sum of squares is that of differences from the running mean, so it loses nothing to a mean that is
-// far from 0 (C-93), and it cannot fall below 0.
+// Welford's recurrence (1962): it sums squared differences from the running mean, so a mean far
+// from 0 costs no accuracy (C-93), and the sum cannot become negative.
 struct Welford {
   std::int64_t count = 0;
   double mean = 0, squares = 0;  // squares: the sum of (x - mean)^2
@@ -17,16 +18,16 @@ struct Welford {
     mean += before / double(count);
     squares += before * (x - mean);
   }
-  // The unbiased one; 0 of fewer than two numbers.
+  // The unbiased variance; 0 for fewer than two numbers.
   double variance() const { return count > 1 ? squares / double(count - 1) : 0; }
 };
 
-// Of whole numbers: every sum is exact, so is their difference, and no order matters. Three channels of 0 .. 1023 of up to 2^31
-// pixels have room.
+// Sums of integers: every sum and difference is exact, and the order does not matter. There is room
+// for up to 2^31 pixels with three channels of 0 .. 1023.
 struct ColorSums {
   std::int64_t count = 0;
   std::int64_t channel[3] = {0, 0, 0};
-  std::int64_t squares = 0;  // of all three
+  std::int64_t squares = 0;  // of all three channels
 
   void add(std::int64_t a, std::int64_t b, std::int64_t c) {
     ++count;
@@ -40,15 +41,17 @@ struct ColorSums {
     for (int i = 0; i < 3; ++i) channel[i] += other.channel[i];
     squares += other.squares;
   }
-  // The sum over pixels and channels of (x - mean of its channel)^2: (K sum x^2 - (sum x)^2) / K, of which one division is rounded.
+  // The sum over pixels and channels of (x - mean of its channel)^2, computed as (K sum x^2 - (sum
+  // x)^2) / K, where only the division is rounded.
   double deviations() const;
-  // Pooled over the channels: deviations() / (3 (K - 1)); 0 of fewer than two.
+  // The variance pooled over the channels: deviations() / (3 (K - 1)); 0 for fewer than two pixels.
   double variance() const { return count > 1 ? deviations() / (3 * double(count - 1)) : 0; }
 };
 
-// The x that a chi-squared number with so many degrees of freedom exceeds with probability `tail`, 0 < tail < 1; to nine digits.
+// The number that a chi-squared variable with so many degrees of freedom exceeds with probability
+// `tail`, 0 < tail < 1; to nine digits.
 double chi_squared_quantile(double degrees, double tail);
-// The probability that it exceeds x.
+// The probability that such a variable exceeds x.
 double chi_squared_tail(double degrees, double x);
 
 }  // namespace glassbox::views

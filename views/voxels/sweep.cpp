@@ -13,7 +13,8 @@ namespace glassbox::views {
 
 namespace {
 
-// Steps of about the golden section, so that the first few pictures look from all around.
+// An order with steps of about the golden section, so that the first few pictures look from all
+// around.
 std::vector<std::size_t> scattered(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::size_t step = std::max<std::size_t>(1, std::size_t(double(count) * 0.381966));
@@ -22,7 +23,7 @@ std::vector<std::size_t> scattered(std::size_t count) {
   return order;
 }
 
-constexpr int kPart = 16;  // voxels of a block that are known together
+constexpr int kPart = 16;  // voxels along a run for which background and hiding are tested together
 
 bool is_occluder(Verdict verdict, Occluders occluders) {
   if (verdict == Verdict::kColored) return true;
@@ -48,18 +49,19 @@ std::vector<double> likelihood_ratios(const ColoringSettings& settings) {
   return ratios;
 }
 
-// What one thread finds in a few runs.
+// The results of one thread for a few runs.
 struct Sweep::Block {
   std::vector<VoxelAt> colored;
   std::vector<Seen> seen;
-  std::vector<std::size_t> places;  // of the coloured ones among the layer's verdicts
+  std::vector<std::size_t> places;  // of the coloured voxels, as indices into the layer's verdicts
   std::vector<RowPicture> rows, asked;
   std::vector<std::int32_t> sums[7];
   std::vector<std::size_t>
-      open;  // indices of asked_: pictures in which something of the part may be seen
+      open;  // indices into asked_: pictures in which some voxel of the part may be visible
 };
 
-// Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`, and the run's rows in the pictures of asked_.
+// Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`, and the run's rows in the
+// pictures of asked_.
 struct Sweep::Part {
   const VoxelRun& run;
   int from, count;
@@ -78,8 +80,9 @@ Sweep::Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
     lenses_.push_back(grid_picture(grid_, picture));
     tiles_.emplace_back(picture);
   }
-  // Deviations may only be given up early where nothing that comes later can excuse them: beyond what as many pixels as there are
-  // pictures may have, at most.
+  // A voxel may be given up early only if no later picture can make it acceptable again. So the
+  // bound is the largest sum of deviations that is allowed for any number of pixels up to the
+  // number of pictures.
   double most = 0;
   for (std::size_t k = 2; k <= std::min(kExactRatios, pictures_.size()); ++k)
     most = std::max(most, 3 * double(k - 1) * limit(std::int64_t(k)));
@@ -91,8 +94,9 @@ Sweep::Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                          : std::numeric_limits<float>::infinity();
 }
 
-// T^2 of so many pixels in codes (packed_picture.h). Beyond 256 the cube root of the quantile is normal (Wilson and Hilferty 1931), with
-// the quantile of 256 for its own.
+// The largest allowed variance for this many pixels, in squared codes (packed_picture.h). For more
+// than 256 pixels the cube root of the quantile is treated as normally distributed (Wilson and
+// Hilferty 1931), fitted to the quantile for 256.
 double Sweep::limit(std::int64_t pixels) const {
   if (settings_.consistency != Consistency::kLikelihood) {
     const double threshold = settings_.threshold * kCodesPerLevel;
@@ -159,7 +163,9 @@ Rgba8 Sweep::mean_color(const VoxelRun& run, int i, const Seen& seen) const {
   return {mean(sums[0]), mean(sums[1]), mean(sums[2]), 255};
 }
 
-// All of a box is background for one of the pictures that are asked before colours are compared, where it counts first.
+// Whether the whole box is background in one of the pictures that are looked at before the first
+// comparison of colours. (In later pictures, inconsistent colours could be found before the
+// background.)
 bool Sweep::is_background(const VoxelBox& box) const {
   const bool has_trials = most_deviations_ < std::numeric_limits<float>::infinity();
   const std::size_t first = has_trials ? std::size_t(kPicturesBetweenTrials) : asked_.size();
@@ -201,8 +207,9 @@ std::int64_t voxels_of(const VoxelBox& box) {
 
 }  // namespace
 
-// Part by part of kPart voxels along the runs: neighbouring voxels fall on neighbouring pixels, which are still near the processor, and
-// what is known of all of them needs no look at each.
+// Judges the runs in parts of kPart voxels: neighbouring voxels have neighbouring pixels, which are
+// still in the cache, and a part that is entirely background or hidden needs no look-up of its
+// voxels.
 void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block) {
   block.rows.clear();
   std::int64_t voxels = 0;
@@ -218,7 +225,8 @@ void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Bl
                 block.rows.data() + r * asked_.size()};
   };
   const VoxelBox box = box_of_runs(runs);
-  // Of runs that lie far apart, or are short, little could be known together: those of a coarser level's cells are judged whole.
+  // Runs that are far apart or short have little in common, so they are judged whole. Those in the
+  // cells of a coarser level are like that.
   constexpr std::int64_t kMostEmpty = 2, kLeastParts = 4;
   if (!is_one_axis || voxels_of(box) > kMostEmpty * voxels ||
       voxels < kLeastParts * kPart * std::int64_t(runs.size())) {
@@ -245,14 +253,14 @@ void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Bl
       if (all_background) {
         std::fill_n(verdicts_.begin() + std::ptrdiff_t(first_of_run_[first_run + r]) + low,
                     high - low + 1, Verdict::kBackground);
-      } else if (!block.open.empty()) {  // else hidden, as they begin
+      } else if (!block.open.empty()) {  // else hidden, which is the initial verdict
         judge_part(part_of(r, low, high - low + 1), block);
       }
     }
   }
 }
 
-// Coloured voxels were found part by part: back into the order of the runs.
+// Puts the coloured voxels, which were found part by part, back into the order of the runs.
 void Sweep::put_in_order(Block& block) {
   std::vector<std::size_t> order(block.places.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -268,7 +276,8 @@ void Sweep::put_in_order(Block& block) {
 }
 
 void Sweep::judge_part(const Part& part, Block& block) {
-  // Pictures that nothing can be seen in say nothing; the trials stay where they are without them.
+  // Leaves out pictures in which nothing of the part is visible; the tests of colours stay at the
+  // same places in the sequence.
   block.asked.clear();
   std::size_t trial = 0;
   for (const std::size_t i : block.open) {
@@ -318,7 +327,7 @@ void Sweep::judge_part(const Part& part, Block& block) {
   }
 }
 
-// One voxel in all pictures, with whatever footprint.
+// Looks up one voxel in all pictures, with any footprint.
 Seen Sweep::look_up(const VoxelRun& run, int i) const {
   Seen seen;
   const int first = run.begin();
@@ -345,7 +354,8 @@ Seen Sweep::look_up(const VoxelRun& run, int i) const {
       return seen;
     }
     if (here.count > 0) {
-      // Within several pixels their own deviation is M's, as it is defined; one pixel has none, and is asked for those around it.
+      // With several pixels, their own deviation is part of the mean M, as defined; a single pixel
+      // has none, so the deviation around it is used.
       if (here.count > 1) spread = std::sqrt(here.variance());
       seen.least_spread = seen.views == 0 ? spread : std::min(seen.least_spread, spread);
       seen.spread += spread;
@@ -386,7 +396,7 @@ void Sweep::judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occl
 }
 
 void Sweep::judge_layer(std::span<const VoxelRun> runs, Occluders occluders) {
-  // A voxel that is judged by what the one before it hides cannot be judged beside it.
+  // If a voxel depends on what the previous one hides, the voxels cannot be judged in parallel.
   const bool in_turn = settings_.update == Update::kVoxel;
   constexpr std::size_t kRunsOfBlock = 8;
   const std::size_t of_block = in_turn ? std::max<std::size_t>(runs.size(), 1) : kRunsOfBlock;

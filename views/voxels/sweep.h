@@ -1,4 +1,5 @@
-// Layers of voxels, nearest to the cameras first: what all pictures say of each voxel, and what it then hides (S1-18, S1-21, S1-31).
+// Sweeps over layers of voxels, those nearest to the cameras first: combines what all pictures show
+// of each voxel, and marks what it then hides (S1-18, S1-21, S1-31).
 #pragma once
 
 #include <array>
@@ -17,10 +18,11 @@
 namespace glassbox::views {
 
 enum class Verdict : std::uint8_t {
-  kBackground,  // a picture shows background there, or has the whole object in its frame and not this
-  kHidden,      // no picture sees it: coloured voxels are before it, or it is in no frame
-  kAlone,       // fewer than two pictures see it, which cannot say anything
-  kInconsistent,  // their colours differ
+  kBackground,  // a picture shows background there, or contains the whole object but not this voxel
+  // No picture sees it: coloured voxels are in front of it, or it is outside of all pictures.
+  kHidden,
+  kAlone,         // fewer than two pictures see it, so that colours cannot be compared
+  kInconsistent,  // the colours differ
   kColored,
 };
 inline constexpr int kVerdicts = 5;
@@ -33,7 +35,7 @@ struct VoxelRun {
   int axis = 0;
   int count = 0;
 
-  // The first voxel's coordinate along the axis.
+  // The coordinate of the first voxel along the axis.
   int begin() const { return axis == 0 ? first.x : axis == 1 ? first.y : first.z; }
   VoxelAt at(int i) const {
     VoxelAt voxel = first;
@@ -44,28 +46,32 @@ struct VoxelRun {
 
 struct ColoredVoxel {
   VoxelAt at;
-  Rgba8 color;              // the mean
+  Rgba8 color;              // the mean of its pixels
   std::uint16_t views = 0;  // pictures that see it
   float deviation = 0;      // pooled over the channels, levels
   friend bool operator==(const ColoredVoxel&, const ColoredVoxel&) = default;
 };
 
-// Which verdicts hide what is behind: those that are coloured (voxel colouring), or all but what is proved empty (space carving).
+// The voxels that hide what is behind them: the coloured ones (voxel colouring), or all that are
+// not proved empty (space carving).
 enum class Occluders { kColored, kNotCarved };
 
-// Of the likelihood ratio: the chi-squared quantile of K pixels by its degrees of freedom, for K = 0 .. kExactRatios; of other tests
-// nothing. A request makes it once for all of its sweeps.
+// For the likelihood ratio: the chi-squared quantile for K pixels divided by its degrees of
+// freedom, for K = 0 .. kExactRatios. Empty for other tests. A request computes it once for all of
+// its sweeps.
 inline constexpr std::size_t kExactRatios = 256;
 std::vector<double> likelihood_ratios(const ColoringSettings& settings);
 
 class Sweep {
 public:
-  // All must outlive it; the pictures' hidden bits are the sweep's. `ratios`: likelihood_ratios(settings).
+  // All arguments must outlive the sweep; the pictures' hidden bits belong to it. `ratios` is
+  // likelihood_ratios(settings).
   Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
         const ColoringSettings& settings, const std::vector<double>& ratios);
 
-  // Judges the voxels of one layer and hides behind them. The verdicts are in the order of the runs. Pictures that are not `active`
-  // (one flag each; empty: all are) are neither asked nor hidden from.
+  // Judges the voxels of one layer, and then hides what is behind them. The verdicts are in the
+  // order of the runs. Pictures that are not `active` (one flag each; empty: all are) are not
+  // looked at, and nothing is hidden in them.
   void layer(std::span<const VoxelRun> runs, std::span<const std::uint8_t> active,
              Occluders occluders);
 
@@ -95,7 +101,8 @@ private:
   std::vector<PackedPicture>& pictures_;
   const ColoringSettings& settings_;
   std::vector<GridPicture> lenses_;
-  std::vector<std::size_t> order_;  // of the pictures: those that look from elsewhere come soon
+  // Order of the pictures, in which different directions of view come early.
+  std::vector<std::size_t> order_;
   std::vector<std::size_t> asked_;  // those of order_ that are active
   const std::vector<double>& ratios_;
   std::vector<PixelTiles> tiles_;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kTile = 4, kTileShift = 2;  // px
 constexpr std::uint32_t kOneBit = 63;
 
-// Calls each(word, mask) for the bits first .. last of a row of tiles.
+// Calls each(word, mask) for the bits first .. last of a row of tiles, until it returns false.
 template <class Each>
 bool all_words(std::int64_t first, std::int64_t last, const Each& each) {
   for (std::int64_t word = first / 64; word <= last / 64; ++word) {
@@ -78,7 +78,7 @@ PixelRect PixelTiles::kept_inside(const PixelRect& rect) const {
           std::min<std::int64_t>(rect.bottom, pixels_high_ - 1)};
 }
 
-// Of no pixels at all, too.
+// Also true if there are no pixels.
 bool PixelTiles::has_all(const std::vector<std::uint64_t>& bits, const PixelRect& inside) const {
   if (inside.left > inside.right) return true;
   for (std::int64_t y = inside.top >> kTileShift; y <= inside.bottom >> kTileShift; ++y) {
@@ -105,7 +105,8 @@ std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {
   const ProjectionMatrix& m = lens.pixel_from_grid;
   const Vector3d low(box.low.x + 0.5, box.low.y + 0.5, box.low.z + 0.5),
       high(box.high.x + 0.5, box.high.y + 0.5, box.high.z + 0.5);
-  // A float's start, product and sum are each rounded once, by 2^-24 of at most these; one more for the powers of it.
+  // In float, the start, the product and the sum are each rounded once, by at most 2^-24 times this
+  // magnitude; one more covers the higher powers.
   constexpr double kRounding = 4 * 0x1p-24;
   const Vector3d reach = kRounding * (m.leftCols<3>().cwiseAbs() * high + m.col(3).cwiseAbs());
   double nearest = INFINITY, left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
@@ -126,7 +127,8 @@ std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {
     top = std::min(top, v);
     bottom = std::max(bottom, v);
   }
-  // Half a pixel of the whole one by which the rectangle grows; the other half is for what is done in double here.
+  // The rectangle is enlarged by one pixel on each side. Half a pixel is for the rounding in float,
+  // the other half for the computation in double here.
   constexpr double kMostOff = 0.5;
   const double least = nearest - reach.z();
   const double farthest =

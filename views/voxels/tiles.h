@@ -1,7 +1,8 @@
-// Whole blocks of voxels that need not be looked up: those that fall on background, and those of which nothing can be seen.
+// Blocks of voxels that need no look-up, because they are entirely background or entirely hidden.
 //
-// The pixels of a picture are counted in tiles of 4 x 4. Where all the tiles around the projection of a block are background, or
-// hidden in every picture, so are all of its voxels, and their verdicts are what one after the other would have found.
+// A picture's pixels are grouped in tiles of 4 x 4. If all tiles around a block's projection are
+// background, or are hidden in every picture, then so are all voxels of the block, and their
+// verdicts are those that the look-up of each voxel would have given.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace glassbox::views {
 
-// Columns and rows of pixels, both ends included, not kept to any picture.
+// Columns and rows of pixels, both ends included; may extend beyond the picture.
 struct PixelRect {
   std::int64_t left = 0, top = 0, right = 0, bottom = 0;
 };
@@ -21,12 +22,13 @@ class PixelTiles {
 public:
   explicit PixelTiles(const PackedPicture& picture);
 
-  // What those of such a picture take.
+  // Bytes for the tiles of a picture of this size.
   static double bytes_for(int width, int height);
 
-  // A pixel is hidden that was not, and is no background.
+  // To be called when a pixel becomes hidden that was neither hidden nor background.
   void hide(int column, int row);
-  // Every voxel that falls into the rectangle is background here, or is seen by nobody here and is no background.
+  // is_background(): every voxel inside the rectangle is background in this picture. is_hidden():
+  // every voxel inside it is hidden in this picture, and not background.
   bool is_background(const PixelRect& rect) const;
   bool is_hidden(const PixelRect& rect) const;
 
@@ -35,11 +37,11 @@ private:
   bool sticks_out(const PixelRect& rect) const;
   PixelRect kept_inside(const PixelRect& rect) const;
 
-  int width_, height_, words_;  // tiles, and words of their bits in a row
+  int width_, height_, words_;  // number of tiles, and of words for their bits in a row
   int pixels_wide_, pixels_high_;
-  bool has_whole_;                  // beside the picture is background
-  std::vector<std::uint8_t> left_;  // pixels of each tile that are open or background
-  std::vector<std::uint64_t> background_, hidden_;  // one bit a tile: all of it
+  bool has_whole_;                  // everything outside of the picture is background
+  std::vector<std::uint8_t> left_;  // pixels of each tile that are visible or background
+  std::vector<std::uint64_t> background_, hidden_;  // one bit for each tile: the whole tile is
 };
 
 // A box of voxels, both ends included.
@@ -47,8 +49,9 @@ struct VoxelBox {
   VoxelAt low, high;
 };
 
-// A rectangle that has the pixel of every centre of the box, as floats find it (projected()); nothing where a centre is not before the
-// camera, or the numbers are too large for that to be known.
+// A rectangle that contains the pixels of all centres of the box, as computed in float
+// (projected()). None if a centre is not in front of the camera, or if the numbers are too large
+// for a guarantee.
 std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box);
 
 }  // namespace glassbox::views

@@ -38,8 +38,9 @@ void for_each_triangle(const Scene& scene, const VoxelGrid& grid, const Each& ea
   }
 }
 
-// The lines stand a little beside the centres, by numbers that corners written in few digits do not have: voxels whose centres are
-// in line with an edge are the rule in such scenes. A line that meets an edge all the same counts it once too often or not at all.
+// The lines are shifted slightly away from the centres, by numbers that corners with few digits
+// cannot have: in such scenes voxel centres are often exactly in line with an edge. A line that
+// meets an edge nevertheless counts it once too often or not at all.
 constexpr double kBesideX = 0x1.6a09e6p-22, kBesideY = 0x1.bb67aep-23;
 
 class Lines {
@@ -83,7 +84,7 @@ private:
   std::vector<std::vector<Crossing>> crossings_;
 };
 
-// Points in cells of a few voxels, for nearest neighbours.
+// Points sorted into cells of a few voxels, to find nearest neighbours.
 class Places {
 public:
   explicit Places(const std::vector<Vector3d>& points) : points_(points) {
@@ -94,7 +95,8 @@ public:
       high = high.cwiseMax(p);
     }
     if (points.empty()) return;
-    // About a point in a cell: few points far apart are not looked for in many empty ones.
+    // About one point for each cell: otherwise few points far apart would be searched for in many
+    // empty cells.
     const Vector3d room = high - low_ + Vector3d::Constant(1);
     cell_ = std::max(cell_, cube_root(room.prod() / double(points.size())));
     for (int axis = 0; axis < 3; ++axis)
@@ -108,11 +110,11 @@ public:
       order_[next[index(cell(points[i]))]++] = std::uint32_t(i);
   }
 
-  // Cubes of cells of growing radius, until none that is left can be nearer.
+  // Searches cubes of cells of growing radius, until no remaining cell can contain a nearer point.
   double distance(const Vector3d& p) const {
     if (points_.empty()) return INFINITY;
     const std::array<int, 3> middle = cell(p);
-    // From outside of all cells it is at least as far as to their box.
+    // A point outside of all cells is at least as far away as their bounding box.
     double nearest = INFINITY;
     const int most = std::max({count_[0], count_[1], count_[2]});
     for (int radius = 0; radius <= most; ++radius) {
@@ -137,7 +139,7 @@ private:
     }
     return at;
   }
-  // How far p is from the cell that stands for it.
+  // How far p is outside of the cells' bounding box.
   double outside(const Vector3d& p) const {
     double most = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -174,7 +176,7 @@ private:
 }  // namespace
 
 double TrueVolume::bytes_for(const VoxelGrid& grid) {
-  // Most lines are cut twice.
+  // Most lines have two crossings.
   return double(grid.voxels()) / 8 + double(grid.count[0]) * grid.count[1] *
                                          (sizeof(std::vector<Crossing>) + 2 * sizeof(Crossing));
 }
@@ -278,8 +280,9 @@ Result<std::vector<Image<float>>> true_distances(const Scene& scene, const Pictu
 }
 
 double surface_error_bytes(const PictureSet& set, double voxels) {
-  // A distance for each pixel; the points that are seen once and twice, and the voxels' centres, of one of which at a time three numbers for
-  // each say in which cell it is (Places).
+  // A distance for each pixel; the points that are seen once and those seen twice; and the voxels'
+  // centres. For one of these sets at a time, three numbers for each point say in which cell it is
+  // (Places).
   constexpr double kPoint = sizeof(Vector3d), kPlace = 3 * sizeof(std::uint32_t);
   const double points = object_pixels_of(set);
   return pixels_of(set) * sizeof(float) + 2 * points * kPoint + voxels * kPoint +

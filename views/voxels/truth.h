@@ -1,5 +1,5 @@
-// What a scene really is, for pictures that were made from it: which voxels are inside it, and which points of its surface the
-// pictures see.
+// The truth about a scene from which pictures were made: which voxels are inside it, and which
+// points of its surface the pictures see.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@
 
 namespace glassbox::views {
 
-// One bit for each voxel: its centre is inside a closed surface of the scene. Lines along z through the centres are cut with the
-// triangles; where they wind around a place other than 0 times, it is inside. Surfaces that are not closed have no inside.
+// One bit for each voxel: whether its centre is inside a closed surface of the scene. Lines along z
+// through the centres are intersected with the triangles; a point is inside if its winding number
+// along the line is not 0. Surfaces that are not closed have no inside.
 class TrueVolume {
 public:
   TrueVolume(const Scene& scene, const VoxelGrid& grid);
@@ -22,7 +23,7 @@ public:
   }
   std::int64_t voxels() const { return voxels_; }
 
-  // Its bits, and while it is made a list of crossings for each line of voxels.
+  // Bytes for its bits and, during construction, a list of crossings for each line of voxels.
   static double bytes_for(const VoxelGrid& grid);
 
 private:
@@ -31,7 +32,8 @@ private:
   std::int64_t voxels_ = 0;
 };
 
-// How much two solids have in common: |A and B| / |A or B|. A solid is fed voxel by voxel, or run by run.
+// The overlap of two solids, |A and B| / |A or B|. One of them is added voxel by voxel, or run by
+// run.
 class Overlap {
 public:
   explicit Overlap(const TrueVolume& truth) : truth_(truth) {}
@@ -40,7 +42,7 @@ public:
     both_ += truth_.has(at);
   }
   void add(const VoxelRun& run);
-  // Those voxels of a layer that a sweep did not prove to be empty.
+  // Adds those voxels of a layer that a sweep did not prove to be empty.
   void add(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts);
   double iou() const {
     const std::int64_t either = found_ + truth_.voxels() - both_;
@@ -53,28 +55,30 @@ private:
   std::int64_t found_ = 0, both_ = 0;
 };
 
-// Points of the true surface: of each pixel of each picture, that which it shows. Grid coordinates.
+// Points of the true surface: for each pixel of each picture, the point that it shows. In grid
+// coordinates.
 struct SeenSurface {
   std::vector<Vector3d> once;   // seen by at least one picture
   std::vector<Vector3d> twice;  // seen by at least two
 };
-// `distances`: of each picture, along the gaze, as the engine has them. Two pictures see the same point where their distances agree
-// within a voxel's diagonal.
+// `distances` has the engine's distances along the direction of view for each picture. Two pictures
+// see the same point if their distances agree to within a voxel's diagonal.
 SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
                          const VoxelGrid& grid);
 
-// The pictures' distances, drawn from the scene.
+// The distances of the pictures, drawn from the scene.
 Result<std::vector<Image<float>>> true_distances(const Scene& scene, const PictureSet& set);
 
 struct SurfaceErrors {
-  // Voxels. From a coloured voxel's centre to the nearest point of the true surface that is seen, and from a point that two pictures
-  // see to the nearest centre.
+  // In voxels: from a coloured voxel's centre to the nearest visible point of the true surface
+  // (to_truth), and from a point that two pictures see to the nearest centre (from_truth).
   double to_truth_mean = 0, to_truth_most = 0, from_truth_mean = 0, from_truth_most = 0;
   double hausdorff() const { return std::max(to_truth_most, from_truth_most); }
 };
-// What true_distances, seen_surface and surface_errors take together with so many coloured voxels.
+// Bytes that true_distances, seen_surface and surface_errors need together for this many coloured
+// voxels.
 double surface_error_bytes(const PictureSet& set, double voxels);
-// Infinite where there is nothing to measure to.
+// Distances are infinite if there is nothing to measure to.
 SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface);
 
 }  // namespace glassbox::views

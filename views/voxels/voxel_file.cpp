@@ -24,7 +24,8 @@ void add_vertex(std::string& text, const Vector3d& p, const Rgba8& color) {
 
 struct Side {
   VoxelAt beside;
-  int corners[4];  // counter-clockwise from outside; bit 0: high x, bit 1: high y, bit 2: high z
+  // counter-clockwise seen from outside; bit 0: high x, bit 1: high y, bit 2: high z.
+  int corners[4];
 };
 constexpr Side kSides[] = {{{-1, 0, 0}, {0, 4, 6, 2}}, {{1, 0, 0}, {1, 3, 7, 5}},
                            {{0, -1, 0}, {0, 1, 5, 4}}, {{0, 1, 0}, {2, 6, 7, 3}},

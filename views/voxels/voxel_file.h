@@ -1,4 +1,4 @@
-// Coloured voxels as PLY files.
+// Writes coloured voxels as PLY files.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@ namespace glassbox::views {
 
 enum class VoxelShape { kCubes, kPoints };
 
-// Binary, little-endian. Cubes have the faces that no other coloured voxel covers, with the colours of their voxels at the corners, and
-// `glassbox render` draws them; points have the centres, for programs that draw points.
+// Binary, little-endian. Cubes have the faces that are not covered by another coloured voxel, with
+// their voxel's colour at the corners; `glassbox render` draws them. Points have the voxels'
+// centres, for programs that draw points.
 std::string voxels_ply(const VoxelGrid& grid, const std::vector<ColoredVoxel>& voxels,
                        VoxelShape shape);
 

@@ -12,7 +12,7 @@ namespace {
 
 struct Landing {
   int visible = 0, behind = 0, in_front = 0;
-  std::optional<glm::dvec2> window;  // of the first that is visible
+  std::optional<glm::dvec2> window;  // of the first visible point
 };
 
 Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const CheckedPoint> points) {
@@ -24,7 +24,7 @@ Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const Che
     landing.in_front += c.w > 0;
     const double low = s.dialect.z_from_minus_w ? -c.w : 0;
     const bool inside = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= low &&
-                        c.z <= c.w;  // false where one is NaN
+                        c.z <= c.w;  // false if one of them is NaN
     if (!inside) continue;
     const glm::dvec2 window{c.x / c.w * (double(viewport.right) - double(viewport.left)) / 2 +
                                 (double(viewport.right) + double(viewport.left)) / 2,
@@ -40,7 +40,7 @@ Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const Che
   return landing;
 }
 
-// ---- what speaks for a change ----
+// ---- evidence for a change ----
 
 struct Judged {
   MatrixFacts model, view;
@@ -56,7 +56,7 @@ struct Judged {
                          !projection.looks_transposed && facts_of(s.projection.m).rank == 4),
         eye(view.affine ? eyepoint_of(s.view) : std::nullopt) {}
 
-  // 0: not what it claims to be.
+  // How sound the view matrix is: 2 rigid, 1 affine with an inverse, 0 no view matrix.
   int soundness_of_view() const { return view.rigid() ? 2 : view.invertible() ? 1 : 0; }
   int soundness() const {
     return int(model.invertible()) + soundness_of_view() + int(projection_sound);
@@ -68,7 +68,8 @@ struct Judged {
   }
 };
 
-// What speaks for a change, or against it: a weight, with words where there is something to say.
+// Adds evidence for a change (positive weight) or against it (negative), with a sentence for the
+// report if there is one.
 void add_reason(Alternative& found, double weight, std::string reason = "") {
   found.score += weight;
   if (!reason.empty()) found.reasons.push_back(std::move(reason));
@@ -161,7 +162,7 @@ void weigh(Change change, const MatrixSetup& changed, const Judged& judged, cons
   }
 }
 
-// What a setup does to points, however it is made up.
+// The map of a setup from points to clip space. Different setups can have the same one.
 struct Map {
   glm::dmat4 clip_from_object;
   bool z_from_minus_w;
@@ -214,7 +215,8 @@ private:
     }
   }
 
-  // With two changes a single point goes nearly anywhere: something in the matrices has to speak for them, or more points.
+  // With two changes a single point can be moved nearly anywhere. So a pair of changes is reported
+  // only if the matrices show evidence for it, or if it shows all of at least three points.
   bool is_credible(const Alternative& pair) const {
     constexpr double kSomethingInTheMatrices = 4;
     return pair.score >= kSomethingInTheMatrices ||
@@ -262,7 +264,7 @@ private:
   const Judged judged_;
   const Landing before_;
   bool expects_ = false;
-  int most_ = 0;  // points that a single change brings in
+  int most_ = 0;  // the largest number of points that a single change makes visible
   std::vector<Map> tried_;
   ConventionsReport report_;
 };

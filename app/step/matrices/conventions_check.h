@@ -1,8 +1,10 @@
-// Which convention would make a point visible? Each likely slip is undone, one at a time, and the points are sent through
-// again; what brings them into the picture is reported, the likeliest first, with what speaks for it.
+// Finds the convention that would make a point visible. Each likely slip is undone, one at a time,
+// and the points are transformed again. Changes that bring points into the picture are reported,
+// the likeliest first, with the evidence for them.
 //
-// Nothing here can know what was meant: several changes may do, and all that do are listed. Changes that would spoil a matrix
-// which is sound as it stands (transposing a rigid view, say) are only counted.
+// The check cannot know what the user meant: several changes may work, and all of them are listed.
+// Changes that would spoil a matrix which is sound as given (such as transposing a rigid view) are
+// only counted.
 #pragma once
 
 #include <optional>
@@ -16,34 +18,38 @@ namespace glassbox {
 
 struct CheckedPoint {
   glm::dvec4 object{0, 0, 0, 1};
-  std::optional<glm::dvec2> expected;  // window coordinates where it should appear
+  std::optional<glm::dvec2> expected;  // window coordinates where the point should appear
 };
 
-// An expected place is met within this many pixels in x and y: one, and the half between a pixel's corner and its centre.
+// The tolerance for an expected position, in px, in x and y: one pixel, plus the half between a
+// pixel's corner and its centre.
 inline constexpr double kExpectedWithinPx = 1.5;
 
 struct Alternative {
   Change change;
-  std::optional<Change> second;  // of two together
-  const char* id = "";           // of `change`: stable
+  std::optional<Change> second;  // of two changes made together
+  const char* id = "";           // of `change`; does not change between versions
   const char* second_id = "";
   std::string what, remedy;          // "transpose every matrix"
-  std::vector<std::string> reasons;  // what speaks for it, besides that it works
-  int points = 0;                    // how many land where they should
-  double score = 0;                  // what the reasons weigh; only the order means something
-  std::optional<glm::dvec2> window;  // where the first of the points lands
+  std::vector<std::string> reasons;  // the evidence for it, besides that it works
+  int points = 0;                    // number of points that are where they should be
+  double score = 0;                  // sum of the reasons' weights; used for ordering only
+  std::optional<glm::dvec2> window;  // window position of the first of the points
 };
 
 struct ConventionsReport {
   int points = 0;
-  int visible = 0;                        // as given; with `expected`, at their places
-  int behind_eye = 0;                     // as given: w < 0
-  std::vector<Alternative> alternatives;  // those that improve on `visible`, the likeliest first
-  int spoiling = 0;                       // changes that would do, too, but spoil a sound matrix
+  // with the matrices as given; with `expected`, only points at their positions
+  int visible = 0;
+  int behind_eye = 0;  // w < 0 with the matrices as given
+  // changes that show more points than `visible`, likeliest first
+  std::vector<Alternative> alternatives;
+  // number of changes that would work too, but spoil a sound matrix
+  int spoiling = 0;
 };
 
-// Two changes together are tried where no point is visible and no single one brings them all into the picture; those that
-// bring more of them than any single one are reported.
+// Checks the setup. Two changes together are tried only if no point is visible and no single change
+// makes all visible. Those that make more points visible than any single change are reported.
 ConventionsReport check_conventions(const MatrixSetup& setup, const Viewport& viewport,
                                     std::span<const CheckedPoint> points);
 

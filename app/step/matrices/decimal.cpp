@@ -32,7 +32,7 @@ std::string brief(double value, int digits) {
   char text[40];
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-  if (value == 0) return "0";  // no -0
+  if (value == 0) return "0";  // not "-0"
   return std::isnan(value) ? "nan" : std::string(text, end.ptr);
 }
 

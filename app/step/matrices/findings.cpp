@@ -32,7 +32,7 @@ bool roles_are_exchanged(const MatrixSetup& setup, Findings& found) {
   return true;
 }
 
-// What model and view have in common: true if the matrix is affine.
+// The check that model and view share: whether the matrix is affine.
 bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix& matrix,
                   Findings& found) {
   if (facts.affine) return true;
@@ -61,8 +61,8 @@ bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix&
   return false;
 }
 
-// A look-at camera has its right axis horizontal. Where only the inverse has, and a rounder position too, the matrix is
-// probably the camera's pose.
+// A look-at camera has a horizontal right axis. If this holds only for the inverse, and the
+// position is rounder for it too, the matrix is probably the camera's pose.
 void check_pose(const GivenMatrix& view, Findings& found) {
   const auto inverse = affine::inverse(view.m);
   const auto eye = eyepoint_of(view);

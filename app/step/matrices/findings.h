@@ -1,5 +1,6 @@
-// What is wrong with three matrices that claim to be model, view and projection: each on its own, and what they say to one
-// another. A finding is an alarm only where no correct set of matrices for the dialect looks so.
+// Finds what is wrong with three matrices that are given as model, view and projection: each on its
+// own, and together. A finding is an alarm only if no correct set of matrices for the dialect looks
+// like this.
 #pragma once
 
 #include <string>
@@ -9,13 +10,14 @@
 
 namespace glassbox {
 
-// kNote: worth knowing. kHint: legal, but often a slip. kAlarm: contradicts what the matrix claims to be.
+// kNote: worth knowing. kHint: legal, but often a slip. kAlarm: contradicts what the matrix is
+// given as.
 enum class Severity { kNote, kHint, kAlarm };
 
 struct Finding {
   Severity severity = Severity::kNote;
-  const char* id = "";      // stable: "transposed", "depth-lost"
-  const char* matrix = "";  // "model", "view", "projection", or empty for what concerns all
+  const char* id = "";      // does not change between versions: "transposed", "depth-lost"
+  const char* matrix = "";  // "model", "view", "projection", or empty if it concerns all
   std::string cause, remedy;
 };
 
@@ -38,7 +40,7 @@ private:
 
 std::vector<Finding> check_matrices(const MatrixSetup& setup);
 
-// The parts of it, for matrices with finite entries.
+// The checks of the single matrices, whose entries must be finite.
 void check_model(const MatrixSetup& setup, Findings& found);
 void check_view(const MatrixSetup& setup, Findings& found);
 void check_projection(const MatrixSetup& setup, Findings& found);

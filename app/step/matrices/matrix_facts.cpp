@@ -19,12 +19,14 @@ bool is_small(double x, double size) {
   return std::abs(x) <= kSmall * size;
 }
 
-// 0 0 0 1, whatever the size of the other rows: w should be 1, and is multiplied into everything.
+// Whether the row is 0 0 0 1. It is compared with 1 and not with the other rows, because w, which
+// should be 1, multiplies everything.
 bool is_affine_row(const glm::dvec4& row) {
   return is_small(row.x, 1) && is_small(row.y, 1) && is_small(row.z, 1) && is_small(row.w - 1, 1);
 }
 
-// The determinant's sign, or 0 where it is smaller than what rounding the entries to float does to its six terms.
+// The determinant's sign, or 0 if the determinant is below the error that rounding the entries to
+// float causes in its six terms.
 int orientation_of(const glm::dmat3& a) {
   const auto term = [&](int i, int j, int k) { return std::abs(a[0][i] * a[1][j] * a[2][k]); };
   const double terms =
@@ -34,7 +36,7 @@ int orientation_of(const glm::dmat3& a) {
   return determinant > 0 ? 1 : -1;
 }
 
-// Each column divided by its length.
+// Divides each column by its length.
 glm::dmat3 without_scale(const glm::dmat3& a) {
   glm::dmat3 axes = a;
   for (int i = 0; i < 3; ++i) axes[i] /= std::sqrt(glm::dot(a[i], a[i]));
@@ -135,13 +137,14 @@ MatrixFacts facts_of(const glm::dmat4& m) {
 }
 
 int rank_of(const glm::dmat4& m) {
-  // `size` keeps the sum of the magnitudes that were added up to an entry: what its rounding is relative to.
+  // For each entry, `size` is the sum of the magnitudes that were added up in it. Its rounding
+  // error is relative to that.
   glm::dmat4 a = m, size;
   for (int column = 0; column < 4; ++column) size[column] = glm::abs(m[column]);
   bool row_used[4] = {}, column_used[4] = {};
   for (int rank = 0; rank < 4; ++rank) {
-    // The pivot that is furthest above its rounding, so that small rows, such as those of a near plane close to the eye,
-    // count like others.
+    // Chooses the pivot that is largest relative to its rounding error, so that rows of small
+    // numbers, such as those from a near plane close to the eye, are treated like others.
     int row = -1, column = -1;
     double best = 8 * gamma<float>(4);
     for (int c = 0; c < 4; ++c) {
@@ -177,7 +180,8 @@ std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view) {
   eye.right = {m[0][0], m[1][0], m[2][0]};
   eye.up = {m[0][1], m[1][1], m[2][1]};
   eye.back = {m[0][2], m[1][2], m[2][2]};
-  // A e + t = 0: e moves by |A^-1| (dA |e| + dt).
+  // The position e solves A e + t = 0. Errors dA and dt of the entries move it by at most |A^-1|
+  // (dA |e| + dt).
   const glm::dvec3 e = glm::abs(eye.position);
   glm::dvec3 residual(0);
   for (int row = 0; row < 3; ++row) {

@@ -1,8 +1,9 @@
-// What a matrix is: sixteen numbers, judged without knowing what they were meant to be.
+// Describes a 4x4 matrix by its entries alone, without knowing what it is meant to be.
 //
-// The numbers may come from a text with few digits or have passed through many float products, so nothing is asked to hold
-// exactly. Entries that are small by kSmall in their row count as zero, and axes within kRigidTolerance (view.h) of
-// perpendicular unit vectors count as a rotation; how far off they are is reported.
+// The numbers may come from a text with few digits, or from many products in float, so no property
+// is required to hold exactly. Entries that are smaller than kSmall times the largest of their row
+// count as zero. Axes within kRigidTolerance (view.h) of perpendicular unit vectors count as a
+// rotation; the deviation is reported.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -14,23 +15,24 @@
 
 namespace glassbox {
 
-// Entries below this part of the largest of their row are taken for rounding: four decimals short of float's 7 digits, and
-// finer than any rotation or scale that somebody means.
+// Entries below this fraction of the largest in their row are taken for rounding errors. The limit
+// keeps four decimals, fewer than float's 7 digits, and is smaller than any rotation or scale that
+// somebody intends.
 inline constexpr double kSmall = 0x1p-16;
 
 inline double at(const glm::dmat4& m, int row, int column) {
   return m[column][row];
 }
-// Whether an entry is small beside the largest one of its row.
+// Whether an entry is small compared with the largest of its row.
 bool is_small(const glm::dmat4& m, int row, int column);
 
-// A matrix as its user's program printed it: columns[column][row], whatever order the text had, and how far each entry may
-// be from what the program held (half a unit of the last digit).
+// A matrix as the user's program printed it: columns[column][row], whatever the order of the text,
+// with the uncertainty of each entry (half a unit of its last digit).
 struct GivenMatrix {
   glm::dmat4 m{1};
   glm::dmat4 uncertainty{0};
-  bool given = false;    // the identity otherwise
-  std::string origin{};  // how it came in: "view.txt, read by rows, 6 digits"
+  bool given = false;    // if false, it is the identity
+  std::string origin{};  // where it comes from: "view.txt, read by rows, 6 digits"
 };
 
 std::string row_text(const glm::dmat4& m, int row);  // "(0, 0, -1, 0)"
@@ -40,9 +42,9 @@ GivenMatrix transposed(const GivenMatrix& matrix);
 enum class Shape {
   kNotFinite,
   kIdentity,
-  kTranslation,  // and nothing else
+  kTranslation,  // only a translation
   kRigid,        // rotation and translation; with `mirror`, a reflection
-  kSimilarity,   // the same with one scale for all directions
+  kSimilarity,   // the same, with one scale for all directions
   kScaled,       // rotation after a scale along the axes, R S: columns perpendicular
   kScaledAfter,  // scale after a rotation, S R: rows perpendicular, columns not
   kSheared,      // any other invertible affine map
@@ -53,25 +55,25 @@ enum class Shape {
 struct MatrixFacts {
   Shape shape = Shape::kIdentity;
   bool affine = true;             // last row 0 0 0 1
-  bool affine_transposed = true;  // last column 0 0 0 1, as of an affine map for row vectors
+  bool affine_transposed = true;  // last column 0 0 0 1, as in an affine matrix for row vectors
   int rank = 4;
-  double determinant = 1;    // of the upper 3x3, as are the next four
-  int orientation = 1;       // the determinant's sign; 0 where rounding could have made it
+  double determinant = 1;    // of the upper 3x3, like the next four
+  int orientation = 1;       // the determinant's sign; 0 if it could be a rounding error
   double orthogonality = 0;  // largest entry of |R^T R - I|
   glm::dvec3 scale{1};  // the lengths of the columns; for a diagonal, its entries with their signs
   bool diagonal = true;
-  std::optional<AxisAngle> rotation;  // of kRigid, kSimilarity and kScaled without a mirror
+  std::optional<AxisAngle> rotation;  // for kRigid, kSimilarity and kScaled without a mirror
   glm::dvec3 translation{0};          // the last column
 
   bool mirror() const { return orientation < 0; }
-  bool rigid() const;  // a proper one
+  bool rigid() const;  // a rotation and a translation, without a mirror
   bool invertible() const { return affine && orientation != 0; }
 };
 
 MatrixFacts facts_of(const glm::dmat4& m);
 
-// The number of independent rows: elimination with full pivoting, a pivot counting as zero where rounding the entries to
-// float could have made it.
+// The number of independent rows, by elimination with full pivoting. A pivot counts as zero if
+// rounding the entries to float could have made it.
 int rank_of(const glm::dmat4& m);
 
 // The first entry that is infinite or NaN.
@@ -80,21 +82,22 @@ struct Entry {
 };
 std::optional<Entry> first_not_finite(const glm::dmat4& m);
 
-// ---- as a view matrix, eye from world ----
+// ---- as a view matrix, eye_from_world ----
 
 struct Eyepoint {
-  glm::dvec3 position{0};  // in the world; of the plane of the eye's origin if the matrix is rigid
-  double uncertainty = 0;  // of each coordinate, as the digits of the entries leave it
-  int digits = 0;          // of the three coordinates together, simplified
+  // of the eye in the world; if the matrix is not rigid, the point that it maps to the origin
+  glm::dvec3 position{0};
+  double uncertainty = 0;  // of each coordinate, from the uncertainty of the entries
+  int digits = 0;          // of the three coordinates together, as the simplest decimals
   glm::dvec3 right{0}, up{0}, back{0};  // the eye's axes in the world: rows of the upper 3x3
-  // The right axis is horizontal for y or z up, as look-at cameras have it.
+  // The right axis is horizontal if y or z is up, as it is for look-at cameras.
   bool level = false;
 };
 
-// Nothing where the upper 3x3 has no inverse.
+// The eye of a view matrix; nothing if the upper 3x3 has no inverse.
 std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view);
 
-// "(3, 2, 5)", as round as the digits leave it.
+// The position as the simplest decimals within the uncertainty: "(3, 2, 5)".
 std::string position_text(const Eyepoint& eye);
 
 }  // namespace glassbox

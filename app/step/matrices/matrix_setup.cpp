@@ -25,7 +25,8 @@ std::optional<Hand> world_drawn(const MatrixSetup& setup) {
   }
   bool right = lens.looks_down_minus_z;
   if (view.mirror()) right = !right;
-  // A picture that is only upside down is not mirrored left to right, nor is one that is turned round.
+  // Only x flipped against y mirrors the picture left to right. A picture that is upside down, or
+  // turned by 180 degrees, is not mirrored.
   const bool y_flipped = (lens.scale.y < 0) != setup.dialect.ndc_y_down;
   if (lens.scale.x < 0 && !y_flipped) right = !right;
   return right ? Hand::kRight : Hand::kLeft;

@@ -1,4 +1,5 @@
-// Three matrices that claim to be model, view and projection, and what is known about the program that has them.
+// Three matrices given as model, view and projection, and what is known about the program that uses
+// them.
 #pragma once
 
 #include <optional>
@@ -19,11 +20,12 @@ struct MatrixSetup {
   std::optional<glm::ivec2> picture;  // width and height in pixels, if the user gave them
 };
 
-// Which worlds these matrices draw as they are; the other hand comes out mirrored left to right. Nothing where the matrices
-// are not a view and a projection.
+// The handedness of worlds that these matrices draw correctly; worlds of the other handedness
+// appear mirrored left to right. Nothing if the matrices are not a view and a projection.
 std::optional<Hand> world_drawn(const MatrixSetup& setup);
 
-// The dialect whose conventions a projection follows, as far as can be told, and why. OpenGL where nothing can be told.
+// The dialect (graphics API) whose conventions a projection follows, as far as can be told, with
+// the reason. OpenGL if nothing can be told.
 struct GuessedDialect {
   const ApiDialect* dialect;
   std::string reason;

@@ -22,7 +22,7 @@ double length3(const glm::dvec4& v) {
   return std::sqrt(dot3(v, v));
 }
 
-// The view's third row, and what the projection scales everything by.
+// The view's third row, and the factor k by which the projection scales everything.
 struct Gaze {
   bool perspective = false;
   double k = 0;
@@ -37,11 +37,12 @@ std::optional<Gaze> gaze_of(const glm::dmat4& m) {
   const double length = gaze.perspective ? gaze.k : length3(depth);
   if (!(gaze.k > 0 && length > 0)) return std::nullopt;
   gaze.back = (gaze.perspective ? w : depth) * (-1 / length);
-  if (!gaze.perspective) gaze.back.w = 0;  // a parallel projection does not tell where the eye is
+  if (!gaze.perspective) gaze.back.w = 0;  // a parallel projection has no eye position
   return gaze;
 }
 
-// The first two rows are those of the view, scaled, with a part of the gaze in them; the third is the gaze again.
+// Each of the first two rows is a row of the view, scaled, plus a multiple of the gaze; the third
+// row is the gaze again.
 std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze) {
   glm::dmat4 projection(0), view(1);
   glm::dvec4 axes[3] = {{}, {}, gaze.back};
@@ -66,7 +67,7 @@ std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze
   projection[3][3] = gaze.perspective ? 0 : 1;
   const glm::dvec3 cross = glm::cross(glm::dvec3(axes[0]), glm::dvec3(axes[1]));
   if (glm::dot(cross, glm::dvec3(axes[2])) < 0) {
-    // A left-handed eye, rather than a view that mirrors.
+    // This is interpreted as a left-handed eye, not as a view that mirrors.
     axes[2] = -axes[2];
     projection[2] = -projection[2];
   }
@@ -76,7 +77,8 @@ std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze
   return ProjectionAndView{{projection, glm::dmat4(0), true}, {view, glm::dmat4(0), true}};
 }
 
-// ---- what the digits leave open in the factors, generously: each entry is made of two rows ----
+// ---- uncertainty of the factors, from that of the entries; generous, as each entry comes from two
+// rows ----
 
 double row_uncertainty(const GivenMatrix& matrix, int row) {
   return std::max({at(matrix.uncertainty, row, 0), at(matrix.uncertainty, row, 1),
@@ -175,7 +177,7 @@ bool is_transposed_projection(const GivenMatrix& matrix) {
   const GivenMatrix turned = transposed(matrix);
   const ProjectionFacts turned_facts = projection_facts(turned);
   if (turned_facts.kind == ProjectionKind::kPerspective) return !turned_facts.looks_transposed;
-  // The gaze is a unit vector.
+  // The last row of a projection times a view contains the gaze, which is a unit vector.
   const double gaze = length3(row_of(turned.m, 3));
   return std::abs(gaze - 1) <= kRigidTolerance && factor_projection(turned);
 }

@@ -20,7 +20,7 @@ struct Plane {
   double distance = 0, uncertainty = 0;
 };
 
-// Where the depth is `z`. Within what the digits leave open, depth may get there at infinity only.
+// The distance at which the depth is `z`; infinity if that is possible within the uncertainty.
 Plane plane_of_depth(const ProjectionFacts& p, double z) {
   if (p.kind == ProjectionKind::kParallel) {
     const double distance = (z - p.beta) / p.alpha;
@@ -44,7 +44,7 @@ DepthReading reading(const ProjectionFacts& p, bool from_minus_one) {
   r.possible =
       p.kind == ProjectionKind::kParallel || (near.distance > 0 && near.distance < far.distance);
   if (!r.possible && r.reversed) {
-    // Depth falls with distance because one of the planes is behind the eye.
+    // One of the planes is behind the eye, which is why depth falls with distance.
     std::swap(near, far);
     r.reversed = false;
   }
@@ -64,7 +64,7 @@ void read_depth(ProjectionFacts& p) {
 
 // ---- the angle of view ----
 
-// The whole number of degrees that a number is, as far as its digits leave that open.
+// The angle as a whole number of degrees if it is one within its uncertainty.
 std::optional<int> whole_degrees(double degrees, double uncertainty) {
   const Decimal number = simplest_decimal(degrees, uncertainty);
   const bool is_whole = number.digits <= 3 && number.value == std::floor(number.value);
@@ -72,7 +72,7 @@ std::optional<int> whole_degrees(double degrees, double uncertainty) {
   return int(number.value);
 }
 
-// The angle of view that a scale makes.
+// The angle of view for a given scale, which is cot(angle/2).
 struct Angle {
   double degrees = 0, uncertainty = 0;
 
@@ -84,8 +84,9 @@ struct Angle {
   std::optional<int> whole() const { return whole_degrees(degrees, uncertainty); }
 };
 
-// cot(D/2) with D, meant as degrees, taken for radians: 1, 2 and 3 are angles in radians already. Whatever computed it
-// rounded a few times to float: 2^-21.
+// Finds D if the scale is cot(D/2) with D in degrees, computed as if it were radians. D starts at
+// 4, since 1, 2 and 3 are plausible angles in radians. The tolerance 2^-21 allows for a few
+// roundings to float.
 std::optional<int> degrees_taken_as_radians(double scale, double uncertainty) {
   for (int degrees = 4; degrees < 180; ++degrees) {
     const SinCos half = sin_cos(degrees * 0.5);
@@ -95,7 +96,8 @@ std::optional<int> degrees_taken_as_radians(double scale, double uncertainty) {
   return std::nullopt;
 }
 
-// A scale that somebody typed as it is was not made from an angle.
+// Returns nothing if the scale has few digits: then it was probably typed, not computed from an
+// angle.
 std::optional<int> degrees_of_half_window(const glm::dvec2& scale, const glm::dvec2& uncertainty) {
   constexpr int kTyped = 3;
   for (const int axis : {1, 0}) {
@@ -116,7 +118,7 @@ void read_angle(ProjectionFacts& p, const glm::dvec2& uncertainty) {
   p.fovy_degrees = angle.degrees;
   p.fovy_uncertainty = angle.uncertainty;
   if (simplest_decimal(angle.degrees, angle.uncertainty).digits <= 3 && p.scale.y > 0) {
-    return;  // a round angle is what was meant
+    return;  // a round angle is probably what was meant
   }
   p.degrees_taken_as_radians = degrees_taken_as_radians(p.scale.y, uncertainty.y);
   p.radians_taken_as_degrees =
@@ -128,7 +130,8 @@ void read_angle(ProjectionFacts& p, const glm::dvec2& uncertainty) {
 
 // ---- the rows ----
 
-// x and y each scaled and moved on their own, w a multiple of z or constant.
+// Perspective or parallel if x and y are each scaled and moved on their own, and w is a multiple of
+// z or constant.
 ProjectionKind kind_of(const glm::dmat4& m) {
   for (int row : {0, 1}) {
     const int other = 1 - row;
@@ -157,7 +160,7 @@ int ProjectionFacts::fewest_digits() const {
 }
 
 const DepthReading* ProjectionFacts::round_planes(DepthRange expected) const& {
-  constexpr int kRound = 5;  // "0.25 and 150"
+  constexpr int kRound = 5;  // such as "0.25 and 150"
   if (kind != ProjectionKind::kPerspective) return nullptr;
   const DepthReading* best = nullptr;
   for (const DepthReading* r : {&zero_to_one, &minus_one_to_one}) {

@@ -1,4 +1,4 @@
-// What is wrong with a projection: the part of findings.h that is about depth, angle and window.
+// Finds what is wrong with a projection: the part of findings.h about depth, angle and window.
 #include <cmath>
 
 #include "app/step/matrices/decimal.h"
@@ -21,7 +21,8 @@ void note_view_inside(const MatrixSetup& setup, Findings& found) {
   }
 }
 
-// P S^T instead of P S, S the skew of a stereo pair: x in depth and in w = +-z, where nothing turns.
+// Whether the matrix is P S^T instead of P S, where S is the skew of a stereo pair. Then depth and
+// w = +-z contain x, although nothing is rotated.
 bool has_transposed_skew(const glm::dmat4& m) {
   const bool x_and_y_are_scaled =
       is_small(m, 0, 1) && is_small(m, 0, 2) && is_small(m, 1, 0) && is_small(m, 1, 2);
@@ -30,7 +31,7 @@ bool has_transposed_skew(const glm::dmat4& m) {
          !is_small(m, 2, 3);
 }
 
-// Whether it is something that was put in a projection's place.
+// Whether the matrix is of another kind that was given as the projection by mistake. Reports it.
 bool is_something_else(const GivenMatrix& given, Findings& found) {
   const MatrixFacts facts = facts_of(given.m);
   if (is_view_times_projection(given.m)) {
@@ -72,7 +73,7 @@ void alarm_unknown(const GivenMatrix& given, Findings& found) {
               "compare it with the table in docs/step.md, entry by entry");
 }
 
-// ---- the factors of a whole ----
+// ---- projections that contain a view ----
 
 void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findings& found) {
   if (lens.w_offset != 0) {
@@ -105,7 +106,8 @@ void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findin
 
 // ---- depth ----
 
-// The planes that one entry or row with another sign would give, in words; nothing where none is round.
+// The near and far planes that result if one entry or row is negated, in words; empty if none of
+// these are round.
 std::string planes_after_repair(const MatrixSetup& setup) {
   struct Repair {
     const char* words;
@@ -222,7 +224,7 @@ void check_angle(const ProjectionFacts& lens, Findings& found) {
 }
 
 void check_flips(const MatrixSetup& setup, const ProjectionFacts& lens, Findings& found) {
-  if (lens.degrees_taken_as_radians) return;  // has said so
+  if (lens.degrees_taken_as_radians) return;  // reported already
   const bool x_flipped = lens.scale.x < 0;
   const bool y_flipped = (lens.scale.y < 0) != setup.dialect.ndc_y_down;
   if (x_flipped && y_flipped) {
@@ -261,7 +263,7 @@ void check_aspect(const MatrixSetup& setup, const ProjectionFacts& lens, Finding
   found.hint("aspect", kProjection, "its aspect ratio is " + brief(lens.aspect, 4) + why, remedy);
 }
 
-// The last row of a perspective projection that was never filled in.
+// Whether this is a perspective projection whose last row was never filled in. Reports it.
 bool check_last_row(const MatrixSetup& setup, const ProjectionFacts& lens, Findings& found) {
   if (lens.kind != ProjectionKind::kParallel) return false;
   for (const double sign : {-1, 1}) {

@@ -23,7 +23,7 @@ bool invert(GivenMatrix& matrix) {
   return true;
 }
 
-// [A | t] with A t, or A^-1 t, in place of t.
+// Replaces t in [A | t] by A t, or by A^-1 t if `back`.
 bool exchange_factors(GivenMatrix& matrix, bool back) {
   const auto inverse = affine::inverse(matrix.m);
   if (!inverse || !matrix.given) return false;
@@ -39,7 +39,7 @@ bool transpose(GivenMatrix& matrix) {
 
 using MeantAngle = std::optional<int> ProjectionFacts::*;
 
-// Scales x and y as the angle that was meant would have.
+// Scales x and y to those of the angle that was meant.
 bool set_angle(GivenMatrix& projection, MeantAngle meant) {
   const ProjectionFacts facts = projection_facts(projection);
   const std::optional<int>& degrees = facts.*meant;

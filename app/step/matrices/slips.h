@@ -1,4 +1,5 @@
-// The slips of convention that bring points out of the picture, each as the change of a setup that undoes it.
+// Slips of convention that make points invisible. Each is given as the change of a setup that
+// undoes it.
 #pragma once
 
 #include <span>
@@ -14,33 +15,33 @@ enum class Change {
   kTransposeProjection,
   kExchangeViewProjection,
   kExchangeModelView,
-  kDegrees,      // the angle of view in degrees, where it was taken for radians
+  kDegrees,      // reads the angle of view as degrees, if it was taken for radians
   kRadians,      // the other way round
   kClearCorner,  // [3][3] = 0
-  kDepthRange,   // clipped at -w <= z instead of 0 <= z, or the other way round
-  kEyeHand,      // z of the eye negated, between view and projection
-  kTurnRound,    // x and z of the eye negated, in the view
+  kDepthRange,   // clips at -w <= z instead of 0 <= z, or the other way round
+  kEyeHand,      // negates the eye's z, between view and projection
+  kTurnRound,    // negates the eye's x and z, in the view
   kInvertView,
-  kViewFactors,       // T R became R T
-  kViewFactorsBack,   // R T became T R
-  kViewOffsetSign,    // the eye's position with its minus
-  kModelFactors,      // T R became R T
-  kModelFactorsBack,  // R T became T R
+  kViewFactors,       // changes T R to R T
+  kViewFactorsBack,   // changes R T to T R
+  kViewOffsetSign,    // negates the eye's position
+  kModelFactors,      // changes T R to R T
+  kModelFactorsBack,  // changes R T to T R
   kInvertModel,
-  kFlipX,  // the last two only where it is known which pixel was expected
+  kFlipX,  // the last two only if the user gave the expected pixel
   kFlipY,
 };
 
 struct Slip {
   Change change;
-  const char* id;      // stable: "eye-hand"
+  const char* id;      // does not change between versions: "eye-hand"
   const char* what;    // "transpose every matrix"
-  const char* remedy;  // what to look for in one's own program
-  // Undoes it; false where that makes no sense here, as for a matrix that was not given.
+  const char* remedy;  // what to look for in the user's program
+  // Undoes the slip. Returns false if that makes no sense, for example if the matrix was not given.
   bool (*undo)(MatrixSetup& setup);
 };
 
-// In the order in which they are named where nothing else tells them apart: the commonest first.
+// All slips, the commonest first. Reports keep this order if nothing else decides.
 std::span<const Slip> slips();
 
 }  // namespace glassbox

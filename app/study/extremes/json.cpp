@@ -11,7 +11,7 @@ namespace {
 using nlohmann::ordered_json;
 using study::Outcome;
 
-// JSON has no infinity.
+// The number, or a word for it if it is infinite: JSON cannot represent infinity.
 ordered_json number(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";

@@ -1,4 +1,4 @@
-// What the cases and sweeps gave, and how it is told.
+// The results of the extreme cases and sweeps, and their reports.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct SweepResult {
   const study::Sweep& what;
   std::vector<study::SweepSeries> series;
 
-  bool holds() const;  // every bound
+  bool holds() const;  // whether every bound holds
 };
 
 struct ExtremesReport {
@@ -25,14 +25,15 @@ struct ExtremesReport {
   bool holds() const;
 };
 
-// A line for each case, a table for each sweep, and how many hold.
+// A line for each case, a table for each sweep, and the number of those that hold.
 std::string extremes_text(const ExtremesReport& report);
-// One case in full.
+// The full text about one case.
 std::string case_text(const study::CaseResult& result);
 
 nlohmann::ordered_json extremes_json(const ExtremesReport& report);
 
-// A page that needs no other file: the table, the curves, the pictures.
+// A page that needs no other file, with the table, the curves and the pictures. `command` is the
+// command line that makes it.
 std::string extremes_page(const ExtremesReport& report, const std::string& command);
 
 const char* oracle_name(study::Oracle oracle);

@@ -34,7 +34,8 @@ const char* verdict(const CaseResult& result) {
   return result.holds() ? "pass" : "DRAWN WRONG";
 }
 
-// The same on every machine, however many targets its processor has.
+// Whether the case is drawn right. The text is the same on every machine, even if processors
+// support different targets.
 std::string drawn(const CaseResult& r) {
   if (r.drawn.empty()) return "-";
   if (r.drawn_right() == int(r.drawn.size())) return "right";

@@ -1,16 +1,16 @@
 // The charts: error against time, and error against the axis.
 
-const dominatedColour = "#8a8f98"; // of what a competitor beats
+const dominatedColour = "#8a8f98"; // for points that a competitor beats
 // Each series has a colour and a shape.
 const shapes = ["circle", "rect", "triangle", "rectRot", "star", "crossRot", "cross", "rectRounded"];
-const dashes = [[], [8, 3], [2, 2], [8, 3, 2, 3]]; // of scenes
+const dashes = [[], [8, 3], [2, 2], [8, 3, 2, 3]]; // for scenes
 
 function styleOf(theme, experiment, series, scene) {
   const i = seriesOf(experiment).indexOf(series), j = scenesOf(experiment).indexOf(scene);
   return {colour: theme.series[i % theme.series.length], shape: shapes[i % shapes.length], dash: dashes[j % dashes.length]};
 }
 
-// What a configuration is and has, a line each.
+// The properties of a configuration, one per line.
 function told(experiment, configuration, threads) {
   const {series, scene, parameter, error, predicted_error: predicted, ratio, finding} = configuration, lines = [[series, scene].filter(Boolean).join(", ")];
   lines.push(`${experiment.axis}: ${digits(parameter, 6)} ${experiment.axis_unit}`.trim());
@@ -33,7 +33,7 @@ const groups = (experiment) => experiment.configurations.reduce((all, each) => {
 
 function pointStyles(theme, style, configurations, threads) {
   const dominated = configurations.map((each) => timeOf(each, threads)?.standing === "dominated");
-  const open = ["star", "cross", "crossRot"].includes(style.shape); // without an inside
+  const open = ["star", "cross", "crossRot"].includes(style.shape); // shapes without a filled inside
   return {
     pointStyle: style.shape, pointRadius: 6, pointHoverRadius: 8, pointHitRadius: 6,
     pointBackgroundColor: dominated.map((grey) => grey ? dominatedColour + "80" : style.colour),
@@ -42,7 +42,8 @@ function pointStyles(theme, style, configurations, threads) {
   };
 }
 
-// One entry for each series; it hides and shows all that belongs to the series.
+// The legend with one entry per series, which hides and shows everything that belongs to the
+// series.
 function legend(datasets) {
   const named = datasets.filter(({label}, i) => label !== undefined && datasets.findIndex((other) => other.label === label) === i);
   return {
@@ -74,7 +75,8 @@ function timeChart(theme, experiment, threads) {
   for (const group of groups({configurations: timed})) {
     const {series, scene} = group[0], style = styleOf(theme, experiment, series, scene);
     datasets.push({label: series, key: series, style, data: group.map(at), showLine: false, ...pointStyles(theme, style, group, threads)});
-    // A bar from quartile to quartile, with a gap to the next; dashed where the machine was disturbed.
+    // A bar from the lower to the upper quartile, with a gap before the next; dashed if the machine
+    // was disturbed.
     const bar = (each) => [...quartiles(each).map((ns) => ({x: x.place(ns), y: y.place(error(each))})), {x: NaN, y: NaN}];
     for (const disturbed of [false, true]) {
       const own = group.filter((each) => timeOf(each, threads).disturbed > 0 === disturbed);
@@ -82,7 +84,7 @@ function timeChart(theme, experiment, threads) {
         pointRadius: 0, pointHitRadius: 0, order: 1});
     }
   }
-  const fronts = new Map(); // of those that compete with each other
+  const fronts = new Map(); // one for each group that competes
   for (const each of timed.filter((one) => timeOf(one, threads).standing === "front")) {
     const key = JSON.stringify([each.scene, experiment.axis_is_chosen ? 0 : each.parameter]);
     fronts.set(key, [...(fronts.get(key) ?? []), at(each)]);
@@ -106,7 +108,7 @@ function axisChart(theme, experiment, threads) {
     const line = {borderColor: style.colour, backgroundColor: style.colour, showLine: true, key: series};
     datasets.push({...line, label: series, style, data: group.map((each) => at(each, each.error)), borderWidth: 2, borderDash: style.dash,
       ...pointStyles(theme, style, group, threads)});
-    // A cross where a series is of no use any more, which sweeps have.
+    // A cross marks the point from which a series is no longer useful (in sweeps only).
     const ends = group.filter(({gives_up: end}) => end).map((each) => at(each, each.error));
     if (ends.length) datasets.push({...line, data: ends, showLine: false, pointStyle: "crossRot", pointRadius: 14, pointBorderWidth: 3, pointBorderColor: style.colour, order: -1});
     const theory = group.filter((each) => each.predicted_error !== null);

@@ -28,7 +28,7 @@ function explanationOf(each) {
   return explains(each) ? known : `not explained, and by another ratio than this accounts for: ${known}`;
 }
 
-// Each explanation once, with what it explains.
+// Each explanation once, with the configurations that it explains.
 function findingsOf({configurations}) {
   const found = configurations.filter(({finding}) => finding);
   const items = [...new Set(found.map(explanationOf))].map((text) => {
@@ -43,7 +43,7 @@ function figure(caption, experiment, makeChart) {
     (theme) => makeChart(theme, experiment, shownThreads(experiment, wantedThreads))));
 }
 
-// Charts and table of one measure.
+// The charts and the table of one measure.
 function measured(part, several) {
   const figures = [], name = part.measure || "error", title = name[0].toUpperCase() + name.slice(1);
   if (threadsOf(part).length) figures.push(figure(`${title} against time`, part, timeChart));
@@ -55,7 +55,7 @@ function measured(part, several) {
     element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(part)))].filter(Boolean);
 }
 
-// When times began to be measured; empty where the system did not say.
+// The machine's load and clock rate when measuring began; empty if the system did not report them.
 const stateOf = ({load, mhz}) => [Number.isFinite(number(load)) ? `load ${digits(load, 2)}` : "", number(mhz) > 0 ? `${digits(mhz, 4)} MHz` : ""].filter(Boolean).join(", ");
 
 function section(experiment) {

@@ -1,4 +1,4 @@
-// What study scene says: the ways to draw a scene, for programs, spreadsheets, people and browsers.
+// The report of `glassbox study scene` on the ways to draw a scene, as JSON, CSV, text and a page.
 #pragma once
 
 #include <string>
@@ -15,36 +15,38 @@
 
 namespace glassbox::app {
 
-// For two eyes, as glassbox render --stereo places them: the right one drawn, or warped from the left one's layers.
+// Results for two eyes placed as in glassbox render --stereo, with the right one drawn, or warped
+// from the left one's layers.
 struct SecondEyes {
   StereoPair pair;
-  std::vector<views::SecondEyeError> warped;  // of 1 layer, then of 2
-  std::string left_out;                       // why there are none; empty where there are
+  std::vector<views::SecondEyeError> warped;  // for 1 layer, then for 2
+  std::string left_out;                       // the reason if there are no results; else empty
 };
 
 struct CurveReport {
-  std::string scene;  // as it was given
+  std::string scene;  // as the user gave it
   Size size;
-  std::vector<std::string> words;  // that all ways share
+  std::vector<std::string> words;  // options that all ways share
   study::Origin origin;
-  std::string command;  // measures it again
+  std::string command;  // the command line that measures it again
   study::Curve curve;
   SecondEyes second_eyes;
 };
 
-// Draws the point's picture, in the time that was measured.
+// The command line that draws the point's picture in the way that was measured.
 std::string command_of(const CurveReport& report, const study::CurvePoint& point);
 
-// docs/study.md has the fields.
+// The fields are described in docs/study.md.
 nlohmann::ordered_json curve_json(const CurveReport& report);
 
-// A line for each point, after one with the names of the columns.
+// A line of column names, then a line for each point.
 std::string curve_csv(const CurveReport& report);
 
-// Each knob turned alone, and the front.
+// The points at which one setting (knob) is changed alone, and the Pareto front.
 std::string curve_text(const CurveReport& report);
 
-// Error against time, with the picture of each point and what differs.
+// A chart of error against time, with the picture of each point and its difference from the
+// reference.
 Result<std::string> curve_page(const CurveReport& report);
 
 }  // namespace glassbox::app

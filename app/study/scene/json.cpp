@@ -60,7 +60,7 @@ Json second_eyes_json(const SecondEyes& eyes) {
 }  // namespace
 
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
-  if (report.scene == "-") return {};  // nobody has what came through a pipe
+  if (report.scene == "-") return {};  // empty for a scene from a pipe: it could not be read again
   std::vector<std::string> own = point.way.options;
   if (point.way.engine == EngineKind::kTile && point.way.threads() == 1)
     own.insert(own.end(), {"--threads", "1"});

@@ -31,7 +31,7 @@ void set_lens(CameraOptions& options, const FrustumLens& lens) {
   options.far = lens.far.value_or(std::numeric_limits<double>::infinity());
 }
 
-// The shortest digits that read back as the same doubles.
+// The numbers with the fewest digits that give the same doubles when they are read.
 std::string comma_separated(std::span<const double> numbers) {
   return fmt::format("{}", fmt::join(numbers, ","));
 }

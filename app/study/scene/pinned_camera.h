@@ -1,4 +1,5 @@
-// The camera that was chosen for a scene, in words: so that other levels of the scene are seen by the same one.
+// The camera that was chosen for a scene as options, so that other levels of the scene are seen by
+// the same camera.
 #pragma once
 
 #include <string>
@@ -10,10 +11,10 @@
 
 namespace glassbox::app {
 
-// The picture's options with this camera in place of whatever chose it.
+// The picture's options with this camera, instead of the options that chose it.
 PictureOptions pinned(PictureOptions picture, const Camera& camera);
 
-// And the words that say the same: those given, but for the camera's.
+// The same as words: the given words without those about the camera, and the pinned camera's.
 std::vector<std::string> pinned_words(const PictureOptions& given, const PictureOptions& pinned);
 
 }  // namespace glassbox::app

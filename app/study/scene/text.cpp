@@ -55,7 +55,7 @@ std::vector<const CurvePoint*> singles(const study::Curve& curve) {
   return found;
 }
 
-// The fastest first.
+// The points of the Pareto front, the fastest first.
 std::vector<const CurvePoint*> front(const study::Curve& curve) {
   std::vector<const CurvePoint*> found;
   for (const CurvePoint& point : curve.points) {

@@ -33,7 +33,7 @@ function residualsTable() {
   return table(["inliers' residuals, px", "rms", "median", "largest"], ["", "number", "number", "number"], rows);
 }
 
-// Columns of one width, however small the entries.
+// A matrix whose columns are equally wide, however small its entries.
 function matrixText(rows, digits) {
   const texts = rows.map((row) => row.map((value) => digits === undefined ? value.toExponential(3) : (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits)));
   const widest = Math.max(...texts.flat().map((text) => text.length));
@@ -60,7 +60,7 @@ function posesTable() {
   return table(["four poses: T", "turned by", "in front of both"], ["", "number", "number"], rows, (at) => manifest.four_poses[at].chosen ? "chosen" : "");
 }
 
-// The angle of a rotation: its trace is 1 + 2 cos.
+// The angle of a rotation, whose trace is 1 + 2 cos(angle).
 const turnOf = (r) => Math.acos(clamp((r[0][0] + r[1][1] + r[2][2] - 1) / 2, -1, 1)) * 180 / Math.PI;
 
 document.title = `${manifest.about}: glassbox views geometry`;

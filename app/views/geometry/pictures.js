@@ -1,12 +1,14 @@
-// Both pictures with what is drawn over them: matches, a point in one, its epipolar line in the other. All in the pictures' pixels.
+// Both pictures with marks over them: matches, a point in one, and its epipolar line in the other.
+// All marks are in the pictures' pixels.
 
 const sides = ["left", "right"], otherSide = {left: "right", right: "left"};
 const {width, height, F: constraint, matches} = manifest;
 const point = {side: "left", at: [width / 2, height / 2], match: -1};
 const layers = {};
-let unit = 1; // pixels of the pictures that are as wide as five of the screen
+let unit = 1; // five screen pixels, measured in the pictures' pixels
 
-// Violet to yellow, of one hue after the other as its brightness grows: told apart without colours, too.
+// Violet to yellow. Brightness grows together with the hue, so that values can be told apart
+// without colours too.
 const ramp = ["#5e3fbe", "#4d6fd0", "#3b9bc4", "#46c19d", "#9bdb5c", "#f6e34a"];
 const farColour = "#ff5a3c";
 const rampAt = (share) => ramp[Math.round(clamp(share, 0, 1) * (ramp.length - 1))];
@@ -34,14 +36,15 @@ function showMatches() {
   for (const side of sides) layers[side].matches.replaceChildren(...matches.filter(isShown).map((match) => matchMark(match, side)));
 }
 
-// The line a x + b y + c = 0 in the other picture: F p of a left point, F^T p of a right one (S2-11).
+// The line a x + b y + c = 0 in the other picture: F p for a left point, F^T p for a right one
+// (S2-11).
 function epipolarLine(side, [x, y]) {
   const entry = (i, k) => side === "left" ? constraint[i][k] : constraint[k][i];
   const line = [0, 1, 2].map((i) => entry(i, 0) * x + entry(i, 1) * y + entry(i, 2)), length = Math.hypot(line[0], line[1]);
   return line.map((value) => value / length);
 }
 
-// What of it lies in the picture, as ends; null where nothing does.
+// The end points of the part of a line inside the picture; null if there is none.
 function insidePicture([a, b, c]) {
   const ends = [];
   if (Math.abs(b) > 1e-12) ends.push([0, -c / b], [width, -(c + a * width) / b]);
@@ -60,7 +63,8 @@ function pointMark([x, y]) {
   return haloed(`M${x - far} ${y}H${x - near}M${x + near} ${y}H${x + far}M${x} ${y - far}V${y - near}M${x} ${y + near}V${y + far}`);
 }
 
-// Where both lie, the line passes through the epipole: the other camera's picture.
+// The epipole, where the other camera is visible; every epipolar line passes through it. Nothing if
+// it is outside the picture.
 function epipoleMark(side) {
   if (!manifest.epipoles) return [];
   const [x, y, w] = manifest.epipoles[side], at = [x / w, y / w];
@@ -78,7 +82,7 @@ function showPoint() {
 
 const pixels = (value) => value.toFixed(2).replace("-", "−");
 
-// "−0.27 x − 0.96 y + 335.7 = 0"
+// The line's equation as text: "−0.27 x − 0.96 y + 335.7 = 0"
 function lineText(line) {
   const digits = line.map((value) => Number(Math.abs(value).toPrecision(5)).toString());
   return `${line[0] < 0 ? "−" : ""}${digits[0]} x ${line[1] < 0 ? "−" : "+"} ${digits[1]} y ${line[2] < 0 ? "−" : "+"} ${digits[2]} = 0`;
@@ -98,7 +102,7 @@ function movePoint(side, [x, y]) {
   showPoint();
 }
 
-// The match before or after, of those that are shown; in the picture that has the point.
+// Goes to the previous or next of the shown matches, in the picture that has the point.
 function stepMatch(step) {
   const count = matches.length;
   for (let i = 1; i <= count; i++) {
@@ -135,7 +139,7 @@ function pictureOf(side, name) {
   return element("div", {}, element("h3", {}, name), frame);
 }
 
-// Marks are of one size on the screen, whatever the pictures' is.
+// Gives marks the same size on the screen, whatever the picture's scale.
 function fitMarks() {
   unit = 5 * width / Math.max(byId("left").clientWidth, 1);
   showMatches();

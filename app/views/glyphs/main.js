@@ -1,4 +1,4 @@
-// The picture with an ellipse for each region, and what the rules say of the picked one.
+// The picture with an ellipse for each region, and the results of the rules for the picked one.
 
 const {regions} = manifest;
 const why = {
@@ -41,7 +41,7 @@ function pick(at) {
   ]));
 }
 
-// The axes of a filled ellipse with these second moments.
+// The axes of a filled ellipse that has these second moments.
 function ellipse({x, y, moments: [a, b, d]}) {
   const middle = (a + d) / 2, half = Math.hypot((a - d) / 2, b);
   const turn = Math.atan2(2 * b, a - d) / 2 * 180 / Math.PI;

@@ -1,4 +1,4 @@
-// The planes as numbers again, and the bands from some of the components.
+// Turns the planes into numbers, and reconstructs the bands from some of the components.
 
 const {width, height, components, bands} = manifest;
 const planes = {band: [], component: []};
@@ -10,7 +10,7 @@ async function plane(name, i, [low, high]) {
   return Float32Array.from(words, (word) => low + (high - low) * word / 65535);
 }
 
-// `grey` of each sample is 0 .. 255.
+// Draws the samples. `grey` maps each to 0 .. 255.
 function draw(canvas, samples, grey) {
   canvas.width = width;
   canvas.height = height;

@@ -1,4 +1,5 @@
-// The page: the layers from where the reader stands, each of them, and how many there are.
+// The page: the layers from the reader's viewpoint, each layer on its own, and the number of layers
+// per pixel.
 
 const screenFromEye = Float64Array.from(manifest.screen_from_eye), eyeFromScreen = inverse(screenFromEye);
 const worldFromEye = Float64Array.from(manifest.world_from_eye);
@@ -13,7 +14,8 @@ function turned(turn, tilt) {
   return product(Float64Array.of(c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1), Float64Array.of(1, 0, 0, 0, 0, d, -t, 0, 0, t, d, 0, 0, 0, 0, 1));
 }
 
-// From the reader's eye space to the camera's: around the pivot, which lies along the gaze, and towards it.
+// From the reader's eye space to the camera's: a turn around the pivot, which is on the gaze, and a
+// move towards it.
 function eyeFromReader() {
   const {turn, tilt, nearer} = shown, far = manifest.pivot;
   return product(product(moved(0, 0, -far), turned(turn, tilt)), moved(0, 0, far * (1 - nearer)));
@@ -43,7 +45,8 @@ function showSoon() {
   waiting = true;
 }
 
-// The camera's lens. Its planes are asked for too, for the program would choose them around what there is.
+// The camera's lens as options. The planes are given too, because the program would otherwise
+// choose them to fit the scene.
 function lensHere() {
   const m = screenFromEye, digits = (value) => Number(value.toPrecision(9)).toString(), same = (a, b) => Math.abs(a - b) <= 1e-9 * Math.abs(a);
   const wide = width / m[0], tall = -height / m[5];
@@ -54,7 +57,7 @@ function lensHere() {
   return `${upright ? `--fov ${digits(2 * Math.atan(tall / 2) * 180 / Math.PI)}` : `--frustum=${[left, right, bottom, top].map(digits)}`} --near ${digits(near)}`;
 }
 
-// What draws the same by the program.
+// The command line that draws the same picture.
 function commandHere() {
   const world = product(worldFromEye, eyeFromReader()), digits = (value) => Number(value.toPrecision(7)).toString();
   const column = (k, by = 1) => [0, 1, 2].map((i) => world[4 * i + k] * by);
@@ -143,7 +146,8 @@ function layerButton(number) {
     element("span", {}, `${number}: ${count(samples, "sample")}`));
 }
 
-// Dark to light, so that it is told apart without colours, too: none, 1, 2, 3, 4 or 5, more.
+// Dark to light, so that the numbers can be told apart without colours too: none, 1, 2, 3, 4 or 5,
+// more.
 const heat = ["#00000000", "#2d2a6e", "#3b7fb8", "#43bd8f", "#b5d84b", "#fdf6b0"];
 const heatOf = (samples) => samples === 0 ? 0 : samples <= 3 ? samples : samples <= 5 ? 4 : 5;
 const heatNames = ["none", "1", "2", "3", "4 or 5", "6 or more"];

@@ -1,5 +1,6 @@
-// The layers as typed arrays, and the warp (views/layers/draw_layers.cpp): a sample goes to C2 C1^-1 (x, y, z, 1), and of two in a pixel
-// the nearer stays. Matrices are 16 numbers, row by row.
+// The layers as typed arrays, and the warp (views/layers/draw_layers.cpp): it moves a sample to C2
+// C1^-1 (x, y, z, 1), and of several samples in a pixel keeps the nearest. Matrices are 16 numbers,
+// row by row.
 
 const {width, height} = manifest;
 const largestSplat = 64, nearestDepth = 1 + 2 ** -20;
@@ -13,8 +14,9 @@ async function readLayers() {
   return Object.assign(layers, slopesOf(layers));
 }
 
-// How much a sample's surface gains in depth, a pixel to the right and a pixel down: to the nearest depth of a pixel beside it, of both
-// sides the flatter. A plane whose normal is stored has its own: of p x + q y + r z + s = 0 in the picture, -p / r and -q / r.
+// The change of a sample's depth per pixel to the right and per pixel down: to the nearest depth in
+// the neighbouring pixel, on the side where it changes less. If the normal is stored, the slopes
+// are those of its plane: -p / r and -q / r for p x + q y + r z + s = 0 in the picture.
 function slopesOf({first, depth, normal}) {
   const across = new Float32Array(depth.length), down = new Float32Array(depth.length);
   const gain = (from, x, y) => {
@@ -65,7 +67,7 @@ function product(a, b) {
   return made;
 }
 
-// By Gauss and Jordan, with the largest pivot.
+// The inverse by Gauss-Jordan elimination with partial pivoting.
 function inverse(matrix) {
   const a = Float64Array.from(matrix), b = identity();
   const swap = (m, i, k) => { for (let j = 0; j < 4; j++) [m[4 * i + j], m[4 * k + j]] = [m[4 * k + j], m[4 * i + j]]; };
@@ -87,8 +89,8 @@ function inverse(matrix) {
 
 const identity = () => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
-// `only`: the surface that is drawn, from 1 in front; 0: all of them. Fills the pixels, whose holes have the colour `background`, and says
-// what became of the samples.
+// Draws the layers. `only` is the surface to draw, counted from 1 in front; 0 means all. Holes have
+// the colour `background`. Fills the pixels and returns what became of the samples.
 function warpLayers(layers, matrix, {splat, only, background}, pixels, depths) {
   const {first, depth, colour, across, down} = layers, m = matrix;
   const counts = {drawn: 0, beside: 0, behind: 0};

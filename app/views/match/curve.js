@@ -1,10 +1,10 @@
-// The sums of costs of the cursor's pixel, for every disparity: its winner is the least.
+// The sums of costs at the cursor's pixel, for every disparity. The smallest one wins.
 
 const plot = {width: 640, height: 300, left: 62, right: 14, top: 30, bottom: 46};
 
 const placeOf = (disparity) => plot.left + (disparity - range[0]) / Math.max(range[1] - range[0], 1) * (plot.width - plot.left - plot.right);
 
-// Three to eight round numbers of the range.
+// Three to eight round numbers in the range.
 function ticksOf(low, high) {
   const rough = (high - low) / 6 || 1, power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= rough), all = [];
@@ -41,7 +41,7 @@ function drawCurve(i) {
     ...markOf("found", "found", data.disparity[i], true), ...(hasTruth ? markOf("truth", "true", data.truth[i], false) : [])));
 }
 
-// Letters stay of one size: the drawing is as wide as its place.
+// Keeps letters the same size: the drawing is as wide as its place on the page.
 function fitCurve() {
   plot.width = clamp(byId("curve").clientWidth, 280, 1200);
   drawCurve(cursor.y * width + cursor.x);

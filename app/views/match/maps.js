@@ -1,4 +1,4 @@
-// The pictures, the maps of disparity, error and doubt, and the pixel that the cursor is at.
+// The pictures, the maps of disparity, error and doubt, and the pixel under the cursor.
 
 const {width, height, range, has_truth: hasTruth} = manifest;
 const data = {}; // disparity, truth: floats; marks, confidence, sums: bytes
@@ -7,9 +7,10 @@ const overlays = {};
 const doubts = ["", "occluded", "mismatched", "unsure", "outside", "speckle"];
 const doubtColours = ["", "#5aa2ff", "#ff9a4d", "#f2c14e", "#9aa3b0", "#e56bd0"];
 
-// Violet to yellow, its brightness growing evenly: nine of viridis' colours (Stefan van der Walt and Nathaniel Smith, CC0).
+// Violet to yellow with evenly growing brightness: nine colours of viridis (Stefan van der Walt and
+// Nathaniel Smith, CC0).
 const ramp = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
-// Of errors: right is dark, four pixels off are white.
+// Colours for errors: dark is right, white is four pixels off.
 const heat = ["#10131a", "#4a1a5c", "#a52c60", "#ee6a24", "#fbc228", "#fffdf0"];
 const mostError = 4;
 
@@ -31,7 +32,7 @@ function svg(tag, attributes, ...children) {
   return made;
 }
 
-// The disparities that are there: colours go from the least to the greatest of the truth, or of what was found.
+// The least and the greatest disparity of the colour scale: those of the truth, or of the result.
 function endsOf(values) {
   let [least, greatest] = [Infinity, -Infinity];
   for (const value of values) if (Number.isFinite(value)) [least, greatest] = [Math.min(least, value), Math.max(greatest, value)];
@@ -84,7 +85,7 @@ const legends = {
     ...doubts.slice(1).map((name, i) => swatch(doubtColours[i + 1], name))],
 };
 
-// A ring around the pixel, of one size on the screen.
+// Draws a ring around the pixel, always of the same size on the screen.
 function mark(side, x, y) {
   const unit = width / Math.max(byId(side).clientWidth, 1), near = 4 * unit, far = 13 * unit;
   const d = `M${x - far} ${y}H${x - near}M${x + near} ${y}H${x + far}M${x} ${y - far}V${y - near}M${x} ${y + near}V${y + far}`;

@@ -1,10 +1,11 @@
-// The points in space, drawn one by one with a depth buffer, as the rasterizer's pixels are.
+// The points in space, drawn one by one with a depth buffer, as the rasterizer draws pixels.
 
 const space = byId("space");
 const turn = {yaw: 0, pitch: 0, near: 1};
-const cloud = {}; // x, y, z: floats, the camera at 0, looking along +z; of: each one's pixel; at: each pixel's point, or -1; image: as drawn last
+const cloud = {}; // x, y, z: floats, the camera at 0, looking along +z; of: each point's pixel; at: each pixel's point, or -1; image: as drawn last
 
-// Without a calibration nobody knows depths: a pixel's disparity lifts it off the picture.
+// Without a calibration depths are unknown; then each pixel is lifted off the picture by its
+// disparity.
 function placePoints(colours) {
   const count = width * height, {focal_px: f, baseline, offset_px: offset, centre} = manifest.calibration ?? {focal_px: width, centre: [width / 2, height / 2]};
   Object.assign(cloud, {focal: f, x: new Float32Array(count), y: new Float32Array(count), z: new Float32Array(count), of: new Int32Array(count), at: new Int32Array(count).fill(-1), count: 0, colours});
@@ -26,7 +27,8 @@ function placePoints(colours) {
   cloud.middle = depths.length ? depths[Math.floor(depths.length / 2)] : 1;
 }
 
-// Where a point is seen: into place.x and place.y, px, and place.depth. The camera turns about the middle of what it sees.
+// Projects a point: stores its position in place.x and place.y, px, and its depth in place.depth.
+// The camera turns about the middle of what it sees.
 function eyeOf(across, down) {
   const {yaw, pitch, near} = turn, cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
   const fit = Math.min(across / width, down / height) * near, scale = cloud.focal * fit;
@@ -69,7 +71,7 @@ function drawRing(context) {
   }
 }
 
-// The points as they were drawn last, and the cursor's.
+// Shows the points as drawn last, and the cursor's point.
 function showSpace() {
   if (!cloud.image) return;
   const context = space.getContext("2d");

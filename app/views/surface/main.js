@@ -1,8 +1,8 @@
-// The page, put together.
+// Assembles the page.
 
 const unpack = async (id) => inflate(bytesOfBase64(byId(id).textContent));
 
-// The pixels of a picture, as the page can read them.
+// The pixels of a picture in a form that the page can read.
 async function pixelsOf(view) {
   const image = new Image();
   image.src = view.uri;

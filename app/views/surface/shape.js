@@ -1,4 +1,5 @@
-// The surface from any side: triangles into a picture with a depth and a polygon for each pixel, then its colours.
+// Draws the surface from any side: rasterizes triangles with a depth and a polygon number for each
+// pixel, then computes the colours.
 
 let places = new Float32Array(0), colors = new Uint8Array(0), views = new Uint8Array(0), seen = new Uint8Array(0);
 let middle = [0, 0, 0], radius = 1, pictures = [], idAt = new Int32Array(0), picked = -1;
@@ -17,17 +18,18 @@ function measure() {
   radius = Math.hypot(...low.map((x, k) => high[k] - x)) / 2;
 }
 
-// From blue, few, to yellow, many.
+// Colours from blue (few pictures) to yellow (many).
 const mostViews = () => Math.max(1, views.reduce((a, b) => Math.max(a, b), 0));
 const viewsColour = (count, most) => { const share = count / most; return [40 + 210 * share, 80 + 140 * share, 200 - 150 * share]; };
 
-// Where the eye is, and its rows: to the right, up, towards it.
+// The eye's position, and its axes as rows: to the right, up, towards it.
 function camera() {
   const rows = turnedWorld(), away = 2.6 * radius / turn.nearer;
   return {rows, eye: middle.map((x, k) => x + away * rows[2][k])};
 }
 
-// What a place of the world has in a picture: bilinear, without what is background.
+// The colour of a world point in a picture, interpolated bilinearly without the background's
+// pixels.
 function sampled(picture, p) {
   const m = picture.matrix, w = m[8] * p[0] + m[9] * p[1] + m[10] * p[2] + m[11];
   const x = (m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3]) / w - .5, y = (m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7]) / w - .5;
@@ -82,7 +84,7 @@ function drawShape() {
   colour({width, height, depth, rows, eye, focal});
 }
 
-// A number's own colour, so that neighbours differ.
+// A colour for each number, so that neighbours differ.
 function numberColour(i) {
   const hash = Math.imul(i + 1, 0x9e3779b1) >>> 0;
   return [80 + (hash & 127), 80 + (hash >> 8 & 127), 80 + (hash >> 16 & 127)];

@@ -1,4 +1,5 @@
-// Weights of the pictures around a direction, as the program has them (views/texture/view_sphere.cpp).
+// The weights of the pictures around a direction, computed as in the program
+// (views/texture/view_sphere.cpp).
 
 const {textures} = manifest;
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -6,7 +7,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const unit = (a) => { const length = Math.sqrt(dot(a, a)); return a.map((x) => x / length); };
 const directionOf = (view) => textures.views[view].direction;
 
-// Of three directions as columns: the w with v = sum w_i d_i.
+// The weights w with v = sum w_i d_i, for three directions as columns.
 function inBasis(a, b, c, v) {
   const volume = dot(a, cross(b, c));
   return [dot(v, cross(b, c)) / volume, dot(v, cross(c, a)) / volume, dot(v, cross(a, b)) / volume];
@@ -36,7 +37,8 @@ function weightsAround(direction) {
   return best;
 }
 
-// Without those that do not see a polygon; where none of them does, the nearest picture that sees it.
+// The weights of those pictures that see a polygon. If none of them does, the nearest picture that
+// sees it gets all the weight.
 function weightsOf(around, direction, polygon) {
   const seen = around.filter((each) => sees(each.view, polygon)), sum = seen.reduce((all, each) => all + each.weight, 0);
   if (sum > 0) return seen.map((each) => ({view: each.view, weight: each.weight / sum}));
@@ -48,7 +50,7 @@ function weightsOf(around, direction, polygon) {
   return best < 0 ? [] : [{view: best, weight: 1}];
 }
 
-// The map of all directions: the pole of +y in the middle, as far from it as the angle says.
+// A map of all directions: the pole of +y is in the middle, and the distance from it is the angle.
 function drawSphere(direction, around) {
   const canvas = byId("sphere"), side = Math.max(1, Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2)));
   canvas.width = canvas.height = side;
@@ -59,7 +61,7 @@ function drawSphere(direction, around) {
   };
   const line = (edge) => {
     context.beginPath();
-    // A great circle between them, in steps.
+    // A great circle between them, drawn in steps.
     for (let i = 0; i <= 12; i++) {
       const [x, y] = place(unit([0, 1, 2].map((k) => directionOf(edge[0])[k] * (1 - i / 12) + directionOf(edge[1])[k] * i / 12)));
       if (i === 0) context.moveTo(x, y); else context.lineTo(x, y);

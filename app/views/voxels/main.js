@@ -1,4 +1,4 @@
-// The page, put together.
+// Assembles the page.
 
 const unpack = async (id) => inflate(bytesOfBase64(byId(id).textContent));
 

@@ -1,4 +1,4 @@
-// The coloured voxels from any side: squares into a picture with a depth for each pixel.
+// Draws the coloured voxels from any side: as squares, with a depth for each pixel.
 
 const [nx, ny, nz] = manifest.count, kVoxelBytes = 10;
 let voxels = new Uint8Array(0), nearestAt = new Int32Array(0);
@@ -9,13 +9,13 @@ function voxelAt(i) {
   return {x: short(0), y: short(2), z: short(4), color: [voxels[at + 6], voxels[at + 7], voxels[at + 8]], views: voxels[at + 9]};
 }
 
-// From blue, few, to yellow, many.
+// Colours from blue (few pictures) to yellow (many).
 const viewsColour = (views) => {
   const share = clamp(views / manifest.pictures, 0, 1);
   return [40 + 210 * share, 80 + 140 * share, 200 - 150 * share];
 };
 
-// The rows of the turn of the world: to the right, up, towards the eye.
+// The rows of the rotation of the world: to the right, up, towards the eye.
 function turnRows() {
   const world = turnedWorld();
   const axes = [0, 1, 2].map((k) => manifest.axes.slice(3 * k, 3 * k + 3));

@@ -1,4 +1,4 @@
-// One layer of the sweep by its verdicts, and the voxel that is picked.
+// One layer of the sweep with its verdicts, and the picked voxel.
 
 const verdictNames = ["background", "hidden", "seen by fewer than two", "inconsistent", "coloured"];
 const verdictColours = [[226, 229, 234], [60, 66, 78], [150, 120, 190], [196, 108, 92], [255, 255, 255]];
@@ -19,7 +19,7 @@ function voxelIn(layer, row, column) {
   return {x: at[0], y: at[1], z: at[2]};
 }
 
-// Carving leaves no verdicts: what is coloured, and what is not.
+// Carving keeps no verdicts; it only shows which voxels are coloured.
 const verdictOf = (voxel) => verdicts.length ? verdicts[indexOf(voxel)] : coloursOf.has(indexOf(voxel)) ? 4 : 0;
 
 function drawSlice() {
@@ -51,7 +51,7 @@ function setUpSlice(pick) {
   range.value = Math.floor(layerCount / 3);
   range.addEventListener("input", drawSlice);
   slice.addEventListener("click", (event) => {
-    // The picture keeps its shape in the box of the canvas, at its left.
+    // The picture keeps its aspect ratio, at the left of the canvas.
     const box = slice.getBoundingClientRect(), cell = Math.min(box.width / slice.width, box.height / slice.height);
     const row = Math.floor((event.clientX - box.left) / cell);
     const column = slice.height - 1 - Math.floor((event.clientY - box.top - (box.height - cell * slice.height) / 2) / cell);

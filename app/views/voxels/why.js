@@ -1,4 +1,4 @@
-// The picked voxel in every picture: who sees it, of what colour, and what follows.
+// The picked voxel in every picture: which pictures see it, with what colour, and what follows.
 
 const pictures = manifest.shown.map((one) => ({...one, pixels: null, hidden: null}));
 const kCrop = 25; // px, each way
@@ -19,7 +19,7 @@ async function hiddenOf(picture, i) {
   return picture.hidden;
 }
 
-// The pixel of the voxel's centre, or null beside the picture or behind the camera.
+// The pixel of the voxel's centre; null if it is outside the picture or behind the camera.
 function pixelOf(picture, {x, y, z}) {
   const m = picture.pixel_from_grid, p = [x + .5, y + .5, z + .5, 1];
   const [u, v, w] = [0, 4, 8].map((row) => p.reduce((sum, value, k) => sum + m[row + k] * value, 0));
@@ -27,7 +27,7 @@ function pixelOf(picture, {x, y, z}) {
   return w > 0 && column >= 0 && row >= 0 && column < picture.width && row < picture.height ? {column, row} : null;
 }
 
-// What one picture says of a voxel: "sees it", with its colour, or why not.
+// The result for one picture: "sees it", with its colour, or why not.
 async function lookUp(picture, i, voxel) {
   const pixel = pixelOf(picture, voxel);
   if (!pixel) return {says: "is beside it"};
@@ -39,7 +39,8 @@ async function lookUp(picture, i, voxel) {
   return {says: hidden ? "sees it" : "has it in its frame", pixel, color: [...pixels.subarray(4 * at, 4 * at + 3)]};
 }
 
-// Of the colours of those that see it: the mean, and the deviation pooled over the channels.
+// For the colours of the pictures that see it: the mean, and the standard deviation pooled over the
+// channels.
 function statistics(colors) {
   const mean = [0, 1, 2].map((k) => colors.reduce((sum, color) => sum + color[k], 0) / colors.length);
   const squares = colors.reduce((sum, color) => sum + color.reduce((part, value, k) => part + (value - mean[k]) ** 2, 0), 0);
@@ -69,7 +70,7 @@ async function figureOf(picture, found) {
   return element("figure", {className: found.color ? "" : "unseen"}, canvas, element("figcaption", {}, swatch, `${picture.name} ${found.says}`));
 }
 
-// What the numbers of the centres' pixels say; the verdict is the command's.
+// The result of the test with the pixels at the centres. The verdict itself is the command's.
 function testText(sigma) {
   const {test, space, settings} = manifest;
   if (space === "lab") return "the test compares CIELab";

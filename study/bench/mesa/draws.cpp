@@ -12,7 +12,7 @@ namespace glassbox::study {
 
 namespace {
 
-// OpenGL's viewport carries depth back to what ours is.
+// The matrix for OpenGL maps depth to [-1, 1]; OpenGL's viewport maps it back to our range.
 glm::mat4 gl_matrix(const View& view, const Draw& draw) {
   const Vector<Object, double> anchor{draw.anchor.x, draw.anchor.y, draw.anchor.z};
   Transform<ClipGl, ClipGl> upside_down;
@@ -28,7 +28,7 @@ Hidden hidden_faces(const Draw& draw, Cull cull) {
   return front ? Hidden::kFront : back ? Hidden::kBack : Hidden::kNone;
 }
 
-// Whether the matrix is a rotation (or a reflection) times a number, but for roundings.
+// Whether the matrix is a rotation (or a reflection) times a number, up to rounding errors.
 bool keeps_ratios(const glm::mat3& m) {
   const glm::mat3 product = glm::transpose(m) * m;
   const float size = product[0][0];

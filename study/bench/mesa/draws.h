@@ -1,4 +1,5 @@
-// What the OpenGL peer is told about a scene: one draw for each instance, in the order of the engines.
+// The description of a scene that the OpenGL peer gets: one draw for each instance, in the same
+// order as in the engines.
 #pragma once
 
 #include <array>
@@ -20,17 +21,17 @@ enum class Hidden { kNone, kBack, kFront, kAll };
 struct PeerDraw {
   const Material* material = nullptr;
   std::uint32_t mesh = 0;  // index into Scene::meshes
-  // Indices into Scene::textures; kNone: none is looked at.
+  // Indices into Scene::textures; kNone: no texture.
   std::uint32_t texture = kNone, emission_texture = kNone;
   std::array<float, 3> emission{};
-  Hidden hidden = Hidden::kNone;  // the faces left out
+  Hidden hidden = Hidden::kNone;  // the faces that are culled
   bool mirrored = false;
   glm::mat4 clip_from_object{1};  // upside down, depth from -1 to 1
   glm::mat4 eye_from_object{1};
   glm::mat3 eye_normal_from_object{1};
 };
 
-// Positions count as relative to the mesh's anchor.
+// The positions are relative to the mesh's anchor.
 std::vector<PeerDraw> peer_draws(const BenchScene& bench, const DrawList& list, const View& view);
 
 Ingredients ingredients_of(const BenchScene& bench, const PeerDraw& draw, const Lighting& lighting);

@@ -18,7 +18,7 @@ Result<GlFramebuffer> GlFramebuffer::make(const gl::Functions& gl, const Form& f
   return made;
 }
 
-// 0 if that cannot be.
+// Returns 0 if OpenGL cannot make such a framebuffer.
 gl::Uint GlFramebuffer::make_planes(int samples) const {
   std::array<gl::Uint, 2> planes{};
   gl::Uint framebuffer = 0;

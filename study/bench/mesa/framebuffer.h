@@ -1,5 +1,6 @@
-// Where the OpenGL peer draws: 8-bit colours and 32-bit depths. Row 0 is the picture's first, so that everything is drawn upside
-// down: OpenGL's edge rule and its samples are then those of a picture whose rows run downwards.
+// The framebuffer of the OpenGL peer: 8-bit colours and 32-bit depths. Row 0 is the top row of the
+// picture, so everything is drawn upside down: OpenGL's edge rule and its sample positions then
+// match a picture whose rows run downwards.
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -20,14 +21,15 @@ public:
 
   static Result<GlFramebuffer> make(const gl::Functions& gl, const Form& form);
 
-  // What is drawn goes to the samples of pixels, or to their centres: with one sample, and to see what is covered.
+  // Selects where the next draws go: to the samples of the pixels, or to the pixel centres. Centres
+  // are used with one sample per pixel, and to find the covered pixels.
   void draw_to_samples() const;
   void draw_to_centres() const;
-  // The means of the samples, as the picture. Nothing with one sample.
+  // Averages the samples of each pixel into the picture. Does nothing with one sample.
   void resolve() const;
 
   Image<Rgba8> colors() const;
-  // Where something was drawn to centres.
+  // Is 1 where something was drawn at a pixel's centre.
   Image<std::uint8_t> covered() const;
 
 private:
@@ -36,7 +38,7 @@ private:
 
   const gl::Functions* gl_;
   Form form_;
-  gl::Uint centres_ = 0, samples_ = 0;  // the same with one sample
+  gl::Uint centres_ = 0, samples_ = 0;  // the same framebuffer with one sample
 };
 
 }  // namespace glassbox::study

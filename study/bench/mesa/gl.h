@@ -1,4 +1,5 @@
-// As much of OpenGL 3.3 as the benchmark uses, found at run time: neither headers nor libraries are needed to build.
+// The part of OpenGL 3.3 that the benchmark uses, looked up at run time: neither headers nor
+// libraries are needed for the build.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@ using Size = int;
 using Bits = unsigned int;
 using Bool = unsigned char;
 
-// The values of the OpenGL specification.
+// These values are those of the OpenGL specification.
 inline constexpr Bool kFalse = 0, kTrue = 1;
 inline constexpr Enum kTriangles = 0x0004;
 inline constexpr Bits kDepthBufferBit = 0x0100, kColorBufferBit = 0x4000;
@@ -29,7 +30,8 @@ inline constexpr Enum kTextureMagFilter = 0x2800, kTextureMinFilter = 0x2801;
 inline constexpr Enum kTextureWrapS = 0x2802, kTextureWrapT = 0x2803;
 inline constexpr Enum kTextureBaseLevel = 0x813C, kTextureMaxLevel = 0x813D;
 inline constexpr Enum kTexture0 = 0x84C0;
-// Filters: of one level; and of levels, by the filter within them.
+// Texture filters: those without mipmaps come first, then those with mipmaps (first the filter
+// within a level, then the one between levels).
 inline constexpr Int kNearest = 0x2600, kLinear = 0x2601;
 inline constexpr Int kNearestMipNearest = 0x2700, kLinearMipNearest = 0x2701;
 inline constexpr Int kNearestMipLinear = 0x2702, kLinearMipLinear = 0x2703;
@@ -45,7 +47,7 @@ inline constexpr Enum kFramebuffer = 0x8D40, kRenderbuffer = 0x8D41;
 inline constexpr Enum kReadFramebuffer = 0x8CA8, kDrawFramebuffer = 0x8CA9;
 inline constexpr Enum kFramebufferSrgb = 0x8DB9;
 
-// Result, name without "gl", parameters.
+// Each entry has the result type, the name without "gl" and the parameters.
 #define GLASSBOX_GL_FUNCTIONS(X)                                                  \
   X(const unsigned char*, GetString, (Enum))                                      \
   X(Enum, GetError, ())                                                           \

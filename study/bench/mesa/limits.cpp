@@ -8,7 +8,7 @@ namespace glassbox::study {
 
 namespace {
 
-// Of llvmpipe in Mesa 22.3: samples of a pixel, and texels of a texture's side.
+// Limits of llvmpipe in Mesa 22.3: samples per pixel, and texels along the side of a texture.
 constexpr int kPeerSamples = 4;
 constexpr int kPeerTextureSide = 16384;
 
@@ -19,7 +19,8 @@ bool has_lines_or_points(const Scene& scene) {
   });
 }
 
-// OpenGL 3.3 (3.8.11) magnifies up to half a level beyond where the footprint is a texel.
+// With these filters, OpenGL 3.3 (3.8.11) still magnifies up to half a level beyond the point where
+// a pixel's footprint is one texel.
 bool magnifies_elsewhere(const Sampler& sampler) {
   return sampler.magnify == Filter::kLinear && sampler.minify == Filter::kNearest &&
          sampler.mip != MipFilter::kNone;

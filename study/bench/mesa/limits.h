@@ -1,4 +1,4 @@
-// What the OpenGL peer does not draw as Glassbox does.
+// Lists what the OpenGL peer does not draw as Glassbox does.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace glassbox::study {
 
-// Why the scene's picture is not the peer's, as the end of a sentence; absent where it should be.
+// The reason why the peer cannot draw the same picture of the scene, as the end of a sentence;
+// absent if it can.
 std::optional<std::string> peer_cannot_draw(const BenchScene& bench);
 
 }  // namespace glassbox::study

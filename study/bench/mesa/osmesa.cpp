@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kLibrary = "libOSMesa.so.8";
 
-// The values of GL/osmesa.h.
+// These values are those of GL/osmesa.h.
 constexpr int kFormat = 0x22, kProfile = 0x33, kCoreProfile = 0x34, kMajor = 0x36, kMinor = 0x37;
 constexpr int kAttributes[] = {
     kFormat, int(gl::kRgba), kProfile, kCoreProfile, kMajor, 3, kMinor, 3, 0};
@@ -68,7 +68,7 @@ Result<void> OsMesa::find_functions() {
   return {};
 }
 
-// The library stays: llvmpipe's threads may still run in it.
+// The library stays loaded, because llvmpipe's threads may still run in it.
 OsMesa::~OsMesa() {
   if (context_ == nullptr) return;
   symbol<DestroyContext>(library_, "OSMesaDestroyContext")(context_);

@@ -1,4 +1,4 @@
-// An OpenGL context without a display: Mesa's OSMesa, opened at run time where it is installed.
+// An OpenGL context without a display: Mesa's OSMesa, opened at run time if it is installed.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-// Current on the thread that makes it, until it is destroyed.
+// The context is current on the thread that creates it, until it is destroyed.
 class OsMesa {
 public:
   static Result<std::unique_ptr<OsMesa>> open();
@@ -26,7 +26,7 @@ private:
 
   void* library_ = nullptr;
   void* context_ = nullptr;
-  // OSMesa wants a default framebuffer of its own; nothing is drawn into it.
+  // OSMesa needs a default framebuffer of its own; nothing is drawn into it.
   unsigned char unused_[4 * 4 * 4] = {};
   gl::Functions gl_;
 };

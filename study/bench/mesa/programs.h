@@ -1,4 +1,4 @@
-// The OpenGL peer's programs, one for each set of ingredients.
+// The shader programs of the OpenGL peer, one for each set of ingredients.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-// A linked program; its uniforms are -1 where it has none of the name.
+// A linked program. A uniform that it does not have is -1.
 struct GlProgram {
   gl::Uint name = 0;
   gl::Int clip_from_object = -1, eye_from_object = -1, eye_normal_from_object = -1;
@@ -22,13 +22,14 @@ class GlPrograms {
 public:
   GlPrograms(const gl::Functions& gl, const Lighting& lighting) : gl_(gl), lighting_(lighting) {}
 
-  // Made and lit when it is asked for first. It stays where it is.
+  // Returns the program for these ingredients. It is compiled, and its lights are set, on the first
+  // request. The pointer stays valid.
   Result<const GlProgram*> with(const Ingredients& ingredients);
 
 private:
   Result<GlProgram> make(const Ingredients& ingredients) const;
   Result<gl::Uint> compile(gl::Enum kind, const std::string& text) const;
-  // In the program that is in use.
+  // Sets the lights of `program`, which must be in use.
   void set_lights(gl::Uint program) const;
 
   const gl::Functions& gl_;

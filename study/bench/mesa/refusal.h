@@ -1,4 +1,4 @@
-// What OpenGL does not do.
+// The error for what OpenGL cannot do.
 #pragma once
 
 #include <string>

@@ -37,7 +37,7 @@ std::string MesaRenderer::description() const {
   const auto text = [&](gl::Enum what) {
     return std::string(reinterpret_cast<const char*>(gl_.GetString(what)));
   };
-  const std::string version = text(gl::kVersion);  // "3.3 (Core Profile) Mesa 22.3.6"
+  const std::string version = text(gl::kVersion);  // for example "3.3 (Core Profile) Mesa 22.3.6"
   return text(gl::kRenderer) + ", " +
          version.substr(std::min(version.find("Mesa"), version.size()));
 }
@@ -55,12 +55,12 @@ Result<void> MesaRenderer::set_up() {
   gl_.ClearColor(linear(back.r), linear(back.g), linear(back.b), 1.0f);
   gl_.Enable(gl::kDepthTest);
   gl_.DepthFunc(gl::kLess);
-  // The shaders multiply by alpha: OpenGL would clamp light before it does (4.1.8), and what is brighter than white is not to
-  // be dimmed twice.
+  // The shaders multiply the colour by alpha, because OpenGL would clamp the light before it blends
+  // (4.1.8): a highlight brighter than white must be multiplied before it is clamped.
   gl_.BlendFunc(gl::kOne, gl::kOneMinusSourceAlpha);
   for (const BenchPass& pass : bench_.passes) {
     const DrawList list = make_draw_list(bench_.scene, prepared_, pass.view);
-    // Both eyes of a pair share eye space, and the lights in it.
+    // Both eyes of a pair share one eye space, and so the lights in it.
     if (!programs_) programs_.emplace(gl_, list.lighting);
     passes_.emplace_back();
     if (const auto made = make_draws(list); !made) return made;
@@ -69,7 +69,7 @@ Result<void> MesaRenderer::set_up() {
   return {};
 }
 
-// Of the last pass.
+// Makes the draws of the pass that was added last.
 Result<void> MesaRenderer::make_draws(const DrawList& list) {
   const View& view = bench_.passes[passes_.size() - 1].view;
   for (const PeerDraw& told : peer_draws(bench_, list, view)) {
@@ -197,7 +197,7 @@ void MesaRenderer::set_faces(const PeerDraw& draw, State& state) const {
       gl_.CullFace(draw.hidden == Hidden::kBack ? gl::kBack : gl::kFront);
     }
   }
-  // Upside down, what runs counter-clockwise runs clockwise.
+  // The picture is upside down, so counter-clockwise triangles become clockwise.
   if (state.mirrored != draw.mirrored) {
     gl_.FrontFace(draw.mirrored ? gl::kCounterClockwise : gl::kClockwise);
   }

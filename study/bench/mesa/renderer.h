@@ -1,4 +1,4 @@
-// A scene drawn by OpenGL, into a framebuffer of 8-bit colours and 32-bit depths.
+// Draws a scene with OpenGL, into a framebuffer of 8-bit colours and 32-bit depths.
 #pragma once
 
 #include <memory>
@@ -19,16 +19,16 @@
 
 namespace glassbox::study {
 
-// Any scene that peer_cannot_draw (limits.h) has nothing against.
+// The scene must be one for which peer_cannot_draw (limits.h) gives no reason.
 class MesaRenderer {
 public:
   static Result<std::unique_ptr<MesaRenderer>> make(const BenchScene& bench);
 
-  // "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6"
+  // For example "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6".
   std::string description() const;
-  // From the first clear to the end of glFinish, in milliseconds.
+  // Draws a frame. Returns the time from the first clear to the end of glFinish, in milliseconds.
   double frame_ms();
-  // What a frame shows.
+  // Draws a frame and returns its picture.
   Picture picture();
 
 private:
@@ -38,7 +38,7 @@ private:
     GlMesh mesh;
     gl::Uint texture = 0, emission_texture = 0;  // 0: none
   };
-  // What the draw before has left set.
+  // The OpenGL state that the previous draw has left.
   struct State;
 
   MesaRenderer(const BenchScene& bench, std::unique_ptr<OsMesa> mesa);
@@ -60,8 +60,8 @@ private:
   const gl::Functions& gl_;
   std::optional<GlFramebuffer> framebuffer_;
   std::optional<GlPrograms> programs_;
-  std::vector<std::optional<GlMesh>> meshes_;  // by mesh
-  std::vector<gl::Uint> textures_;             // by texture; 0 where nothing looks at it
+  std::vector<std::optional<GlMesh>> meshes_;  // indexed by mesh
+  std::vector<gl::Uint> textures_;             // indexed by texture; 0 where no draw uses it
   std::vector<std::vector<GlDraw>> passes_;
 };
 

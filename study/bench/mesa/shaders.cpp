@@ -30,8 +30,9 @@ std::string head(const Ingredients& ingredients) {
   return text;
 }
 
-// Attributes are those of pixel centres, with several samples too: "centroid" ones would have no differences from pixel to pixel
-// that a level could be taken from.
+// Attributes are taken at pixel centres, even with several samples: between "centroid" attributes
+// of neighbouring pixels there are no regular differences from which a mipmap level could be
+// computed.
 constexpr const char* kVertex = R"(
 uniform mat4 clip_from_object;
 layout(location = 0) in vec3 position;
@@ -141,7 +142,7 @@ void main() {
 #endif
 )";
 
-// Of light N.
+// The code for light number N.
 constexpr const char* kLight = R"(  {
     vec3 arriving = radiance_N;
 #ifdef PLACED_N
@@ -223,7 +224,7 @@ std::string light_inputs(const LightIngredient& light, std::size_t number) {
   return numbered(text + kLightInputs, number);
 }
 
-// By repeated squaring, as power() of raster/formulas/lighting.h.
+// Computes the power by repeated squaring, like power() in raster/formulas/lighting.h.
 std::string power_function(int exponent) {
   std::string text = "float to_shininess(float base) {\n  float result = 1.0;\n";
   for (; exponent > 0; exponent >>= 1) {

@@ -41,7 +41,8 @@ gl::Int filter_code(Filter filter, MipFilter mip) {
   return filter_code(filter);
 }
 
-// A level as the bytes that OpenGL decodes itself. The base level's are the image's own.
+// A mipmap level as bytes, which OpenGL decodes itself. The base level has the bytes of the image
+// itself.
 std::vector<Rgba8> stored_level(const MipChain& chain, int level, Transfer transfer) {
   const auto first = std::size_t(chain.first[std::size_t(level)]);
   const bool is_last = level == chain.last_level();
@@ -74,7 +75,7 @@ GlMesh upload_mesh(const gl::Functions& gl, const VertexArrays& arrays) {
   std::size_t offset = 0;
   const auto attribute = [&](bool present, gl::Uint at, int floats) {
     if (!present) return;
-    // A place in the buffer, which OpenGL takes as a pointer.
+    // OpenGL takes an offset into the buffer as a pointer.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* place = reinterpret_cast<const void*>(offset);
     gl.VertexAttribPointer(at, floats, gl::kFloat, gl::kFalse, stride, place);

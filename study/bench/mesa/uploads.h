@@ -1,4 +1,4 @@
-// Meshes and textures in the OpenGL peer's memory.
+// Uploads meshes and textures to the OpenGL peer.
 #pragma once
 
 #include "study/bench/mesa/gl.h"
@@ -15,7 +15,8 @@ struct GlMesh {
 };
 GlMesh upload_mesh(const gl::Functions& gl, const VertexArrays& arrays);
 
-// All levels of the chain, bytes as they are, and what the sampler says. The texture's name.
+// Uploads all levels of the chain, with unchanged bytes, and sets what the sampler prescribes.
+// Returns the texture's name.
 gl::Uint upload_texture(const gl::Functions& gl, const MipChain& chain, const Sampler& sampler,
                         Transfer transfer);
 

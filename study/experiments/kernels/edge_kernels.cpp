@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-// Before anything of Highway's: ARM's vectors whose size nobody knows (SVE), which fit into no array, are left out.
+// Must be before any header of Highway: it excludes ARM's vectors of unknown size (SVE), which
+// cannot be stored in an array.
 #include <glassbox/raster/lanes/compiled_targets.h>
 
-// This file is compiled once for each instruction set.
+// Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "study/experiments/kernels/edge_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -17,10 +18,10 @@ namespace glassbox::study::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kSteps = 256;  // to a pixel
+constexpr int kSteps = 256;  // per pixel
 constexpr int kCentre = 128;
 
-// One of the three is negative. The sign bit of integers answers for all of them.
+// Whether one of the three values is negative; one test of the integers' sign bits answers this.
 template <class D, class E>
 auto outside(D d, const E& e) {
   const auto zero = hn::Zero(d);
@@ -31,7 +32,8 @@ auto outside(D d, const E& e) {
   }
 }
 
-// Calls row(y) for a function of x that gives the edge's value in lanes x, x + 1, ...; at least 0 is inside.
+// Calls row(y), which returns a function of x that gives the edge's values in lanes x, x + 1, ...;
+// a value of at least 0 is inside.
 template <class D, class Row>
 std::int64_t count(D d, const Row& row) {
   std::int64_t covered = 0;
@@ -95,9 +97,9 @@ std::int64_t by_plane(const TileEdges& t) {
   });
 }
 
-// Integers are exact wherever they are taken from. kShift = 8 drops the factor 256 that all steps have. Within the tile E/256
-// changes by less than 2^30 (edges of at most 2^23 steps along x and y), so that an edge farther away than that decides alike
-// for the whole tile, and may be brought to 2^30.
+// Integers are exact from any starting point. kShift = 8 drops the factor 256 that all steps have.
+// Within the tile, E/256 changes by less than 2^30 (edges have at most 2^23 steps along x and y),
+// so a larger value has the same sign in the whole tile and can be limited to 2^30.
 template <class T, int kShift>
 std::int64_t by_steps(const TileEdges& t) {
   const hn::ScalableTag<T> d;

@@ -1,4 +1,5 @@
-// The edge functions of D-3 in six arithmetics, over lanes: what is timed.
+// The timed edge functions of the edge-arithmetic experiment (D-3), vectorized in six kinds of
+// arithmetic.
 #pragma once
 
 #include <array>
@@ -10,21 +11,22 @@ namespace glassbox::study {
 enum class EdgeArithmetic {
   kFloatDifference,  // dx (py - y0) - dy (px - x0)
   kFloatPlane,       // (a px + b py) + c
-  kFloatFma,         // the difference form, its second product and the subtraction in one rounding
+  kFloatFma,         // difference form; second product and subtraction are rounded together
   kDouble,           // the plane form
-  kInt32Tile,        // E/256, rounded down, from the corner of the tile on
+  kInt32Tile,        // E/256, rounded down, from the corner of the tile
   kInt64,
 };
 
-inline constexpr int kEdgeTile = 64;  // px
+inline constexpr int kEdgeTile = 64;  // in px
 
-// A triangle's edges as seen from the corner of a tile; lengths in 1/256 px.
+// A triangle's edges relative to the corner of a tile; lengths are in 1/256 px.
 struct TileEdges {
   std::array<std::int32_t, 3> x0{}, y0{}, dx{}, dy{};
-  std::array<std::int32_t, 3> bias{};  // 1 where points on the edge belong to the neighbour
+  std::array<std::int32_t, 3> bias{};  // 1 if points on the edge belong to the neighbour
 };
 
-// How many pixel centres of the tile the triangles cover, added up. The processor's widest vectors.
+// The total number of pixel centres of the tile that the triangles cover. Uses the widest vectors
+// of the processor.
 std::int64_t count_covered(EdgeArithmetic arithmetic, std::span<const TileEdges> triangles);
 
 }  // namespace glassbox::study

@@ -1,6 +1,6 @@
 #include "study/experiments/kernels/reciprocal_kernels.h"
 
-// This file is compiled once for each instruction set.
+// Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "study/experiments/kernels/reciprocal_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,5 @@
-// Reciprocals and what perspective does with them, over lanes, by the processor's own instructions: what D-4 and D-5 time.
+// The timed reciprocals and perspective divisions (D-4, D-5), vectorized with the processor's own
+// instructions.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace glassbox::study {
 enum class Reciprocal {
   kDivide,           // 1/w
   kApproximate,      // the processor's approximate reciprocal
-  kNewton,           // and one step of Newton's method
+  kNewton,           // the same with one step of Newton's method
   kRootDivide,       // 1/sqrt(w) by square root and division
   kRootApproximate,  // the processor's approximate reciprocal square root
   kRootNewton,
@@ -17,7 +18,7 @@ enum class Reciprocal {
   kMagicNewton,
 };
 
-// `out` is as long as `w`; the length is a multiple of 64.
+// `out` must be as long as `w`; the length must be a multiple of 64.
 void reciprocals(Reciprocal method, std::span<const float> w, std::span<float> out);
 
 enum class Perspective { kDivide, kNewton, kApproximate, kEvery8, kEvery16, kEvery32, kAffine };
@@ -30,8 +31,9 @@ struct PerspectiveLine {
   int pixels = kLinePixels;  // 1 .. kLinePixels
 };
 
-// Looks up texel floor(u), 0 .. kLinePixels - 1, for each pixel centre of each line, the k-th of which fills out[k * kLinePixels]
-// and what follows: as many as it has pixels, and up to a multiple of 8 of no meaning.
+// Looks up texel floor(u), 0 .. kLinePixels - 1, for each pixel centre of each line. Line k is
+// written from out[k * kLinePixels] on, one value per pixel; values after that, up to a multiple of
+// 8, are meaningless.
 void draw_lines(Perspective method, std::span<const PerspectiveLine> lines,
                 std::span<const std::int32_t> texture, std::span<std::int32_t> out);
 

@@ -12,7 +12,8 @@ Warped warp(const std::vector<Layer>& layers, const View& centre, const StereoPa
   const int width = layers.front().color.width, height = layers.front().color.height;
   Warped warped{Image<Rgba8>(width, height, background),
                 Image<float>(width, height, std::numeric_limits<float>::infinity())};
-  // p(z) = a - b/z (parallax.h), from its value at infinity and at the window, where it is 0.
+  // p(z) = a - b/z (parallax.h). The values at infinity and at the window, where it is 0, give a
+  // and b.
   const double a = parallax_at(centre, pair, std::numeric_limits<double>::infinity()).px,
                b = a * pair.window;
   for (const Layer& layer : layers) {

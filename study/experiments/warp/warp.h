@@ -1,4 +1,5 @@
-// The right eye's picture from what the left eye sees, pixel by pixel along its rows (S1-09, B.9).
+// Warps the left eye's layers to the right eye's picture, pixel by pixel along the rows (S1-09,
+// B.9).
 #pragma once
 
 #include <vector>
@@ -17,11 +18,13 @@ struct Warped {
   Image<float> distance;  // infinite: a hole
 };
 
-// Every pixel of every layer goes where its parallax puts it, one pixel wide; the nearest stays.
+// Moves every pixel of every layer by its parallax; each one fills one pixel, and the nearest
+// stays.
 Warped warp(const std::vector<Layer>& layers, const View& centre, const StereoPair& pair,
             Rgba8 background);
 
-// Holes get the colour and the distance of the farther of the pixels on either side: what is behind goes on there.
+// Fills each hole with the colour and distance of the farther one of the pixels on both sides,
+// because the background continues there.
 void fill_holes(Warped& picture);
 
 }  // namespace glassbox::study

@@ -14,7 +14,7 @@ namespace c01 {
 
 Outcome judge(LookAt look_at_under_test) {
   const WorldPoint eye{1, 2, 3};
-  const WorldVector gaze{3, -2, 6}, across{6, 3, -2};  // perpendicular, both of length 7
+  const WorldVector gaze{3, -2, 6}, across{6, 3, -2};  // perpendicular vectors, both of length 7
   const WorldPoint target = eye + gaze;
   constexpr double u = unit_roundoff<double>;
   Worst worst;
@@ -22,7 +22,8 @@ Outcome judge(LookAt look_at_under_test) {
     const WorldVector up = gaze + across * sine;
     const auto view = look_at_under_test(eye, target, up);
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
-    // look_at.h: rotation entries within (8 + 4/sine) u. sine of the angle: atan(sine) makes no difference to it.
+    // The entries of the rotation are right to (8 + 4/sine) u, see look_at.h. The angle is
+    // atan(sine), which makes no difference to its sine here.
     const double bound = (8 + 4 / sine) * u;
     const std::string where = fmt::format("up {:g} rad from the gaze", sine);
     if (view) {
@@ -41,7 +42,8 @@ Outcome judge(LookAt look_at_under_test) {
   return worst.outcome(fmt::format("{} of 4 undefined rolls answered", answered));
 }
 
-// A ball by a camera whose up is nearly its gaze: where the axes of 50 digits put it.
+// A ball seen by a camera whose up is nearly parallel to its gaze, compared with axes computed in
+// 50 digits.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

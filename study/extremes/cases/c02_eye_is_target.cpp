@@ -12,23 +12,24 @@ Outcome judge(LookAt look_at_under_test) {
   for (const WorldPoint& eye :
        {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(1e300, 0, -1e-300)}) {
     answered += bool(look_at_under_test(eye, eye, {0, 1, 0}));
-    // Apart, but by less than a normalised double: the direction would depend on how subnormals are treated.
+    // The points differ, but by less than a normalised double: the direction would depend on how
+    // subnormal numbers are treated.
     answered += bool(look_at_under_test({0, 0, 0}, {0, 0, 0x1p-1070}, {0, 1, 0}));
     all += 2;
   }
-  // One ulp apart is a direction.
+  // One ulp of distance is enough to give a direction.
   const auto near = look_at_under_test({1, 2, 3}, {1, 2, 3 - 0x1p-51}, {0, 1, 0});
   answered += !near || *near != *look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
   return wrong_of(answered, all + 1, "cameras answered wrongly");
 }
 
-// What is written first: equal points are refused, and subnormal distances pass.
+// The code that beginners write: it rejects equal points, but accepts subnormal distances.
 Result<EyeFromWorld> equality_alone(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (eye == target) return fail("eye", "is the target", "move one of them");
   return naive::unchecked_look_at(eye, target, up);
 }
-// A distance of a millionth is too small, whatever the unit.
+// Rejects a distance of a millionth as too small, in any unit of length.
 Result<EyeFromWorld> least_distance(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (!(length(target - eye) > 1e-6)) return fail("eye", "is the target", "move one of them");

@@ -18,7 +18,7 @@
 namespace glassbox::study {
 namespace c03 {
 
-// The processor's word on how it computes with floats, where it has one of this form.
+// Reads the control register for floating-point arithmetic, if the processor has one of this kind.
 unsigned float_control() {
 #if defined(__SSE2__)
   return _mm_getcsr();
@@ -32,7 +32,8 @@ void set_float_control([[maybe_unused]] unsigned word) {
 #endif
 }
 
-// Subnormal numbers count as zero while one of these lives, where the processor can do that.
+// While an object of this class exists, subnormal numbers are treated as zero, if the processor can
+// do that.
 class FlushToZero {
 public:
   FlushToZero() : before_(float_control()) { set_float_control(before_ | 0x8040u); }
@@ -86,7 +87,8 @@ bool same_bytes(const std::vector<glm::dmat4>& a, const std::vector<glm::dmat4>&
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (int k = 0; k < 16; ++k) {
       const double x = a[i][k / 4][k % 4], y = b[i][k / 4][k % 4];
-      // Matrices are rounded to float before they are applied: what floats do not hold is nothing there.
+      // Matrices are rounded to float before they are applied, so values that are zero in float may
+      // differ.
       if (std::bit_cast<std::uint64_t>(x) != std::bit_cast<std::uint64_t>(y) &&
           std::max(std::abs(x), std::abs(y)) >= 0x1p-150) {
         return false;
@@ -122,7 +124,7 @@ Result<WorldMap> unchecked_inverse(const WorldMap& m) {
   return WorldMap(glm::inverse(m.columns));
 }
 
-// The right code, with "<= 0" for "not > 0": NaN compares false with everything.
+// The right code, but with "<= 0" instead of "not > 0": every comparison with NaN is false.
 Result<Transform<Clip, Eye>> lens_that_lets_nan_through(double fovy, double near, double far) {
   if (fovy <= 0 || fovy >= 180 || near <= 0 || far <= near) {
     return fail("lens", "out of range", "choose other planes");
@@ -153,7 +155,7 @@ ExtremeCase c03_numbers_that_are_none() {
       .mutants = {{"\"<= 0\" for \"not > 0\" in the checks of the lens",
                    [] { return judge(look_at, lens_that_lets_nan_through, checked_inverse); }}},
       .not_drawn = "files and cameras with such numbers are refused before anything is drawn",
-      .exceptions_of_ours = FE_INVALID,  // NaN is compared
+      .exceptions_of_ours = FE_INVALID,  // because NaN is compared
   };
 }
 

@@ -19,7 +19,7 @@ Outcome judge(AngleOf angle_of) {
          {WorldVector(0, 0, 1), WorldVector(0, 1, 0), WorldVector(-1, 0, 0)}) {
       const auto r = rotate_degrees<World>(axis, degrees_from_radians(radians));
       if (!r) continue;
-      // The angle that the matrix as rounded stands for: sine and cosine are entries of it.
+      // The exact angle of the rounded matrix: sine and cosine are entries of it.
       const double sine = axis.z != 0 ? r->at(1, 0) : axis.y != 0 ? r->at(0, 2) : -r->at(2, 1);
       const double cosine = axis.z != 0 ? r->at(0, 0) : axis.y != 0 ? r->at(2, 2) : r->at(1, 1);
       const exact::Decimal exact = exact::atan2(exact::Decimal(sine), exact::Decimal(cosine));

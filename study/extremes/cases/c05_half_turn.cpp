@@ -17,9 +17,9 @@ Outcome judge(LookAt look_at_under_test) {
     const WorldPoint target{off, -2 * off, 1};
     const auto view = look_at_under_test(eye, target, up);
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
-    // Two rotations of 8 u each and their product: gamma_3 of entries below 1, and the angle of the roll, whose sine and
-    // cosine are quotients of entries with 16 u of error over the length of up in the plane (at least 0.97): 8 + 8 + 3 + 17
-    // = 36 u.
+    // Two rotations of 8 u each and their product, gamma_3 of entries below 1; then the angle of
+    // the roll, whose sine and cosine are quotients of entries with an error of 16 u, divided by
+    // the length of up in the plane (at least 0.97): 8 + 8 + 3 + 17 = 36 u.
     const double bound = 36 * unit_roundoff<double>;
     const std::string where = fmt::format("gaze {:g} from straight back", off);
     if (view) {
@@ -36,7 +36,8 @@ Result<EyeFromWorld> by_the_book(const WorldPoint& eye, const WorldPoint& target
   return naive::axis_angle_view(eye, target, up, {0, 0, -1});
 }
 
-// Straight back is turned about y, as it should be; beside it the arccosine is still asked.
+// For a gaze straight back it turns about y, which is right; for a gaze next to it, it still uses
+// the arccosine.
 Result<EyeFromWorld> with_arccosine(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (target.x == eye.x && target.y == eye.y) return look_at_axis_angle(eye, target, up);

@@ -16,7 +16,7 @@ namespace c06 {
 using Camera60 = Transform<Clip, World> (*)(const WorldPoint& eye, const WorldPoint& target,
                                             const WorldVector& up);
 
-// The outline of an F in the plane z = 0, for somebody in front of it.
+// The outline of the letter F in the plane z = 0, as seen from the front.
 constexpr double kGlyph[][2] = {{0, 0}, {0, 2}, {1, 2}, {1, 1.75}, {0.75, 1}, {0.25, 1}};
 
 Outcome judge(Camera60 camera) {
@@ -24,13 +24,13 @@ Outcome judge(Camera60 camera) {
   const WorldVector up{0, 1, 0};
   const auto clip_from_world = camera(eye, target, up);
   const auto eye_from_world = exact::look_at(eye, target, up);
-  const exact::Decimal cotangent = exact::sqrt(exact::Decimal(3));  // of 30 degrees
+  const exact::Decimal cotangent = exact::sqrt(exact::Decimal(3));  // cotangent of 30 degrees
   Worst worst;
   for (const auto& [x, y] : kGlyph) {
     const auto p = eye_from_world * exact::exactly<exact::Decimal>(WorldPoint(x, y, 0));
     const Point<Clip, double> c = clip_from_world * WorldPoint(x, y, 0);
-    // Entries of both matrices are within 16 u, coordinates below 8 and w above 5: 16 u * 4 * 8 in a coordinate of clip
-    // space, and the quotient has twice that over 5.
+    // The entries of both matrices are right to 16 u, the coordinates are below 8 and w is above 5:
+    // this gives 16 u * 4 * 8 in a coordinate of clip space, and twice that over 5 in the quotient.
     constexpr double kBound = 2 * 16 * 4 * 8 / 5.0 * unit_roundoff<double>;
     worst.see(exact::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
     worst.see(exact::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
@@ -46,7 +46,8 @@ Transform<Clip, World> ours(const WorldPoint& eye, const WorldPoint& target,
   return lens() * look_at(eye, target, up).value();
 }
 
-// S3.37 to the letter: the gaze goes to +z by a proper rotation, and the projection looks along +z (E7).
+// Exactly as on the slide (S3.37): a proper rotation turns the gaze to +z, and the projection looks
+// along +z (E7).
 Transform<Clip, World> slide_37(const WorldPoint& eye, const WorldPoint& target,
                                 const WorldVector& up) {
   const Transform<Eye, World> view = naive::axis_angle_view(eye, target, up, {0, 0, 1});
@@ -68,7 +69,7 @@ Transform<Clip, World> v_reversed(const WorldPoint& eye, const WorldPoint& targe
   return with_axes(eye, target, up, 1, -1);
 }
 
-// The letter itself, of three strokes: reflected in any way it is another one.
+// The letter F itself, made of three strokes: every reflection of it looks different.
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn letter([] {
     Mesh mesh;

@@ -12,7 +12,7 @@ namespace c07 {
 using Lens = Transform<Clip, Eye> (*)();
 
 Outcome judge(Lens lens) {
-  // T_pers with h = d = 1: a point in front is seen at x/depth, y/depth.
+  // The matrix T_pers with h = d = 1 maps a point in front of the eye to x/depth, y/depth.
   const Transform<Clip, Eye, float> m = round_to_float(lens());
   const auto planes = frustum_planes();
   Random random(707);
@@ -24,7 +24,8 @@ Outcome judge(Lens lens) {
     const Point<Clip> front = m * Point<Eye>(float(x * depth), float(y * depth), float(-depth));
     const Point<Clip> behind = m * Point<Eye>(float(x * depth), float(y * depth), float(depth));
     w_positive += front.w > 0;
-    // Seen, not seen from behind, and on the right side of the picture.
+    // The point in front must be visible, the one behind must not, and the image must be on the
+    // right side.
     const bool seen = clip_point(front, planes) && !clip_point(behind, planes);
     wrong += !seen || (front.x > 0) != (x > 0) || (front.y > 0) != (y > 0);
   }
@@ -52,7 +53,7 @@ Transform<Clip, Eye> w_negated() {
   return m;
 }
 
-// 60 small triangles before the eye, and behind it their reflections.
+// 60 small triangles in front of the eye, and their reflections behind it.
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn picture([] {
     Random random(807);

@@ -9,7 +9,8 @@
 namespace glassbox::study {
 namespace c08 {
 
-// The scale of the picture, [1][1]; nothing for an angle that is refused.
+// Computes the scale of the picture, the matrix entry [1][1]; returns nothing for an angle that is
+// rejected.
 using Scale = std::optional<double> (*)(double fovy_degrees);
 
 Outcome judge(Scale scale) {
@@ -19,7 +20,7 @@ Outcome judge(Scale scale) {
     const exact::Decimal half =
         exact::Decimal(degrees) * exact::pi() / exact::Decimal(std::int64_t(360));
     const exact::Decimal exact = exact::Decimal(1) / exact::tan(half);
-    // projection.h: 4 ulps, each at most 2 u of the value.
+    // The bound is 4 ulps, each at most 2 u of the value (projection.h).
     worst.see(value ? exact::error_of(*value, exact) / double(exact) : HUGE_VAL,
               8 * unit_roundoff<double>, fmt::format("{} degrees", degrees),
               fov_condition(radians_from_degrees(degrees)));
@@ -40,13 +41,15 @@ std::optional<double> ours(double degrees) {
 std::optional<double> tangent_in_float(double degrees) {
   return 1 / std::tan(float(degrees) * 3.14159265f / 360);
 }
-// Checked and in double, but by way of radians: near 180 degrees their rounding is magnified by x/sin x.
+// Checks the angle and computes in double, but converts to radians: near 180 degrees, the rounding
+// error of the conversion is multiplied by x/sin x.
 std::optional<double> by_radians(double degrees) {
   if (!ours(degrees)) return std::nullopt;
   return 1 / std::tan(radians_from_degrees(degrees) / 2);
 }
 
-// The same picture of a narrow and of a wide angle: triangles scaled to it.
+// The same picture for a narrow and for a wide angle of view: the triangles are scaled to the
+// angle.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

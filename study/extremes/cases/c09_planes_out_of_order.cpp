@@ -21,7 +21,7 @@ Outcome judge(Lens lens) {
     const Rational near(n), far(f);
     const Rational alpha = -far / (far - near), beta = -near * far / (far - near);
     const std::string where = fmt::format("near {:g}, far {:g}", n, f);
-    // projection.h: 4 ulps, each at most 2 u of the value.
+    // The bound is 4 ulps, each at most 2 u of the value (projection.h).
     constexpr double kBound = 8 * unit_roundoff<double>;
     worst.see(m ? exact::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
     worst.see(m ? exact::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
@@ -49,7 +49,8 @@ Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) 
   return far < near ? ours(far, near) : ours(near, far);
 }
 
-// Triangles between such planes, none before another: with so few steps of depth left, neither would be nearer.
+// Triangles between the two planes, none in front of another: few steps of depth are left, so none
+// could be told to be nearer.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;
@@ -71,7 +72,8 @@ Outcome judge_drawn(const Drawer& by) {
                                          {Point<Eye>{0.9f * d, -0.6f * d, -d},
                                           {0.9f * d, 0.9f * d, -d},
                                           {-0.8f * d, 0.9f * d, -d}}};
-      // One beyond the far plane, where depth knows of it: 1 - n/z is 1 in float, before that plane and behind, where n is 1e-30.
+      // Adds a triangle beyond the far plane, but only if the depth shows that: with n = 1e-30, 1 -
+      // n/z is 1 in float both before and behind that plane.
       if (planes.near > 0x1p-24 || planes.format == DepthFormat::kFloat32Reversed) {
         const float z = -2 * float(planes.far);
         triangles.push_back({Point<Eye>{2 * z, 0, z}, {-2 * z, z, z}, {-2 * z, -z, z}});

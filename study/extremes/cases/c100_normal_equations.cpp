@@ -19,7 +19,8 @@ views::Matrix3d normalised_by_normal_equations(const views::Matches& pixels) {
   return normal->right.transpose() * m * normal->left;
 }
 
-// Matches without noise: what is wrong is rounding. As an essential matrix, because the entries of F are of very different sizes.
+// The matches have no noise, so every error comes from rounding. Compares essential matrices,
+// because the entries of a fundamental matrix have very different sizes.
 Outcome judge(Solver solver) {
   Random random(100);
   Worst worst;

@@ -10,7 +10,8 @@ using Decision = views::PairKind (*)(const views::PairJudgement&);
 views::PairKind by_criterion(const views::PairJudgement& judged) {
   return judged.kind;
 }
-// F has more freedom than a rotation, and so always fits better: nothing is ever turned.
+// A fundamental matrix has more degrees of freedom than a rotation, so it always fits better, and
+// this code never reports a rotation.
 views::PairKind by_fit_alone(const views::PairJudgement& judged) {
   const double freedom = 0.5 * judged.cost_of_fundamental;
   return judged.cost_of_rotation < judged.cost_of_fundamental - freedom ? views::PairKind::kTurned

@@ -7,7 +7,8 @@
 namespace glassbox::study {
 namespace c102 {
 
-// The rank of the system of eight-point equations, and candidates for E.
+// Computes the rank of the system of eight-point equations, and candidates for the essential
+// matrix.
 struct Subject102 {
   int (*rank)(const views::Matches& calibrated);
   std::vector<views::Matrix3d> (*essentials)(const views::Matches& calibrated);

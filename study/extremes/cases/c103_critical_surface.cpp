@@ -5,7 +5,8 @@
 namespace glassbox::study {
 namespace c103 {
 
-// The quadric x^2 - x + y z = 0 is ruled, and holds both centres, (0, 0, 0) and (1, 0, 0).
+// Points on the quadric x^2 - x + y z = 0. It is ruled and contains both camera centres, (0, 0, 0)
+// and (1, 0, 0).
 views::Matches on_quadric(Random& random, const views::StereoRig& rig, double sigma) {
   views::Matches pixels;
   while (pixels.size() < 60) {
@@ -27,11 +28,11 @@ views::PairKind by_gap(const Asked& asked) {
 views::PairKind eight_points_do(const Asked& asked) {
   return naive::always_general(asked.judged);
 }
-// With noise the rank is full.
+// Fails with noise, because the rank is then full.
 views::PairKind by_rank(const Asked& asked) {
   return asked.rank < 8 ? views::PairKind::kCritical : views::PairKind::kGeneral;
 }
-// A plane is no critical surface, so what no homography explains is general.
+// Tests only for homographies: a critical surface is not a plane, so such a pair counts as general.
 views::PairKind by_homography(const Asked& asked) {
   return asked.judged.kind == views::PairKind::kCritical ? views::PairKind::kGeneral
                                                          : asked.judged.kind;

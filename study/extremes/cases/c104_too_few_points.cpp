@@ -8,7 +8,7 @@
 namespace glassbox::study {
 namespace c104 {
 
-// Whether F of these matches may be believed.
+// Whether the fundamental matrix of these matches can be trusted.
 using Accepts = bool (*)(const views::Matches& pixels);
 
 bool of_rank_eight(const views::Matches& pixels) {
@@ -43,7 +43,7 @@ Outcome judge(Accepts accepts) {
     views::Matches twice = good;
     twice[7] = twice[2];
     ask(twice, false);
-    // Nine points, but two lines of sight of the left camera only: all others on them.
+    // All points except the first are almost on one line of sight of the left camera.
     views::Matches behind = good;
     for (std::size_t k = 1; k < behind.size(); ++k) {
       const double far = 2.5 + double(k);

@@ -17,7 +17,8 @@ views::RelativePose in_front(const views::Matrix3d& essential, const views::Matc
   return chosen ? chosen->pose : views::RelativePose{};
 }
 
-// A rotation and a direction are each made of a few products of orthogonal matrices that are right to some 50 u.
+// A rotation and a direction are each made of a few products of orthogonal matrices that are right
+// to about 50 u.
 Outcome judge(Choice choice) {
   Random random(105);
   ErrorsBeyond errors(512 * unit_roundoff<double>);

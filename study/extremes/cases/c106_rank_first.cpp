@@ -15,7 +15,8 @@ views::Matrix3d after(const views::Matches& calibrated) {
   return fit ? fit->matrix : views::Matrix3d::Zero();
 }
 
-// Demazure's sum has three products of three factors of norm 1, each entry 9 products: some 60 u with what E itself is off.
+// Demazure's sum has three products of three factors of norm 1, with 9 products for each entry:
+// about 60 u, including the error of E itself.
 Outcome judge(Estimator estimator) {
   Random random(106);
   ErrorsBeyond errors(64 * unit_roundoff<double>);

@@ -7,13 +7,15 @@ namespace c107 {
 
 using Triangulation = views::Triangulated (*)(const views::Match&, const views::StereoRig&);
 
-// What is behind the cameras, infinitely far or in front has to be told.
+// Whether the point is classified correctly as behind the cameras, infinitely far away or in front
+// of them.
 bool is_right(const views::Triangulated& found, double disparity) {
   if (!found.point.allFinite()) return false;
   if (disparity == 0) return !found.is_finite() && found.in_front_of_both;
   if (disparity < 0) return found.is_finite() && !found.in_front_of_both;
   const double depth = 800 * 0.1 / disparity;
-  // Calibrated points are right to 4 u; the disparity is their difference, of some 100 px less 100 px.
+  // Calibrated points are right to 4 u. The disparity is their difference: two numbers of about 100
+  // px are subtracted.
   const double bound = 64 * 0x1p-53 * depth * (1 + 100 / disparity);
   return found.in_front_of_both && std::abs(found.point.z() - depth) <= bound;
 }
@@ -27,7 +29,7 @@ Outcome judge(Triangulation triangulation) {
       ++tried;
     }
   }
-  // Of cameras that are turned, parallel directions differ by their rounding.
+  // If the cameras are turned, the two parallel directions differ by their rounding errors.
   Random random(107);
   for (int i = 0; i < 20; ++i) {
     views::StereoRig rig = random_rig(random);

@@ -4,21 +4,21 @@
 namespace glassbox::study {
 namespace c108 {
 
-// The standard deviation of the depth that noise of `sigma` px leaves, as it is foretold.
+// Predicts the standard deviation of the depth for noise of `sigma` px.
 using Foretold = double (*)(const views::Vector3d& point, const views::StereoRig& rig,
                             double sigma);
 
 double by_covariance(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return std::sqrt(views::covariance_of(point, rig, sigma)(2, 2));
 }
-// The law of parallel cameras, whatever the direction of the baseline.
+// The formula for parallel cameras, used for every direction of the baseline.
 double by_parallel_law(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return views::depth_error_of_parallel(point.z(), sigma, 800, rig.pose.translation.norm());
 }
 double one_picture_alone(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return by_covariance(point, rig, sigma) / std::sqrt(2.0);
 }
-// The sine of the angle at the camera for that at the point.
+// Uses the sine of the angle at the camera instead of the angle at the point.
 double by_sine_at_camera(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   const double sine = point.head<2>().norm() / point.norm();
   return by_parallel_law(point, rig, sigma) / std::sqrt(sine);
@@ -26,8 +26,9 @@ double by_sine_at_camera(const views::Vector3d& point, const views::StereoRig& r
 
 constexpr int kSamples = 4000;
 
-// What 4000 noisy pairs of pixels come to. Their deviation is uncertain by 1/sqrt(2 n), of which four are allowed; the noise is so
-// small that the depth is linear in it.
+// Compares the prediction with the deviation over 4000 noisy pairs of pixels. That deviation has an
+// uncertainty of 1/sqrt(2 n), of which four are allowed; the noise is so small that the depth is
+// linear in it.
 Outcome judge(Foretold foretold) {
   Random random(108);
   constexpr double kSigma = 0.01, kBound = 0.0447;  // 4/sqrt(8000)

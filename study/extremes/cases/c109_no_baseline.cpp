@@ -8,14 +8,15 @@ namespace c109 {
 
 constexpr double kSigma = 0.5, kDepth = 5;
 
-// What the depth's deviation is said to be.
+// Predicts the standard deviation of the depth.
 using Foretold = double (*)(const views::StereoRig& rig);
 
 double by_covariance(const views::StereoRig& rig) {
   const double variance = views::covariance_of({0, 0, kDepth}, rig, kSigma)(2, 2);
   return std::isinf(variance) ? variance : std::sqrt(variance);
 }
-// The pixels that a point comes back to differ little from those it was made of: so it must be right.
+// Wrong argument: the reprojection of a point differs little from its pixels, so the point must be
+// accurate.
 double by_reprojection(const views::StereoRig&) {
   return kDepth * kSigma / 800;
 }
@@ -27,7 +28,8 @@ double never_infinite(const views::StereoRig& rig) {
   return std::isinf(said) ? 0 : said;
 }
 
-// The law is that of a small angle, right to (B/Z)^2; the matrix that is inverted has a condition of (Z/B)^2.
+// The formula holds for small angles, with an error of (B/Z)^2; the matrix that is inverted has a
+// condition number of (Z/B)^2.
 Outcome judge(Foretold foretold) {
   Worst worst;
   for (const double baseline : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {

@@ -15,10 +15,11 @@ using exact::Rational;
 struct Planes {
   double near, far;
 };
-// The depth as stored, in float, 1 near and 0 far.
+// Computes the depth as it is stored, in float: 1 at the near plane, 0 at the far plane.
 using ReversedDepth = float (*)(const Planes&, float distance);
 
-// The distance that a reversed depth stands for: n f / (n + d (f - n)), and n/d for an infinite far plane.
+// The distance that belongs to a reversed depth: n f / (n + d (f - n)), and n/d for an infinite far
+// plane.
 Rational distance_of(const Planes& planes, float depth) {
   const Rational n(planes.near), d(static_cast<double>(depth));
   if (std::isinf(planes.far)) return n / d;
@@ -36,8 +37,8 @@ Outcome judge(ReversedDepth depth) {
       const float d = depth(planes, distance);
       const Rational exact(static_cast<double>(distance));
       const double error = d > 0 ? double(abs(distance_of(planes, d) - exact) / exact) : kInfinity;
-      // Two rounded entries, a product, a sum and a quotient, 5 u of the two terms n/z and n/f of the depth:
-      // dz/z = z (f - n)/(f n) * 5 u (n/z + n/f) < 5 u (1 + z/f).
+      // Two rounded entries, a product, a sum and a quotient give 5 u of the two terms n/z and n/f
+      // of the depth: dz/z = z (f - n)/(f n) * 5 u (n/z + n/f) < 5 u (1 + z/f).
       const double bound = 5 * unit_roundoff<float> * (1 + z / far) * (1 + 0x1p-20);
       worst.see(error, bound, fmt::format("far {:g}, distance {:.4g}", far, z), 1 + z / far);
     }
@@ -67,7 +68,8 @@ float through_gl(const Planes& planes, float distance) {
   return naive::depth_through_gl_remap(round_to_float(lens) * Point<Eye>(0, 0, -distance));
 }
 
-// Panes across the gaze, and the depths that runs keep of them: all vertices have one depth, so that nothing is rounded between them.
+// Rectangles at right angles to the gaze, and the depths that a run stores for them. All vertices
+// of one have the same depth, so interpolation adds no rounding error.
 Outcome judge_drawn(const Drawer& by) {
   Worst worst;
   for (const double far : {100.0, 1e5, 1e8, double(HUGE_VAL)}) {

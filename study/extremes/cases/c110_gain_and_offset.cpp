@@ -6,13 +6,15 @@ namespace c110 {
 
 constexpr int kDisparity = 9;
 
-// Noise that is dark enough for nothing to clip; the right picture as it is, or with gain, offset and darker edges.
+// The right picture, either unchanged or with gain, offset and darker edges. The noise is dark
+// enough that nothing is clipped.
 Image<Rgba8> right_picture(const Image<Rgba8>& left, bool changed) {
   Image<Rgba8> right = moved_left(left, kDisparity, 111, 127);
   if (!changed) return right;
   for (int y = 0; y < right.height; ++y) {
     for (int x = 0; x < right.width; ++x) {
-      const int from_middle = std::abs(2 * x - right.width) * 100 / right.width;  // per cent
+      // distance from the middle in per cent
+      const int from_middle = std::abs(2 * x - right.width) * 100 / right.width;
       Rgba8& pixel = right.at(x, y);
       const int grey = (pixel.g * 13 / 10 + 40) * (1000 - from_middle) / 1000;
       pixel.r = pixel.g = pixel.b = std::uint8_t(grey);
@@ -21,7 +23,7 @@ Image<Rgba8> right_picture(const Image<Rgba8>& left, bool changed) {
   return right;
 }
 
-// Per cent of wrong pixels, of those that the right picture has.
+// The percentage of wrong pixels among those that the right picture also shows.
 double wrong_percent(const views::MatchSettings& settings, bool changed) {
   const Image<Rgba8> left = grey_noise(120, 60, 110, 127);
   const views::DenseMatch match = matched(left, right_picture(left, changed), settings);

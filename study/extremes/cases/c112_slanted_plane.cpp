@@ -10,7 +10,8 @@ double disparity_at(double x, double y) {
   return 4 + 0.1 * x + 0.05 * y;
 }
 
-// Smooth noise on the right picture's plane: a random code every five pixels, cosine between them.
+// Smooth noise on the plane of the right picture: a random value every five pixels, with cosine
+// interpolation between them.
 class Texture {
 public:
   Texture() : codes_(grey_noise(kWidth, kHeight, 112)) {}
@@ -47,10 +48,11 @@ Pictures pictures() {
   return made;
 }
 
-// What becomes of a disparity with part of a pixel, and of the whole one.
+// Chooses the final disparity from the one with a subpixel part and the one in whole pixels.
 using Answer = double (*)(double refined, double whole);
 
-// RMS over the pixels that the right picture has; one that is not answered counts as a pixel off.
+// The root mean square error over the pixels that the right picture also shows; a pixel without an
+// answer counts as an error of one pixel.
 Outcome judge(Answer answer) {
   const Pictures pair = pictures();
   views::MatchSettings settings = plain_settings("default", {0, 47});

@@ -24,8 +24,9 @@ Image<float> of_positive_ones(const Image<Rgba8>& left, const Image<Rgba8>& righ
   return ours(left, right, {std::max(0, range.first), range.last});
 }
 
-// Pixels that have no match of the range in the right picture and answer all the same, or answer beyond the range by more than the
-// half pixel of its refinement; and pixels of a wall at -4 that do not find it.
+// Counts three kinds of errors: an answer for a pixel that has no match within the range in the
+// right picture; an answer that is outside the range by more than the half pixel of its refinement;
+// and a pixel of the wall at -4 for which that disparity is not found.
 Outcome judge(Matcher matcher) {
   constexpr int kWidth = 60, kHeight = 30;
   const Image<Rgba8> left = grey_noise(kWidth, kHeight, 113);

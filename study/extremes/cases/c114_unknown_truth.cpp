@@ -6,7 +6,7 @@
 namespace glassbox::study {
 namespace c114 {
 
-// The numbers of the data set's motorcycle, in px and mm.
+// The calibration of the data set's motorcycle scene, in px and mm.
 const views::Calibration kMotorcycle{994.978, 193.001, 31.086};
 
 struct Subject114 {
@@ -17,7 +17,7 @@ struct Subject114 {
 double of_known(const Image<float>& disparity, const Image<float>& truth) {
   return views::evaluate(disparity, views::known_disparities(truth, 1)).rms;
 }
-// Its documentation says that what is unknown is NaN.
+// Follows the documentation of the data set, which says that unknown values are NaN.
 double nan_is_unknown(const Image<float>& disparity, const Image<float>& truth) {
   Image<float> known = truth, answer = disparity;
   for (std::size_t i = 0; i < known.pixels.size(); ++i) {
@@ -25,7 +25,7 @@ double nan_is_unknown(const Image<float>& disparity, const Image<float>& truth) 
   }
   return naive::rms_of_all(answer, known);
 }
-// 0 px is far away, and no answer is right.
+// Takes unknown values for 0 px, that is, for a distant point; every answer is then wrong.
 double zero_is_far(const Image<float>& disparity, const Image<float>& truth) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
@@ -40,7 +40,8 @@ double with_offset(double disparity, const views::Calibration& calibration) {
   return double(views::depths_of(one, calibration).pixels[0]);
 }
 
-// Three of seven pixels are known, one of them is 3 px off. Depths are floats: a sum, a product, a quotient and a rounding.
+// Three of seven pixels are known, and one of them has an error of 3 px. Depths are floats,
+// computed with a sum, a product, a quotient and a final rounding.
 Outcome judge(auto rms_by, auto depth_by) {
   const Subject114 subject{rms_by, depth_by};
   Image<float> truth(7, 1), disparity(7, 1);

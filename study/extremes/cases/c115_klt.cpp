@@ -30,7 +30,8 @@ views::Bands empty_bands(int count) {
   return bands;
 }
 
-// Samples 10^6 + k/16 of small whole k, whose covariance is a quotient of whole numbers: (N sum kl - sum k sum l)/(16 N)^2.
+// The samples are 10^6 + k/16 with small integers k, so that their covariance is a quotient of
+// integers: (N sum kl - sum k sum l)/(16 N)^2.
 void judge_mean(const Subject115& subject, Worst& worst) {
   Random random(115);
   views::Bands bands = empty_bands(3);
@@ -56,8 +57,9 @@ void judge_mean(const Subject115& subject, Worst& worst) {
           double(pixels * sum_ab - sum_a * sum_b) / double(256 * pixels * pixels);
     }
   }
-  // The second pass leaves the mean right to u of itself, which shifts the squares by its square; the differences to it are of
-  // numbers near 10^6, right to u 10^6 of a deviation of 1; the sums have 2 kSide roundings.
+  // The second pass leaves the mean with an error of u of itself, which changes the squares by the
+  // square of that error. The differences from the mean are computed from numbers near 10^6, so
+  // they are right to u 10^6, for a deviation of 1. The sums have 2 kSide rounding errors.
   const double u = unit_roundoff<double>, trace = right.trace();
   const double bound = 2 * kSide * u + 4 * u * 1e6 / std::sqrt(trace);
   const double error = (subject.covariance(bands) - right).cwiseAbs().maxCoeff() / trace;
@@ -65,8 +67,9 @@ void judge_mean(const Subject115& subject, Worst& worst) {
             1e12 / trace);
 }
 
-// As much along two directions of space as along each other, less along the third; and the same turned. The space of the first two
-// components turns with it, while their vectors are whatever the last digit makes of them.
+// The variance is the same in two directions of space and smaller in the third; then everything is
+// rotated. The space of the first two components rotates too, while their individual vectors depend
+// on rounding errors in the last digit.
 void judge_space(const Subject115& subject, Worst& worst) {
   Random random(116);
   for (int turn = 0; turn < 20; ++turn) {
@@ -88,8 +91,8 @@ void judge_space(const Subject115& subject, Worst& worst) {
     const auto klt = views::klt_of(bands), other = views::klt_of(turned);
     const double angle =
         subject.angle(rotation * klt->vectors.leftCols(2), other->vectors.leftCols(2));
-    // Davis and Kahan's theorem: |C' - C|/gap, the covariance right to 2 kSide + 9 roundings of the trace, the solver's to as many
-    // again (transform.h).
+    // The bound is |C' - C|/gap (theorem of Davis and Kahan). The covariance is right to 2 kSide +
+    // 9 rounding errors of the trace, and the solver to as many again (transform.h).
     const double gap = klt->eigenvalues[1] - klt->eigenvalues[2];
     const double bound = 2 * (2 * kSide + 9) * unit_roundoff<double> * klt->trace() / gap;
     worst.see(angle, bound, fmt::format("turn {}: {:.3g} radians", turn, angle));

@@ -21,8 +21,8 @@ Outcome judge(Repair repair) {
     turned = step * turned;
     if (i % kBetweenRepairs == 0) turned = repair(turned);
   }
-  // Entries rounded to float after the repair: R^T R is off by 2 * 3 u of entries of at most 1, and the repair itself by
-  // 8 u of double.
+  // The entries are rounded to float after the repair: R^T R has an error of 2 * 3 u for entries of
+  // at most 1, and the repair itself has one of 8 u of double.
   return {orthogonality_error(glm::dmat3(turned)), 8.0 * unit_roundoff<float>, std::nullopt,
           fmt::format("after {} products", kSteps)};
 }

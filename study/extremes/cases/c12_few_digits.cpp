@@ -9,7 +9,7 @@
 namespace glassbox::study {
 namespace c12 {
 
-// The view of a pose as a file has it.
+// Computes the view from a pose as it is stored in a file.
 using ViewOf = EyeFromWorld (*)(const Transform<World, Eye>& pose);
 
 Outcome judge(ViewOf view_of) {
@@ -27,16 +27,18 @@ Outcome judge(ViewOf view_of) {
       }
     }
     const EyeFromWorld view = view_of(printed);
-    // The nearest rotation is orthogonal to 8 u; three products and sums of entries of at most 1 are added by the check.
+    // The nearest rotation is orthogonal to 8 u; the check itself adds three products and sums of
+    // entries of at most 1.
     worst.see(orthogonality_error(glm::dmat3(view.columns)), 12 * unit_roundoff<double>,
               fmt::format("rotation {}", i));
-    // A point in the corner of a picture of 640 x 480 px whose focal length is 1000 px.
+    // A point at the corner of a picture of 640 x 480 px with a focal length of 1000 px.
     const Point<World, double> p = exact * Point<Eye, double>(0.32, 0.24, -1);
     const Point<Eye, double> q = view * p;
     moved =
         std::max({moved, 1000 * std::abs(q.x / -q.z - 0.32), 1000 * std::abs(q.y / -q.z - 0.24)});
   }
-  // Each entry is moved by at most 5e-7 by the digits and as much by the repair: 1000 px * 3 * 1e-6 and the divide.
+  // The few digits change each entry by at most 5e-7, and the repair by as much: 1000 px * 3 *
+  // 1e-6, and the divide.
   if (!(moved <= 1000 * 3 * 1e-6 * 2)) worst.see(HUGE_VAL, 0, "the picture moves");
   return worst.outcome(fmt::format("the picture moves by up to {:.1e} px", moved));
 }

@@ -31,8 +31,9 @@ Outcome judge(ToEye to_eye) {
                                           Decimal(place.y) + Decimal(double(p.y)),
                                           Decimal(place.z) + Decimal(double(p.z)), Decimal(1)};
       const auto exact = exact_view * world;
-      // In float: matrix entries u |M||x| and the transform gamma_4 |M||x|, |M||x| <= sqrt(3) + 7.1 < 9. In double: the
-      // translation, three products and sums of sizes up to 2.3 offset and the rotation's own 16 u of them.
+      // In float: u |M||x| from the matrix entries and gamma_4 |M||x| from the transform, where
+      // |M||x| <= sqrt(3) + 7.1 < 9. In double: the translation, three products and sums with sizes
+      // up to 2.3 offset, and the 16 u of them from the rotation itself.
       const double bound =
           9 * (unit_roundoff<float> + gamma<float>(4)) + 24 * 2.3 * offset * unit_roundoff<double>;
       const std::string where = fmt::format("offset {:g}", offset);
@@ -44,7 +45,7 @@ Outcome judge(ToEye to_eye) {
   return worst.outcome();
 }
 
-// A ball far from the origin, by a camera as far from it.
+// A ball far from the origin, seen by a camera that is equally far from it.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -14,7 +14,8 @@ namespace c14 {
 using exact::Rational;
 
 Outcome judge(ToEye to_eye) {
-  // The camera's axes are the world's, and its place has few bits: everything but the coordinates is exact.
+  // The camera's axes are those of the world, and its position needs few bits: everything except
+  // the coordinates is exact.
   const WorldVector place{6.378e6, 0, 0};
   const auto view =
       look_at(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0}).value();
@@ -27,7 +28,7 @@ Outcome judge(ToEye to_eye) {
       const std::string where = fmt::format("a cube of {:.1f} m", 2 * half);
       worst.see(exact::error_of(double(image.x), Rational(double(p.x))), 0, where);
       worst.see(exact::error_of(double(image.y), Rational(double(p.y))), 0, where);
-      // One rounding of z - 2, below 4 in size: half an ulp of 2.
+      // A single rounding of z - 2, whose size is below 4: half an ulp of 2.
       worst.see(exact::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
                 where);
     }

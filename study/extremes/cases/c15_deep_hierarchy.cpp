@@ -22,7 +22,8 @@ std::vector<WorldMap> hierarchy() {
   std::vector<WorldMap> levels;
   for (int i = 0; i < kDepth; ++i) {
     const WorldVector axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
-    // Scales of both directions in turn, so that the object keeps its size on the whole.
+    // The scales alternate between larger and smaller, so that the object keeps its size on the
+    // whole.
     const double s = i % 2 == 0 ? 1.25 : 0.8;
     const WorldMap turn = rotate_degrees<World>(axis, random.between(0, 360)).value();
     const WorldVector aside{random.between(-1, 1), random.between(-1, 1), 1};
@@ -39,12 +40,12 @@ Outcome judge(Compose compose) {
   for (const WorldMap& level : levels) {
     exact = exact * exact::exactly<Decimal>(level);
   }
-  // Level i rounds entries of the product so far: gamma_4 |P_(i-1)||M_i|, carried on by a rotation and scale of at most
-  // 1.25. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i) in the last column; over 100 levels
-  // 100 gamma_4 1.25 4 (4 + 100).
+  // Level i rounds the entries of the product so far: gamma_4 |P_(i-1)||M_i|, which a rotation and
+  // a scale of at most 1.25 carry on. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i)
+  // in the last column; over 100 levels: 100 gamma_4 1.25 4 (4 + 100).
   const double bound = kDepth * gamma<double>(4) * 1.25 * 4 * (4 + kDepth);
   see_entries(worst, WorldMap(product), exact, 4, bound, "object to world");
-  // There and back.
+  // Transforms a point to the world and back again.
   const auto back = inverse_affine(WorldMap(product));
   const WorldPoint p{1, 2, 3};
   const auto there = exact * exact::exactly<Decimal>(p);

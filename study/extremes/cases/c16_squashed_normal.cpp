@@ -15,8 +15,8 @@ Outcome judge(TransformNormal transform) {
     for (const auto& m : {upright, sheared}) {
       for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
                                       Normal<Object>(0, -0.8f, 0.6f)}) {
-        // Entries rounded to float, three products and two sums of two terms of one size, and the components of the
-        // unit vector: 10 u of float covers them (SPEC C-16).
+        // Entries rounded to float, three products and two sums of two terms of the same size, and
+        // the components of the unit vector: 10 u of float covers them (C-16).
         worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                   fmt::format("scale (1, 1, {:g})", squash));
       }
@@ -25,7 +25,7 @@ Outcome judge(TransformNormal transform) {
   return worst.outcome();
 }
 
-// Triangles that lie in the plane which is not squashed, with these normals at their corners.
+// Triangles in the plane that is not squashed, with these normals at their corners.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<Specimen> specimens = [] {
     std::vector<Specimen> all;
@@ -41,7 +41,7 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  // 10 u of the normal, 4 u where three equal ones are interpolated.
+  // The bound is 10 u for the normal, plus 4 u for the interpolation of three equal ones.
   return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
 }
 

@@ -18,12 +18,13 @@ Vector<World, double> axis_from(Random& random) {
   return {x, y, random.between(0.1, 1)};
 }
 
-// Turns what is culled back to what it would be without the mirror.
+// Culls as if the model were not mirrored.
 class IgnoreMirror : public Observer {
   void faced(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
 };
 
-// Pixels of a mirrored cube whose depth is not that of the nearest face, which is the front's.
+// Counts the pixels of a mirrored cube whose depth is not that of the nearest face, which is the
+// front one.
 int wrong_faces_seen(Observer* observer) {
   Scene cube = make_cube();
   for (Node& node : cube.nodes) {
@@ -45,7 +46,7 @@ int wrong_faces_seen(Observer* observer) {
   return wrong;
 }
 
-// The outward normals of a cube must point away from the centre of what any map makes of it.
+// After any map, the outward normals of the cube must point away from the centre of the result.
 Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
   Random random(717);
   int inward = 0, all = 0;
@@ -82,16 +83,19 @@ Outcome judge_without_mirror() {
   return judge(by_cofactors, &observer);
 }
 
-// The cross product of two edges, as one computes it from the vertices in the world: their order turns round in a mirror.
+// The cross product of two edges in world space, as beginners compute it: a mirror reverses the
+// order of the vertices.
 Normal<World> by_edges(const Transform<World, Object>& m, const Normal<Object>& n) {
   const Vector<Object, double> normal(n.x, n.y, n.z);
-  const Vector<Object, double> u(normal.y, normal.z, normal.x);  // perpendicular for an axis
+  // perpendicular if the normal is an axis
+  const Vector<Object, double> u(normal.y, normal.z, normal.x);
   const Vector<Object, double> v = cross(normal, u);
   const Vector<World, double> crossed = cross(m * u, m * v);
   return {float(crossed.x), float(crossed.y), float(crossed.z)};
 }
 
-// Of a mirrored cube back faces are culled: one layer everywhere, and the front's.
+// A mirrored cube with back-face culling must show exactly one layer everywhere, that of the front
+// faces.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> cubes = [] {
     std::vector<SightDrawn> all;
@@ -105,7 +109,7 @@ Outcome judge_drawn(const Drawer& by) {
       vista.settings.cull = Cull::kBack;
       all.emplace_back(std::move(vista));
     }
-    // Mirrored and not, of one mesh, side by side.
+    // Two instances of the same mesh side by side, one of them mirrored.
     Scene both = make_cube();
     const Node node = both.nodes[0];
     both.nodes.clear();

@@ -14,19 +14,21 @@ Outcome judge(TransformNormal transform) {
   for (const auto& m : {flat, turn * flat}) {
     for (const Normal<Object>& n : {Normal<Object>(0, 0, 1), Normal<Object>(0.6f, 0, 0.8f),
                                     Normal<Object>(0, -0.8f, -0.6f)}) {
-      // As C-16. Turned, the columns of the rounded matrix still span a plane: the exact cofactors are that plane's.
+      // The same bound as in c16_squashed_normal.cpp. Even if the model is also turned, the columns
+      // of the rounded matrix span a plane, and the exact cofactors belong to that plane.
       worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                 fmt::format("normal ({:g}, {:g}, {:g})", n.x, n.y, n.z));
     }
   }
-  // A face that is flattened to a line has no normal, which is no NaN.
+  // A face that is flattened to a line has no normal; the result must not be NaN.
   const Normal<World> none = transform(flat, {1, 0, 0});
   worst.see(std::isfinite(none.x) && std::isfinite(none.y) && std::isfinite(none.z) ? 0 : HUGE_VAL,
             0, "a face that has become a line");
   return worst.outcome();
 }
 
-// A triangle in the plane that is left, with these normals at its corners; the last has none.
+// A triangle in the plane that is left, with these normals at its corners; the last specimen has no
+// normal.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<Specimen> specimens = [] {
     std::vector<Specimen> all;
@@ -40,7 +42,7 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  // As in C-16.
+  // The same bound as in c16_squashed_normal.cpp.
   return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
 }
 

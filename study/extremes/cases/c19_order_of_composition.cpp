@@ -13,12 +13,12 @@ namespace glassbox::study {
 namespace c19 {
 
 using exact::Rational;
-// Turns about the object's own origin, then moves.
+// Turns the object about its own origin first, then moves it.
 using Place = glm::dmat4 (*)(const WorldMap& turn, const WorldMap& move);
 
 Outcome judge(Place place) {
   Worst worst;
-  for (const double degrees : {90.0, 180.0, 270.0}) {  // exact entries
+  for (const double degrees : {90.0, 180.0, 270.0}) {  // their matrices have exact entries
     const WorldMap turn = rotate_degrees<World>(WorldVector(0, 0, 1), degrees).value();
     const WorldVector offset{3, -5, 8};
     const glm::dmat4 m = place(turn, translate<World>(offset));
@@ -49,7 +49,8 @@ glm::dmat4 transposed_storage(const WorldMap& turn, const WorldMap& move) {
   return (move * WorldMap(glm::transpose(turn.columns))).columns;
 }
 
-// A triangle placed so, against where whole numbers put it: T R p less the eye's place.
+// A triangle placed in this way, compared with its exact place in whole numbers: T R p minus the
+// place of the eye.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -17,14 +17,15 @@ View view_of(DepthRange range) {
   return make_view(camera, 1280, 720, range).value();
 }
 
-// Down the pipeline in float, back to a distance along the gaze.
+// Transforms a point down the pipeline in float, and its depth back to a distance along the gaze.
 using RoundTrip = double (*)(float distance);
 
 Outcome judge(RoundTrip round_trip) {
   Worst worst;
   for (double z = 0.02; z < 900; z *= 1.21) {
     const float distance = float(z);
-    // As C-10: 5 u (1 + z/f) of reversed depth. Double on the way back adds nothing of that size.
+    // The bound for reversed depth, 5 u (1 + z/f), as in c10_depth_ratio.cpp. The way back is in
+    // double, which adds nothing of that size.
     const double bound = 5.01 * unit_roundoff<float> * (1 + z / kFar);
     worst.see(std::abs(round_trip(distance) / double(distance) - 1), bound,
               fmt::format("distance {:.4g}", z));

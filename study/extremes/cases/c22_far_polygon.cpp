@@ -16,13 +16,14 @@ Outcome judge(PolygonNormal normal) {
     Polygon octagon;
     for (int i = 0; i < 8; ++i) {
       const SinCos turn = sin_cos_degrees(45.0 * i);
-      // Leaning, so that all three components count.
+      // The polygon leans, so that all three components matter.
       octagon.emplace_back(float(offset + turn.cos), float(offset + turn.sin),
                            float(offset + 0.5 * turn.cos - 0.25 * turn.sin));
     }
-    // Where a corner is in floats is where it is: the polygon judged is the rounded one. In double, edges of floats are
-    // exact: gamma_(N+3) sum |difference| |sum|, with 8 edges of less than 1.1 and sums of less than 5 from the first
-    // corner, in three components, over |m| > 5 (SPEC C, generic bound 6).
+    // The rounded corners count as exact: the polygon that is judged is the rounded one. In double,
+    // edges between floats are exact. The bound is gamma_(N+3) sum |difference| |sum| (bound 6),
+    // with 8 edges shorter than 1.1 and sums below 5 from the first corner, in three components,
+    // over |m| > 5.
     const double bound = gamma<double>(11) * std::sqrt(3.0) * 8 * 1.1 * 5 / 5;
     worst.see(angle_to(normal(octagon), exact_newell(octagon)), bound,
               fmt::format("offset {:g}", offset), 1 + offset);
@@ -35,7 +36,7 @@ Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
   return {m.x, m.y, m.z};
 }
 
-// The octagon and its likes, brought back to the origin when they are placed.
+// The octagon and similar polygons, which their placement moves back to the origin.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<Specimen> specimens = [] {
     std::vector<Specimen> all;

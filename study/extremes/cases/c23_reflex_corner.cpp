@@ -8,7 +8,8 @@ namespace glassbox::study {
 namespace c23 {
 
 Outcome judge(PolygonNormal normal) {
-  // An arrow head, counter-clockwise, begun at each of its corners in turn: once the second one is reflex.
+  // An arrow head, counter-clockwise, starting at each of its corners in turn; in one of these
+  // lists the second corner is reflex.
   const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
   int reversed = 0, all = 0;
   for (const float size : {1.0f, 1e-3f, 1e3f}) {
@@ -27,7 +28,8 @@ Outcome judge(PolygonNormal normal) {
   return wrong_of(reversed, all, "normals reversed");
 }
 
-// The arrow heads, each begun at each of its corners: seen at all, for reversed they would be turned away, and in their own colour.
+// The arrow heads, each starting at each of its corners. They must be visible, because a reversed
+// normal would make them back faces, and they must have their own colour.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<Specimen> specimens = [] {
     const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};

@@ -10,7 +10,7 @@
 namespace glassbox::study {
 namespace c24 {
 
-// Whether the face is taken for one that has a front.
+// Whether the face is thought to have a normal, and so a front.
 using HasNormal = bool (*)(const Polygon&);
 
 Outcome judge(HasNormal has_normal) {
@@ -18,7 +18,7 @@ Outcome judge(HasNormal has_normal) {
       {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
       {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
       {{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}},
-      // A figure of eight with six corners, and three that lie on a line.
+      // A figure of eight with six corners, and three corners on a line.
       {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}},
       {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
   };
@@ -47,7 +47,7 @@ bool by_open_newell(const Polygon& polygon) {
   return is_not_zero(naive::open_newell(polygon));
 }
 
-// Each alone in a picture: without a normal it leaves no trace, with one it does.
+// Each face alone in a picture: without a normal nothing is drawn, with one it is visible.
 Outcome judge_drawn(const Drawer& by) {
   const Polygon faces[] = {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
                            {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},

@@ -20,7 +20,8 @@ struct Repeating {
 };
 
 Outcome judge(Cut cut) {
-  // Repeated indices, a repeated position (4 lies where 1 does), two corners, one.
+  // Faces with repeated indices, with a repeated position (4 is at the same place as 1), with two
+  // corners, and with one.
   const Repeating faces[] = {{{0, 1, 1}, 0},      {{0, 1, 4}, 0},   {{0, 0, 0}, 0},
                              {{0, 1}, 0},         {{2}, 0},         {{0, 1, 1, 2, 3}, 1},
                              {{0, 1, 4, 2}, 0.5}, {{0, 1, 2, 3}, 1}};
@@ -33,7 +34,7 @@ Outcome judge(Cut cut) {
       const std::array<Point<Object>, 3> p{kPositions[t[0]], kPositions[t[1]], kPositions[t[2]]};
       const auto m = newell_vector<float>(std::span<const Point<Object>>(p));
       const double twice = std::sqrt(double(dot(m, m)));
-      sound = sound && twice > 0;  // a triangle without area has 0/0 for its normal
+      sound = sound && twice > 0;  // a triangle without area has the normal 0/0
       area += twice / 2;
     }
     wrong += !sound || area != repeating.area;
@@ -61,7 +62,7 @@ Triangles fan(const Mesh& mesh) {
   return triangles;
 }
 
-// Drops triangles that name a position twice, but not those whose positions coincide.
+// Drops triangles that use an index twice, but not those with two indices at the same position.
 Triangles by_index_alone(const Mesh& mesh) {
   Triangles kept;
   for (const auto& t : fan(mesh)) {
@@ -70,7 +71,7 @@ Triangles by_index_alone(const Mesh& mesh) {
   return kept;
 }
 
-// Whether a point of the unit square is in what the face is.
+// Whether a point of the unit square is inside the face.
 using Inside = bool (*)(double x, double y);
 
 struct Shown {
@@ -78,8 +79,9 @@ struct Shown {
   Inside inside;
 };
 
-// Each face alone, 16 px for a unit, half-transparent: every pixel as often as its centre is in the face. On the diagonal, where a
-// triangle ends, centres lie on the edge itself and belong to one side or the other.
+// Each face alone, half-transparent, with 16 px per unit: every pixel must be covered as often as
+// its centre is inside the face. On the diagonal, where a triangle ends, centres are exactly on the
+// edge and belong to one side or the other.
 Outcome judge_drawn(const Drawer& by) {
   const Inside nowhere = [](double, double) { return false; };
   const Inside everywhere = [](double, double) { return true; };

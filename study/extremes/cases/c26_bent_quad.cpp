@@ -17,8 +17,8 @@ namespace c26 {
 using exact::Decimal;
 
 struct Quads {
-  double (*deviation)(const Polygon&);                            // from the mean plane
-  std::array<std::size_t, 2> (*diagonal)(const Polygon& square);  // corners that it joins
+  double (*deviation)(const Polygon&);                            // distance from the mean plane
+  std::array<std::size_t, 2> (*diagonal)(const Polygon& square);  // the two corners that it joins
 };
 
 Outcome judge(auto deviation_by, auto diagonal_by) {
@@ -31,11 +31,12 @@ Outcome judge(auto deviation_by, auto diagonal_by) {
     for (std::size_t first = 0; first < 4; ++first) {
       Polygon turned;
       for (std::size_t i = 0; i < 4; ++i) turned.push_back(square[(first + i) % 4]);
-      // m = (-h, -h, 2); the corners lie +-(h/2)/|m| from the plane through their mean, h/4 to first order.
+      // m = (-h, -h, 2). The distance of the corners from the plane through their mean is
+      // +-(h/2)/|m|, which is h/4 to first order.
       const Decimal height{double(h)};
       const Decimal exact =
           height / Decimal(2) / exact::sqrt(Decimal(2) * height * height + Decimal(4));
-      // In double: a dozen roundings of numbers up to 1.
+      // The bound in double: a dozen rounding errors of numbers up to 1.
       worst.see(exact::error_of(quads.deviation(turned), exact), gamma<double>(12),
                 fmt::format("corner lifted by {:g}", h));
       const auto [a, b] = quads.diagonal(turned);
@@ -64,7 +65,7 @@ std::array<std::size_t, 2> shared_corners(const Polygon& polygon) {
   return shared;
 }
 
-// How far the fourth corner is from the plane of the others.
+// The distance of the fourth corner from the plane of the other three.
 double deviation_from_first_three(const Polygon& polygon) {
   const auto m = naive::first_corner(polygon);
   const auto off = polygon[3] - polygon[0];
@@ -75,8 +76,9 @@ std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
   return {0, 2};
 }
 
-// From above, 32 px a side: the depths that runs keep are those of the square folded along its shorter diagonal, from (1, 0) to
-// (0, 1), wherever the list begins. Depth is 1/2 - z/2, exactly at the corners; 8 u of it (C-57).
+// Seen from above, with 32 px per side: the stored depths must be those of the square folded along
+// its shorter diagonal, from (1, 0) to (0, 1), wherever the list of corners begins. Depth is 1/2 -
+// z/2, exactly at the corners; the bound is 8 u of it (C-57).
 Outcome judge_drawn(const Drawer& by) {
   Camera camera;
   camera.lens = OrthographicLens{1, 0, 2};

@@ -16,7 +16,8 @@ Outcome judge(Faces facing) {
   int wrong = 0, culled = 0;
   constexpr int kFaces = 2000;
   for (int i = 0; i < kFaces; ++i) {
-    // Corners from integers times 2^-10; the eye is an integer combination of them, so exactly in the plane.
+    // The corners are integers times 2^-10, and the eye is an integer combination of them, so it is
+    // exactly in the plane.
     std::array<Point<Object>, 3> face;
     for (Point<Object>& p : face) {
       const auto coordinate = [&] { return float(random.integer(-(1 << 20), 1 << 20)) * 0x1p-10f; };
@@ -43,14 +44,15 @@ Outcome judge(Faces facing) {
 Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
   return test_back_face(face, viewer).facing;
 }
-// The sign of the value as computed, without the exact sum behind it.
+// Uses the sign of the computed value, without the exact sum that decides unclear cases.
 Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
   const double value = test_back_face(face, viewer).value;
   return value > 0 ? Facing::kBack : value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
-// Triangles whose plane has the eye in it, before a wall: their corners are where floats can say it, at whole pixels of one line on
-// the screen, so that nothing is rounded and nothing is covered; with any culling, by either stage.
+// Triangles in front of a wall, with the eye in their plane. Their corners have coordinates that
+// floats hold exactly, at whole pixels of one line on the screen, so that nothing is rounded and no
+// pixel is covered; with every kind of culling, in both stages.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     Random random(827);
@@ -65,7 +67,8 @@ Outcome judge_drawn(const Drawer& by) {
         const float steps = place(-2, 2), w = float(1 << random.integer(0, 2));
         t[k] = {(x + dx * steps) / 32 * w, (y + dy * steps) / 32 * w, -w};
       }
-      // On the screen they are on one line, in space not: those would be no triangles.
+      // Their corners are collinear on the screen, but must not be collinear in space: those would
+      // not be triangles.
       const Vector<Eye> a = t[1] - t[0], b = t[2] - t[0];
       const auto [nx, ny, nz] =
           std::array{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

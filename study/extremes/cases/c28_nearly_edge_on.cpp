@@ -37,7 +37,7 @@ Outcome judge(Faces facing) {
         const double x = random.between(-1, 1), y = random.between(-1, 1);
         p = {float(x), float(y), float(random.between(-1, 1))};
       }
-      // 10^4 away along an edge, and off the plane by the given sine.
+      // A point 10^4 edge lengths away along an edge, and off the plane by the given sine.
       const auto along = [&](float a, float b) {
         return double(a) + 1e4 * (double(b) - double(a)) + 1e4 * sine * random.between(-1, 1);
       };
@@ -66,8 +66,9 @@ Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer
   return {naive::facing<double>(face, viewer), false};
 }
 
-// Large triangles of which little is seen: two corners anywhere, the third a few pixels off the line through them, at other distances.
-// With fronts or backs culled, by either stage.
+// Large triangles of which little is visible: two corners are anywhere, the third is a few pixels
+// off the line through them, and the distances differ. Front faces or back faces are culled, in
+// both stages.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     Random random(828);

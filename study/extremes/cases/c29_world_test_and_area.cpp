@@ -13,7 +13,8 @@
 namespace glassbox::study {
 namespace c29 {
 
-// Whether a face is left out before anything is transformed; `margin`: the value below which snapping may turn it round.
+// Whether a face is culled before anything is transformed. `margin` is the value below which
+// snapping may reverse its winding.
 using Culls = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
 
 Outcome judge(Culls culls) {
@@ -30,7 +31,7 @@ Outcome judge(Culls culls) {
     const auto viewer = viewer_in_object_space(eye_from_object, true);
     if (!viewer) continue;
 
-    // Down to slivers of a hundredth of a pixel, whose facing snapping may well change.
+    // Sizes go down to slivers of a hundredth of a pixel, whose facing snapping may well change.
     const double size = std::ldexp(1.0, -int(random.integer(0, 12)));
     const Vector<Object, double> centre{random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0};
     std::array<Point<Object>, 3> face;
@@ -50,17 +51,19 @@ Outcome judge(Culls culls) {
       longest =
           std::max({longest, (std::abs(a.x - b.x) + 2) / 256.0, (std::abs(a.y - b.y) + 2) / 256.0});
     }
-    // Snapping moves by 2^-9 px. Before it matrix and transform round by 5 u of sizes below 16, the quotient magnifies
-    // that by at most 2/w < 2 and the viewport by 320: together below 2^-8 px.
+    // Snapping moves a vertex by 2^-9 px. Before that, matrix and transform round by 5 u of sizes
+    // below 16; the quotient multiplies the error by at most 2/w < 2, and the viewport by 320:
+    // together less than 2^-8 px.
     const double margin =
         snapping_margin(exact, *viewer, viewport, largest_w, longest, 0x1p-9 + 0x1p-8);
     if (!culls(face, *viewer, margin)) continue;
     ++culled;
-    // Counter-clockwise on the screen, an area below zero, is a front: it would have been drawn.
+    // Counter-clockwise on the screen, which is an area below zero, is a front face: it would have
+    // been drawn.
     lost += double_area(snapped[0], snapped[1], snapped[2]) < 0;
     ++all;
   }
-  // Nobody may do without culling: of 20000 faces half are backs.
+  // A subject must not pass by culling nothing: about half of the 20000 faces are back faces.
   if (culled < 5000) return must_be_zero(HUGE_VAL, "hardly anything culled");
   return wrong_of(lost, all, "culled faces would have been drawn as fronts");
 }
@@ -75,8 +78,9 @@ bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer
   return certainly_back(test_back_face(face, viewer), 0);
 }
 
-// Slivers a step or two of the snap wide, which it may turn round: culled before it where that is certain, and otherwise by what it
-// made of them.
+// Slivers that are one or two snapping steps wide, so that snapping may reverse their winding.
+// Those that are certainly back faces are culled before snapping; for the others, the snapped area
+// decides.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<CoverageDrawn> pictures = [] {
     Random random(829);

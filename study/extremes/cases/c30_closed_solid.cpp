@@ -12,7 +12,7 @@
 namespace glassbox::study {
 namespace c30 {
 
-// Culls by a rule of its own in place of the snapped area's sign.
+// Culls by a given rule instead of the sign of the snapped area.
 class CullBy : public Observer {
 public:
   using Rule = bool (*)(std::span<const Point<Object>> face, const WorldPoint& eye,
@@ -42,7 +42,8 @@ private:
 Outcome judge(CullBy::Rule rule) {
   const Scene ball = make_sphere(8);
   int different = 0, covered = 0;
-  // From beside the ball the gaze is far from many sight lines: the picture is 108 degrees wide.
+  // From beside the ball, many lines of sight differ much from the gaze: the picture is 108 degrees
+  // wide.
   const std::pair<WorldPoint, WorldVector> views[] = {{{0, 0, 1.3}, {1, 0, -0.3}},
                                                       {{0, 0, 1.3}, {0, 0, -1}},
                                                       {{1.2, 0.7, 0.9}, {-1, 0.5, -0.2}},
@@ -69,12 +70,13 @@ Outcome judge(CullBy::Rule rule) {
   return wrong_of(different, covered, "covered pixels lost");
 }
 
-// The slide's test with the camera's gaze for the line of sight: right for parallel projections only.
+// The test of the slide with the camera's gaze instead of the line of sight: it is right only for
+// parallel projections.
 bool by_gaze(std::span<const Point<Object>> face, const WorldPoint&, const WorldVector& gaze) {
   const auto m = naive::first_corner(face);
   return m.x * gaze.x + m.y * gaze.y + m.z * gaze.z > 0;
 }
-// The right test, made to cull a little earlier than at edge-on.
+// The right test, but it culls a little before a face is edge-on.
 bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
                     const WorldVector&) {
   const auto m = naive::first_corner(face);
@@ -84,8 +86,9 @@ bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
          -0.1 * std::sqrt(dot(m, m)) * length(sight);
 }
 
-// The ball from the same places: one layer of it with back faces culled, the other one with front faces culled;
-// culled on the screen, and in object space where that is certain.
+// The ball from the same places. With back faces culled exactly one layer is visible, with front
+// faces culled the other one. Culling is done on the screen, or in object space where that is
+// certain.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> balls = [] {
     std::vector<SightDrawn> all;

@@ -20,7 +20,7 @@ Outcome judge(PolygonNormal normal) {
       p = {float(random.integer(-99, 99)), float(random.integer(-99, 99)),
            float(random.integer(-99, 99))};
     }
-    // Small integers: every product and sum is exact in float.
+    // Coordinates are small integers, so every product and sum is exact in float.
     const auto exact = exact_newell(triangle);
     const auto m = normal(triangle);
     opposite += m.x != double(exact.x) || m.y != double(exact.y) || m.z != double(exact.z);
@@ -37,7 +37,8 @@ Vector<Object, double> factors_exchanged(std::span<const Point<Object>> t) {
   return {m.x, m.y, m.z};
 }
 
-// Triangles turned so that Newell's vector points to the viewer: all are seen, and in the colour of that vector.
+// Triangles turned so that Newell's vector points to the viewer: all must be visible, in the colour
+// of that vector.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<Specimen> specimens = [] {
     Random random(831);
@@ -49,7 +50,7 @@ Outcome judge_drawn(const Drawer& by) {
              float(random.integer(-99, 99))};
       }
       auto normal = exact_newell(triangle);
-      if (abs(normal.z) < exact::Rational(4000)) continue;  // less than a fifth of the square
+      if (abs(normal.z) < exact::Rational(4000)) continue;  // smaller than a fifth of the square
       if (normal.z.sign() < 0) std::swap(triangle[0], triangle[1]);
       all.push_back(specimen(mesh_of(triangle), scale<World, Object>(0.01, 0.01, 0.01),
                              exact_newell(triangle)));

@@ -7,7 +7,8 @@ namespace glassbox::study {
 namespace c32 {
 
 Outcome judge(Clips clips) {
-  // z - w is -1/2 everywhere, so that z = 0 at w = 1/2 and all crossings have few bits: nothing is rounded.
+  // z - w is -1/2 everywhere, so z = 0 at w = 1/2 and all crossings need few bits: nothing is
+  // rounded.
   const std::vector<ClipPlane> near{frustum_planes()[0]};
   const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
   const Point<Clip> behind{-1, -1, -1.5f, -1}, behind2{1, -1, -1.5f, -1};
@@ -26,7 +27,8 @@ Outline one_triangle(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   if (outline.size() > 3) outline.resize(3);
   return outline;
 }
-// The ends' w exchanged in the formula: the crossing is measured from the wrong end.
+// The w values of the two ends are exchanged in the formula: the crossing is measured from the
+// wrong end.
 Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
     return naive::from_first_end(b, d_a, a, d_b);
@@ -34,7 +36,8 @@ Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-// The same triangles, each alone in a picture, and each with its corners at other distances behind the eye.
+// The same triangles, each alone in a picture, and versions of them with corners at other distances
+// behind the eye.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -27,7 +27,8 @@ Outcome judge(Clips clips) {
       for (const Point<Clip>& q : clips(t, planes)) {
         const ScreenVertex screen = to_screen(divide(q), view.viewport);
         ++vertices;
-        // The guard band and 4 u of 2^16: a crossing, a quotient and the viewport's two roundings.
+        // The size of the guard band plus 4 u of 2^16: a crossing, a quotient and two rounding
+        // errors of the viewport.
         const double reach = kGuardBandPx + 0x1p-6;
         const bool sound = std::abs(double(screen.position.x) - 960) <= reach &&
                            std::abs(double(screen.position.y) - 540) <= reach &&
@@ -48,7 +49,8 @@ Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(t, planes.first(2));
 }
 
-// The same corners in eye space, where the distance along the gaze is w, each in a picture of its own.
+// The same corners in eye space, where the distance along the gaze is w; each triangle is in a
+// picture of its own.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -8,9 +8,10 @@ namespace c34 {
 Outcome judge(Clips clips) {
   Random random(734);
   const std::vector<ClipPlane> planes = planes_without_far();
-  // Coordinates are below 1.5 and w is at least 1/16 where it counts, so one rounding moves a point of NDC by less than
-  // 1.5 * 2 * 16 u per coordinate; an edge is cut by at most five planes; moving the edges of a polygon inside NDC's
-  // square (perimeter at most 8) by 5 * 48 u sqrt(2) changes twice its area by less than 16 * 340 u.
+  // Coordinates are below 1.5, and w is at least 1/16 where it matters, so one rounding error moves
+  // a point in NDC by less than 1.5 * 2 * 16 u per coordinate. An edge is cut by at most five
+  // planes. Moving the edges of a polygon inside the NDC square (perimeter at most 8) by 5 * 48 u
+  // sqrt(2) changes twice its area by less than 16 * 340 u.
   constexpr double kBound = 16 * 340 * 0x1p-24;
   Worst worst;
   for (int signs = 0; signs < 8; ++signs) {
@@ -34,7 +35,7 @@ Outcome judge(Clips clips) {
   return worst.outcome(fmt::format("{} triangles", worst.count()));
 }
 
-// |x| <= |w|: both halves of the double cone.
+// Tests |x| <= |w|, which keeps both halves of the double cone.
 Outline absolute_w(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   ClipTriangle mirrored = t;
   for (ClipVertex& v : mirrored) {
@@ -42,8 +43,8 @@ Outline absolute_w(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   }
   return pipeline_clips(mirrored, planes);
 }
-// The slope of the frustum's sides without a test for w > 0: those planes alone cut out the cone behind the eye too,
-// where the vertices are divided through the eye.
+// Clips after the divide, with the slopes of the frustum's sides but no test for w > 0: these
+// planes alone also keep the cone behind the eye, whose vertices the divide turns round.
 Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   ClipTriangle divided = t;
   for (ClipVertex& v : divided) {
@@ -53,7 +54,7 @@ Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(divided, planes);
 }
 
-// Random triangles on both sides of the eye: each alone in a picture of 48 x 48 pixels.
+// Random triangles on both sides of the eye, each alone in a picture of 48 x 48 pixels.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     Random random(834);
@@ -67,7 +68,7 @@ Outcome judge_drawn(const Drawer& by) {
       }
       all.emplace_back(vista_of({t}, PerspectiveLens{1.0, 0.5, 5.0}, 48));
     }
-    // Then 400 small ones on both sides of the near plane and of the far one.
+    // Then 400 small triangles on both sides of the near plane and of the far plane.
     std::vector<EyeTriangle> small;
     for (int i = 0; i < 400; ++i) {
       const double z = i % 2 == 0 ? -0.5 : -5, size = i % 2 == 0 ? 0.04 : 0.4;

@@ -15,7 +15,8 @@ bool repeats_a_vertex(const Outline& outline) {
 Outcome judge(Clips clips) {
   Random random(735);
   const auto planes = frustum_planes();
-  // As C-34, with w >= 1: coordinates below 2 over 1, five planes and the far one.
+  // The same bound as in c34_signs_of_w.cpp, here with w >= 1: coordinates below 2 over 1, five
+  // planes and the far plane.
   constexpr double kBound = 16 * 340 * 0x1p-24;
   int wrong = 0, repeated = 0;
   constexpr int kTriangles = 1500;
@@ -40,7 +41,7 @@ Outcome judge(Clips clips) {
 Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.on_plane_is_inside = false}, t, planes);
 }
-// All but the last step of the right code.
+// The right code without its last step, which removes repeated vertices.
 Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   std::vector<ClipStep> steps;
   clip_triangle(t, planes, &steps);
@@ -52,7 +53,7 @@ Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> plane
   return outline;
 }
 
-// Corners on the planes themselves, where z = 0 and w = z exactly, and where the picture ends.
+// Corners exactly on the planes, where z = 0 or w = z exactly, and at the edges of the picture.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -7,7 +7,8 @@ namespace c36 {
 
 Outcome judge(Clips clips) {
   const auto planes = frustum_planes();
-  // The plane x + y + z' = 0 (z' = 2z - 1) meets the box in a regular hexagon; this triangle cuts three of its corners.
+  // The plane x + y + z' = 0 (z' = 2z - 1) cuts the box in a regular hexagon, and this triangle
+  // cuts off three corners of it.
   constexpr float r = 1.875f;
   const ClipTriangle nine =
       clip_corners({-r, r, 0.5f, 1}, {0, -r, (r + 1) / 2, 1}, {r, 0, (1 - r) / 2, 1});
@@ -17,10 +18,10 @@ Outcome judge(Clips clips) {
       clip_corners({-64, -64, 0.5f, 1}, {192, -64, 0.5f, 1}, {-64, 192, 0.5f, 1});
   Worst worst;
   for (const auto& [t, bound] :
-       {// Crossings are rounded: 6 planes, u per coordinate below 2, over a perimeter below 8.
+       {// crossings are rounded: 6 planes, u per coordinate below 2, over a perimeter below 8
         std::pair{nine, 6 * 2 * 8 * 0x1p-24},
         {nine_turned, 6 * 2 * 8 * 0x1p-24},
-        // The whole screen, from coordinates with few bits: exactly 4, twice.
+        // The whole screen, from coordinates with few bits: twice its area is 8, exactly.
         {screen, 0.0}}) {
     const Outline outline = clips(t, planes);
     worst.see(area_error(outline, t, planes), bound, fmt::format("{} vertices", outline.size()));
@@ -35,7 +36,7 @@ Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return pipeline_clips(t, planes.first(5));
 }
 
-// Larger than the frustum on all sides.
+// Triangles that are larger than the frustum on all sides.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     Random random(836);

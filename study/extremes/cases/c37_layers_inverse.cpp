@@ -10,7 +10,7 @@
 namespace glassbox::study {
 namespace c37 {
 
-constexpr double kNear = 0.01, kFar = 1000;  // far/near 1e5
+constexpr double kNear = 0.01, kFar = 1000;  // far/near is 1e5
 constexpr int kWidth = 640, kHeight = 480;
 
 View view_from(const Point<World, double>& eye) {
@@ -20,13 +20,13 @@ View view_from(const Point<World, double>& eye) {
   return make_view(camera, kWidth, kHeight).value();
 }
 
-// A place in a picture and its depth, as a layered depth image keeps it: in float.
+// A position in a picture and its depth, in float, as a layered depth image stores it.
 struct Stored {
   double x, y;  // px
   float depth;
 };
 
-// How points are kept, and how one of the first picture comes to the second.
+// How points are stored, and how a point of the first picture is warped to the second.
 struct Way {
   Stored (*store)(const Eigen::Vector4d& in_first);
   Eigen::Vector4d (*warp)(const Eigen::Matrix4d& to, const Eigen::Matrix4d& from,
@@ -42,7 +42,7 @@ Outcome judge(auto store_by, auto warp_by) {
   Worst worst;
   Random random(37);
   for (int i = 0; i < 400; ++i) {
-    // Along the gaze from 100 to 900 units, evenly in its logarithm.
+    // Distances along the gaze from 100 to 900 units, evenly spaced in the logarithm.
     const double z = 100 * std::pow(9, i / 399.0);
     const Eigen::Vector4d world{random.between(-0.4, 0.4) * z, random.between(-0.3, 0.3) * z, -z,
                                 1};
@@ -52,12 +52,14 @@ Outcome judge(auto store_by, auto warp_by) {
     const Eigen::Vector4d there = way.warp(to, from, sample);
     const double error = std::max(std::abs(there.x() / there.w() - second.x() / second.w()),
                                   std::abs(there.y() / there.w() - second.y() / second.w()));
-    // A depth that is off by 2^-24 of itself moves x2 = (a + b z)/(c + d z) by 2^-24 |z dx2/dz|, z dx2/dz = z (b - x2 d)/(c + d z).
+    // An error of 2^-24 of the depth moves x2 = (a + b z)/(c + d z) by 2^-24 |z dx2/dz|, with z
+    // dx2/dz = z (b - x2 d)/(c + d z).
     const double depth = first.z() / first.w(), w = second.w() / first.w();
     const double moved =
         std::max(std::abs(depth * (warp(0, 2) - second.x() / second.w() * warp(3, 2)) / w),
                  std::abs(depth * (warp(1, 2) - second.y() / second.w() * warp(3, 2)) / w));
-    // The inverse and three products in double: 32 roundings of 2^-53, magnified by the condition of C1.
+    // The inverse and three products in double: 32 rounding errors of 2^-53, multiplied by the
+    // condition number of C1.
     const double bound = unit_roundoff<float> * moved + 0x1p-48 * condition * kWidth;
     worst.see(error, bound, fmt::format("distance {:.4g}", z), condition);
   }
@@ -68,7 +70,7 @@ Stored near_over_distance(const Eigen::Vector4d& in_first) {
   return {in_first.x() / in_first.w(), in_first.y() / in_first.w(),
           float(in_first.z() / in_first.w())};
 }
-// f/(f - n) (1 - n/d), of n/d.
+// The standard depth f/(f - n) (1 - n/d), computed from n/d.
 Stored standard_depth(const Eigen::Vector4d& in_first) {
   const Stored ours = near_over_distance(in_first);
   return {ours.x, ours.y, float(kFar / (kFar - kNear) * (1 - in_first.z() / in_first.w()))};

@@ -15,13 +15,15 @@ Outcome judge(Clips clips) {
   double apart = 0;
   constexpr int kPairs = 50000;
   for (int i = 0; i < kPairs; ++i) {
-    // One end of the edge before the near plane, one behind it; the third corners inside, on either side of the edge.
+    // One end of the edge is in front of the near plane and the other behind it; the third corners
+    // are inside, on either side of the edge.
     const auto coordinate = [&] { return float(random.between(-10, 10)); };
     const float ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
     const Point<Clip> a{ax, ay, float(random.between(0.1, 10)), float(random.between(1, 10))};
     const Point<Clip> b{bx, by, float(random.between(-10, -0.1)), float(random.between(-1, 10))};
     const Point<Clip> c{1, 2, 3, 4}, d{-1, -2, 3, 4};
-    // The crossing of a-b is the second vertex of the one outline and stands in the other one.
+    // The crossing of a-b is the second vertex of the first outline, and must also be a vertex of
+    // the other one.
     const Outline one = clips(clip_corners(a, b, c), near);
     const Outline other = clips(clip_corners(b, a, d), near);
     ++edges;
@@ -51,7 +53,8 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 Outline one_minus_t(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = naive::weighted_by_t}, t, planes);
 }
-// t is computed in double, where it is as good as exact, and then rounded: 1 - t is not what the other end calls t.
+// t is computed in double, where it is practically exact, and then rounded to float: 1 - t is then
+// not the t that starts from the other end.
 Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
     const double s = double(d_a) / (double(d_a) - double(d_b));
@@ -61,8 +64,8 @@ Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-// Cones of 400 triangles around the line of sight that reach behind the eye, so that the near plane cuts every shared edge and all
-// of the picture is inside: every pixel once.
+// Cones of 400 triangles around the line of sight that reach behind the eye. The near plane cuts
+// every shared edge, and the whole picture is inside, so every pixel must be covered once.
 Outcome judge_drawn(const Drawer& by) {
   Watertightness all;
   for (std::uint64_t seed = 838; seed < 858; ++seed) {

@@ -13,8 +13,8 @@ constexpr int kSide = 64;
 
 constexpr int kFans = 12, kSlivers = 200;
 
-// Slivers around a point of the picture, their outer corners 1e5 .. 1e7 px away: 200 edges cross the guard band. How
-// often each pixel is covered.
+// Counts how often each pixel is covered by a fan of slivers around a point of the picture. Their
+// outer corners are 1e5 to 1e7 px away, so 200 edges cross the guard band.
 Image<int> times_covered_by_fan(Clips clips, int fan) {
   Random random(739 + std::uint64_t(fan));
   const float hub_x = float(random.between(-0.9, 0.9)), hub_y = float(random.between(-0.9, 0.9));
@@ -30,7 +30,8 @@ Image<int> times_covered_by_fan(Clips clips, int fan) {
   const auto planes = guard_band_planes(viewport);
   Image<int> times(kSide, kSide);
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    // Every other one begins elsewhere, so that shared edges are walked from all corners.
+    // Every second triangle starts at another corner, so that shared edges are traversed from
+    // different ends.
     const Point<Clip>&a = rim[i], &b = rim[(i + 1) % rim.size()];
     const ClipTriangle t = i % 2 == 0 ? clip_corners(hub, a, b) : clip_corners(b, hub, a);
     for_each_covered(clips(t, planes), viewport, {0, 0, kSide, kSide},
@@ -49,7 +50,8 @@ std::string picture(Clips clips) {
   return coverage_png(times_covered_by_fan(clips, 0), 6);
 }
 
-// Clipped to the picture itself: both triangles at an edge cut it, each in its own way, and the snap moves it.
+// Clips to the picture itself: the two triangles of an edge cut it differently, and snapping then
+// moves it.
 Outline at_the_screen(const ClipTriangle& t, std::span<const ClipPlane>) {
   const auto planes = frustum_planes();
   return naive::clip({}, t, std::span(planes).last(4));
@@ -58,7 +60,7 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({}, t, planes);
 }
 
-// Two such fans in eye space: one layer in every pixel, of the sliver that lies there.
+// Two such fans in eye space: every pixel must have one layer, that of the sliver at that place.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -20,9 +20,11 @@ bool sampled(int x, int y) {
   return x % kStep == kStep / 2 && y % kStep == kStep / 2;
 }
 
-// 1 inside, -1 outside, 0 where rounding may decide: within 2^-7 px of an edge. (Half an ulp of 2^15 px for a clipped
-// vertex, 2^-9, the same again in the quotient and the viewport, and 2^-9 of the snap.) In 168 bits: with corners 2^100
-// px away the cross product errs by 2^(200 - 168), and 2^-7 px are 2^93 in it.
+// Returns 1 inside, -1 outside, and 0 where rounding may decide, which is within 2^-7 px of an
+// edge: half an ulp of 2^15 px for a clipped vertex, which is 2^-9 px; the same again in the
+// quotient and in the viewport; and 2^-9 px from snapping. Computed with 168 bits: with corners
+// 2^100 px away the error of the cross product is 2^(200 - 168), and 2^-7 px corresponds to 2^93 in
+// it.
 int exact_side(const std::array<std::array<Decimal, 2>, 3>& corners, int x, int y) {
   const Decimal px = Decimal(x) + Decimal(0.5), py = Decimal(y) + Decimal(0.5);
   int signs[3];
@@ -30,7 +32,7 @@ int exact_side(const std::array<std::array<Decimal, 2>, 3>& corners, int x, int 
     const auto &a = corners[k], &b = corners[(k + 1) % 3];
     const Decimal dx = b[0] - a[0], dy = b[1] - a[1];
     const Decimal cross = dx * (py - a[1]) - dy * (px - a[0]);
-    // |cross| / |edge| is the distance.
+    // |cross| / |edge| is the distance from the edge.
     if (cross * cross <= (dx * dx + dy * dy) * Decimal(0x1p-14)) return 0;
     signs[k] = cross.sign();
   }
@@ -42,7 +44,7 @@ Outcome judge(Covers covers) {
   int wrong = 0, samples = 0;
   double worst_px = 0;
   for (const double px : {32767.99, 32768.0, 32768.01, 1e6, 1e9, 1e30}) {
-    // Pixels from the centre to NDC and back: exact for a picture of 2^8 pixels.
+    // Converts pixels from the centre to NDC; the way back is exact for a picture of 2^8 pixels.
     const auto at = [](double x, double y) {
       return Point<Clip>{float(x / 128), float(y / 128), 0.5f, 1};
     };
@@ -84,8 +86,8 @@ Pixels ours(const ClipTriangle& t, const Viewport& viewport) {
   return covered_by(pipeline_clips(t, guard_band_planes(viewport)), viewport);
 }
 
-// No guard band; positions become 32-bit integers, and edges are computed in 128 bits, so that the integers are all
-// that is wrong.
+// Does without a guard band: positions become 32-bit integers, and edges are computed in 128 bits,
+// so that only the conversion to integers is wrong.
 template <class ToInteger>
 Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
   exact::SnappedTriangle snapped;
@@ -101,7 +103,7 @@ Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
   }
   return pixels;
 }
-// What x86 makes of a number that does not fit.
+// The result of x86 for a number that does not fit.
 Pixels as_x86_converts(const ClipTriangle& t, const Viewport&) {
   return without_guard_band(t, [](double v) {
     return std::abs(v) < 0x1p31 ? std::int32_t(v) : std::numeric_limits<std::int32_t>::min();
@@ -118,13 +120,13 @@ Pixels kept_to_24_bits(const ClipTriangle& t, const Viewport&) {
   });
 }
 
-// Far corners in eye space, up to 10^9 px beside the picture.
+// Triangles with far corners in eye space, up to 10^9 px outside the picture.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     Random random(840);
     std::vector<SightDrawn> all;
     for (int i = 0; i < 48; ++i) {
-      // Far to all sides, to the left and right, up and down.
+      // Corners far away to all sides, to the left and right, or up and down.
       EyeTriangle t;
       for (Point<Eye>& p : t) {
         const double far = std::pow(10, random.between(0, 7));

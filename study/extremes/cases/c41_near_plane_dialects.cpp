@@ -6,7 +6,7 @@
 namespace glassbox::study {
 namespace c41 {
 
-// The near plane that is used for vertices of a dialect.
+// Chooses the near plane for vertices that follow the conventions of an API.
 using NearPlane = ClipPlane (*)(const ApiDialect&);
 
 Outcome judge(NearPlane near_plane) {

@@ -22,7 +22,7 @@ Outcome judge(Verdict verdict) {
   int wrong = 0, spared = 0;
   constexpr int kTriangles = 20000;
   for (int i = 0; i < kTriangles; ++i) {
-    // Small ones, most of which are wholly inside or outside.
+    // Small triangles, most of which are completely inside or completely outside.
     const Point<Clip> a = random_position(random, 0.5, 1.5);
     const auto beside = [&] {
       const double x = random.between(-0.5, 0.5), y = random.between(-0.5, 0.5);
@@ -45,7 +45,8 @@ Outcome judge(Verdict verdict) {
                   fmt::format("; clipping spared for {}", spared));
 }
 
-// Outside is outside, whichever the planes: loses what reaches across a corner of the picture.
+// Rejects a triangle if each corner is outside some plane, not the same one: it loses triangles
+// that reach across a corner of the picture.
 ClipVerdict all_corners_outside(std::span<const Outcode> codes) {
   bool any = false, all = true;
   for (const Outcode code : codes) {
@@ -61,7 +62,7 @@ ClipVerdict one_corner_inside(std::span<const Outcode> codes) {
   return trivial_verdict(codes);
 }
 
-// What may be spared of whole draws and of parts of them.
+// The pictures below test what may be skipped for whole draws, or for parts of them.
 void add_at(Scene& scene, const Transform<World, Object>& place, std::uint32_t mesh = 0) {
   scene.instances.push_back({mesh, std::uint32_t(scene.nodes.size())});
   scene.nodes.push_back({"", kNone, place, place});
@@ -78,7 +79,7 @@ Camera from_before() {
   return camera_at({0, 0, 8}, {0, 0, -1});
 }
 
-// 60 cubes around the eye, of which few are in the picture, and two walls.
+// 60 cubes around the eye, few of them in the picture, and two walls.
 Vista cubes_and_walls() {
   Random random(842);
   Scene scene = no_cubes();
@@ -91,7 +92,8 @@ Vista cubes_and_walls() {
   return vista_of(scene, from_before(), 96, 96);
 }
 
-// Two panes with a gap ten pixels wide, and 104 cubes that are behind them, look out or poke through.
+// Two rectangles with a gap of ten pixels between them, and 104 cubes that are behind them, partly
+// visible beside them, or stick through them.
 Vista cubes_behind_panes() {
   Random random(942);
   Scene scene = no_cubes();
@@ -125,14 +127,16 @@ Scene pane() {
   return scene;
 }
 
-// 1280 panes around the eye: so many are planned in groups, of which most reach out of the picture and some to behind the eye.
+// 1280 rectangles around the eye: so many are planned in groups. Most groups extend beyond the
+// picture, and some to behind the eye.
 Vista panes_in_groups() {
   Random random(1042);
   Scene scene = pane();
   for (int i = 0; i < 1280; ++i) {
     const auto coordinate = [&] { return random.between(-9, 9); };
     const double x = coordinate(), y = coordinate(), size = random.between(0.05, 0.3);
-    // Not as far behind as before the eye, so that groups lie on both sides of it.
+    // The range behind the eye is smaller than that in front, so that groups are on both sides of
+    // the eye.
     const double z = coordinate() - 4, turn = random.between(-60, 60);
     add_at(scene, translate<World>(WorldVector{x, y, z}) *
                       rotate_degrees<World>({0, 1, 0}, turn).value() *
@@ -141,8 +145,8 @@ Vista panes_in_groups() {
   return vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);
 }
 
-// A copy that is squashed into the plane where w is 1, and spared the divide; the one behind it is not, and shows its texture in
-// perspective.
+// A copy that is flattened into the plane where w is 1, so that it needs no divide. The copy behind
+// it needs one, and shows its texture in perspective.
 Vista panes_with_and_without_divide() {
   Scene scene = pane();
   add_at(scene, translate<World>(WorldVector{-0.25, 0, -1}) * scale<World, Object>(0.2, 0.2, 0));
@@ -154,14 +158,15 @@ Vista panes_with_and_without_divide() {
   return vista;
 }
 
-// A ball of 2,208 triangles, from so near that it reaches out of the picture.
+// A ball of 2,208 triangles, seen from so near that it extends beyond the picture.
 Vista near_ball(const WorldPoint& eye) {
   Vista vista = vista_of(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
   vista.settings.cull = Cull::kBack;
   return vista;
 }
 
-// Panes at the near plane: of some the exact place lies before it, and the computed one on it or behind.
+// Rectangles at the near plane. Some have their exact place before the plane, and the computed
+// place on it or behind it.
 Outcome judge_panes_at_the_near_plane(const Drawer& by) {
   Company all;
   for (int i = 0; i < 200; ++i) {

@@ -8,8 +8,9 @@
 namespace glassbox::study {
 namespace c43 {
 
-// Direct3D's picture: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres at halves. Its vertices are
-// pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each. The pair over (0,0)-(5,5) has 15 and 10 pixels.
+// The example of Direct3D: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres
+// at halves. Its vertices are pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each.
+// The pair of triangles over (0,0)-(5,5) has 15 and 10 pixels.
 std::int64_t fixture_faults(const Covers& covers) {
   const auto v = [](double x, double y) { return screen_vertex(x, y); };
   const Image<int> rectangle = times_covered(

@@ -13,7 +13,8 @@ namespace c44 {
 constexpr double kCentre = 10.5;
 constexpr int kPixel = 10;
 
-// n triangles around the pixel centre; every other fan is turned, so that edges point to all sides, along the axes too.
+// n triangles around the pixel centre. Every second fan is turned, so that edges have many
+// directions, including those of the axes.
 std::vector<ScreenTriangle> fan(int n) {
   std::vector<ScreenTriangle> triangles;
   const auto rim = [&](int i) {

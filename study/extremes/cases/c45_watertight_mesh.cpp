@@ -13,14 +13,14 @@ namespace c45 {
 
 constexpr int kSide = 1024;
 
-// Triangles 34,000 px long, slanted and side by side over the picture: float has too few bits for edge functions of that
-// length.
+// Slanted triangles of 34,000 px, side by side across the picture: float has too few bits for edge
+// functions of that length.
 std::vector<ScreenTriangle> long_triangles() {
   constexpr std::size_t kStrips = 16;
   Random random(46);
   std::vector<ScreenVertex> left, right;
   for (std::size_t i = 0; i <= kStrips; ++i) {
-    const double y = -600 + double(i) * 1700 / kStrips;  // where the strip meets x = 0
+    const double y = -600 + double(i) * 1700 / kStrips;  // y of the strip at x = 0
     left.push_back(screen_vertex(-15000, y - 7500 + random.between(-9, 9)));
     right.push_back(screen_vertex(16000, y + 8000 + random.between(-9, 9)));
   }

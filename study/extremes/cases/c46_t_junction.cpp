@@ -11,8 +11,8 @@ namespace c46 {
 
 constexpr int kSide = 64;
 
-// A triangle A B T above a long edge A-B, and A M C, M B C below it with M on the edge, as well as floats and the snap
-// allow.
+// A triangle A B T above a long edge A-B, and two triangles A M C and M B C below it, with M as
+// close to the edge as floats and snapping allow.
 struct Junction {
   ScreenVertex a, b, m, top, bottom;
 
@@ -33,7 +33,8 @@ Junction random_junction(Random& random) {
           screen_vertex(34, 110)};
 }
 
-// Pixels near the edge, well inside the outer triangles, that are not covered once.
+// Counts the pixels near the edge, well inside the outer triangles, that are not covered exactly
+// once.
 int faults_along(const std::vector<ScreenTriangle>& triangles) {
   const Image<int> times = times_covered(pipeline_covers, triangles, kSide, kSide);
   int faults = 0;
@@ -43,7 +44,8 @@ int faults_along(const std::vector<ScreenTriangle>& triangles) {
   return faults;
 }
 
-// Pixels there between the snapped M and the edge: those of the triangle A M B. They are covered by nobody or by two.
+// Counts the pixels between the snapped M and the edge, which are those of the triangle A M B. They
+// are covered by no triangle or by two.
 int predicted(const Junction& j) {
   const SnappedTriangle sliver = exact::snapped(ScreenTriangle{j.a, j.m, j.b});
   int pixels = 0;
@@ -66,7 +68,8 @@ Outcome judge(bool insert_the_vertex, bool predict) {
                                   predict ? "; those of the T-junctions are as predicted" : ""));
 }
 
-// With the vertex inserted, and without: that no rasterizer can mend a T-junction does not make its pixels anybody's guess.
+// Pictures with the vertex inserted, and without it: no rasterizer can repair a T-junction, but its
+// pixels are predictable.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<CoverageDrawn> junctions = [] {
     Random random(146);
@@ -81,7 +84,8 @@ Outcome judge_drawn(const Drawer& by) {
   return worst_of(junctions, by);
 }
 
-// The vertex is inserted on both sides, but one side has a copy of it that lies a step of the snap lower.
+// The vertex is inserted on both sides, but one side has a copy of it that is one snapping step
+// lower.
 Outcome judge_copies() {
   Random random(46);
   int faults = 0;

@@ -12,7 +12,7 @@ namespace c47 {
 
 constexpr double kLength = 4000;
 
-// Width 2^-k px at the one end, 0 at the other, in a random direction.
+// A triangle with a width of 2^-k px at one end and 0 at the other, in a random direction.
 ScreenTriangle sliver(int k, Random& random) {
   const double x = random.between(0, 100), y = random.between(0, 100);
   const double slope = random.between(0.05, 0.95);
@@ -20,7 +20,7 @@ ScreenTriangle sliver(int k, Random& random) {
           screen_vertex(x, y + std::ldexp(1.0, -k), 0.5f)};
 }
 
-// The pixels whose centres can lie in it: in each column those beside the long edge.
+// Looks only at pixels whose centres can be inside: in each column, those beside the long edge.
 Outcome judge(const Covers& covers) {
   Random random(47);
   CoverageFaults faults;
@@ -41,7 +41,7 @@ Outcome judge(const Covers& covers) {
   return outcome;
 }
 
-// The pipeline's fragments there have finite weights between 0 and 1 too.
+// In the pipeline, the weights of the fragments must also be finite and between 0 and 1.
 Outcome judge_ours() {
   Outcome outcome = judge(pipeline_covers);
   Random random(47);

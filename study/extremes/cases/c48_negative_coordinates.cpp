@@ -26,7 +26,8 @@ Outcome judge(const Covers& covers) {
   return faults.outcome();
 }
 
-// Visits the pixels whose floats truncate to whole numbers in the triangle's box: -0.3 and 0.3 are both column 0.
+// Visits the pixels whose float coordinates truncate to integers inside the triangle's box: both
+// -0.3 and 0.3 become column 0.
 void truncating_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
   naive::covers_with({}, t, window, [&](int x, int y) {
     const auto truncated = [](int i) { return int(float(i) + 0.5f); };
@@ -35,7 +36,7 @@ void truncating_covers(const ScreenTriangle& t, const PixelRect& window, const V
 }
 
 Outcome judge_naive() {
-  // What lands outside of the window is lost, as it would be on a screen.
+  // Pixels outside the window are lost, as they would be on a screen.
   return judge([](const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
     truncating_covers(t, window, [&](int x, int y) {
       if (x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1) visit(x, y);
@@ -43,7 +44,7 @@ Outcome judge_naive() {
   });
 }
 
-// Across the left and the upper edge of a picture.
+// Triangles across the left and the upper edge of a picture.
 Outcome judge_drawn(const Drawer& by) {
   static const CoverageDrawn across(
       [] {

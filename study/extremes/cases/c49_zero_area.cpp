@@ -12,7 +12,8 @@ namespace c49 {
 
 constexpr int kSide = 64;
 
-// Four triangles around an inner quad that is 1/1024 px thin: of its own two triangles the snap leaves a line.
+// Four triangles around an inner quad that is 1/1024 px thin: after snapping, the quad's own two
+// triangles are only a line.
 std::vector<ScreenTriangle> mesh(Random& random) {
   const double y = random.between(20, 44), dy = random.between(-3, 3);
   const auto v = [](double x, double at) { return screen_vertex(x, at); };
@@ -35,7 +36,8 @@ void pipeline_draws(const ScreenTriangle& t, const std::function<void(int, int, 
   });
 }
 
-// Nothing is dropped: weights are edge functions over the area, 0/0 on the line that is left of a triangle.
+// Drops no triangle: the weights are edge functions divided by the area, which is 0/0 if snapping
+// has left only a line.
 void draws_without_dropping(const ScreenTriangle& t,
                             const std::function<void(int, int, float)>& visit) {
   const SnappedTriangle v = exact::snapped(t);
@@ -56,7 +58,7 @@ void draws_without_dropping(const ScreenTriangle& t,
   }
 }
 
-// What covers no whole pixel can be spared: or so it seems.
+// Drops triangles that seem too small to cover any pixel.
 void drops_small_ones(const ScreenTriangle& t, const std::function<void(int, int, float)>& visit) {
   const SnappedTriangle v = exact::snapped(t);
   const std::int64_t area = std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) -

@@ -8,8 +8,8 @@
 namespace glassbox::study {
 namespace c50 {
 
-// Large triangles of random snapped vertices, looked at beside points on their edges: pictures of this size are sampled,
-// not allocated.
+// Large triangles with random snapped vertices, tested only beside points on their edges: pictures
+// of this size are sampled, not allocated.
 Outcome judge(const Covers& covers) {
   Random random(50);
   CoverageFaults faults;
@@ -32,7 +32,7 @@ Outcome judge(const Covers& covers) {
   return faults.outcome();
 }
 
-// Edge functions of a picture 4,096 px wide have 40 bits.
+// In a picture 4,096 px wide, edge functions need 40 bits.
 Outcome judge_drawn(const Drawer& by) {
   static const CoverageDrawn large(
       [] {
@@ -42,7 +42,7 @@ Outcome judge_drawn(const Drawer& by) {
           const double x = double(random.integer(-4096 * 256, 8192 * 256)) / 256;
           return screen_vertex(x, double(random.integer(-4096 * 256, 8192 * 256)) / 256);
         };
-        // As narrow as a small triangle, and too high for 32 bits.
+        // As narrow as a small triangle, but too high for 32 bits.
         for (int i = 0; i < 6; ++i) {
           const double x = 600 * i, width = double(random.integer(40, 63));
           all.push_back({screen_vertex(x, -20), screen_vertex(x + width, 4000 + x / 8),

@@ -10,7 +10,7 @@ namespace c51 {
 
 constexpr int kSide = 32;
 
-// A grid with vertices at pixel centres, every triangle of a random winding.
+// A grid with vertices at pixel centres; each triangle has a random winding.
 std::vector<ScreenTriangle> mixed_grid() {
   Random random(51);
   std::vector<ScreenTriangle> triangles;

@@ -10,7 +10,8 @@
 namespace glassbox::study {
 namespace c52 {
 
-// Every k/512 px near 0, and its neighbours in float; then the same at 2^10 and 2^15 px, where floats are coarse.
+// Tests every k/512 px near 0 and the neighbouring floats; then the same at 2^10 and 2^15 px, where
+// floats are coarse.
 Outcome judge(std::int32_t (*snap)(float)) {
   ErrorsBeyond errors(0);
   const auto ask = [&](float pixels) {
@@ -28,8 +29,9 @@ Outcome judge(std::int32_t (*snap)(float)) {
   return errors.outcome("positions elsewhere");
 }
 
-// 4,096 small triangles whose corners lie up to 3/4 of a snapped step beside pixel centres, half of one among them: a corner that
-// goes the wrong way takes pixels with it, for their centres lie on the edges of where it should be.
+// 4,096 small triangles whose corners are up to 3/4 of a snapping step away from pixel centres,
+// including exactly half a step. A corner that is snapped to the wrong side changes pixels, because
+// their centres are on the edges of the right triangle.
 Outcome judge_drawn(const Drawer& by) {
   static const CoverageDrawn ties(
       [] {

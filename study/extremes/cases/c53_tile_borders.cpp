@@ -13,7 +13,8 @@ namespace c53 {
 
 constexpr int kSide = 256;
 
-// Vertices on corners and edges of tiles, or up to a pixel and a half from them.
+// Triangles with vertices on corners and edges of tiles, or up to one and a half pixels away from
+// them.
 std::vector<std::vector<ScreenTriangle>> triangle_lists() {
   Random random(53);
   std::vector<std::vector<ScreenTriangle>> all(20);
@@ -21,7 +22,7 @@ std::vector<std::vector<ScreenTriangle>> triangle_lists() {
     const std::int64_t left = random.integer(0, 13), top = random.integer(0, 13);
     ScreenTriangle t;
     for (ScreenVertex& v : t) {
-      // Every other one no larger than 48 px.
+      // Every second triangle is at most 48 px large.
       const auto coordinate = [&](std::int64_t from) {
         const std::int64_t corner =
             i % 2 == 0 ? random.integer(0, 16) : from + random.integer(0, 3);

@@ -11,7 +11,8 @@ namespace c54 {
 
 constexpr int kWidth = 32767;
 
-// u = x / kWidth along the middle row of a triangle that runs over the whole width: calls visit(x, u).
+// Computes u = x / kWidth along the middle row of a triangle that spans the whole width, and calls
+// visit(x, u).
 using Span = std::function<void(const std::function<void(int, float)>&)>;
 
 const ScreenTriangle kTriangle{screen_vertex(0, -1), screen_vertex(kWidth, 0.5),
@@ -27,14 +28,15 @@ void pipeline_span(const std::function<void(int, float)>& visit) {
   });
 }
 
-// One addition of the increment per pixel: every rounding stays in the sum, and all of them have the same sign.
+// Adds the increment once per pixel: every rounding error stays in the sum, and all errors have the
+// same sign.
 void stepped_span(const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   float u = 0.5f * step;
   for (int x = 0; x < kWidth; ++x, u += step) visit(x, u);
 }
 
-// An addition of the increment per pixel, begun anew every `anchor` pixels.
+// Adds the increment once per pixel, but starts again from the exact value every `anchor` pixels.
 void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   for (int x = 0; x < kWidth; ++x) {
@@ -49,7 +51,7 @@ Outcome judge(const Span& span) {
   double worst = 0;
   int worst_x = 0, pixels = 0;
   span([&](int x, float u) {
-    // A quotient of whole numbers, right to 2^-53.
+    // A quotient of integers, right to 2^-53.
     const double exact = (x + 0.5) / kWidth;
     const double error = std::abs(double(u) - exact) / exact;
     ++pixels;
@@ -65,7 +67,8 @@ Outcome judge(const Span& span) {
           fmt::format("{:.2g} relative at column {}", worst, worst_x)};
 }
 
-// A row as wide as a picture may be, before a texture of as many texels: each pixel has a texel of its own, and no step may be lost.
+// A row as wide as a picture may be, with a texture that has as many texels: each pixel has its own
+// texel, so no step may be lost.
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn row = [] {
     const float half = float(kMaxImageSide) / 2;

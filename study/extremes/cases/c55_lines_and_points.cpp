@@ -22,8 +22,10 @@ void pipeline_line(const SnappedVertex& a, const SnappedVertex& b, const Visit& 
 using DrawsLine =
     std::function<void(const SnappedVertex&, const SnappedVertex&, const Visit& visit)>;
 
-// A line whose points at whole steps lie on the lattice, drawn as one and as two that meet on it: the same pixels, none
-// twice. Horizontal, vertical and diagonal ones among them; joints at pixel centres, on borders of diamonds, between.
+// Draws a line whose points at whole steps are on the lattice, as one line and as two lines that
+// meet on it: the pixels must be the same, and none may be drawn twice. There are horizontal,
+// vertical and diagonal lines; the joints are at pixel centres, on borders of diamonds, and
+// between.
 std::int64_t joint_faults(const DrawsLine& draws) {
   Random random(55);
   std::int64_t faults = 0;
@@ -53,8 +55,9 @@ std::int64_t joint_faults(const DrawsLine& draws) {
   return faults;
 }
 
-// The figure of the Direct3D and OpenGL rules: from (1.5, 1.5) to (5.5, 1.5) is columns 1 to 4, for it leaves their
-// diamonds and ends in that of column 5; down and diagonally the same.
+// The example of the Direct3D and OpenGL rules: a line from (1.5, 1.5) to (5.5, 1.5) has columns 1
+// to 4, because it leaves their diamonds and ends inside that of column 5. The same holds downwards
+// and diagonally.
 std::int64_t fixture_faults(const DrawsLine& draws) {
   std::int64_t faults = 0;
   for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}, {-1, -1}}) {
@@ -74,7 +77,8 @@ Outcome judge(const DrawsLine& draws) {
                                   joints, fixtures));
 }
 
-// Points on quarters of pixels: the one pixel whose centre c has p - 1/2 <= c < p + 1/2.
+// Points at quarters of pixels: each covers the one pixel whose centre c has p - 1/2 <= c < p +
+// 1/2.
 Outcome judge_ours() {
   Outcome outcome = judge(pipeline_line);
   for (std::int32_t x = -1024; x <= 1024; x += 64) {
@@ -89,7 +93,8 @@ constexpr int kSide = 2048, kCell = 24;
 
 using ScreenLine = std::array<SnappedVertex, 2>;
 
-// Lines and points as a scene whose picture has them where they are given, in 1/256 px; what they cover is counted.
+// A scene whose picture has these lines and points at the given places, in 1/256 px. The number of
+// layers in each pixel is counted.
 ScreenScene screen_lines(const std::vector<ScreenLine>& lines,
                          const std::vector<SnappedVertex>& points) {
   ScreenScene made = screen_scene({}, kSide, layer_material());
@@ -108,7 +113,8 @@ Image<Rgba8> drawn_by(const Drawer& drawer, const ScreenScene& scene) {
   return drawer.draw(scene.scene, scene.view, plain_settings()).buffers.color;
 }
 
-// The lines of joint_faults, each in a cell of its own; and a row of points, of which each lights the pixel by the rule.
+// The lines of joint_faults, each in a cell of its own, and a row of points, each of which covers
+// one pixel according to the rule.
 Outcome judge_drawn(const Drawer& by) {
   Random random(55);
   std::vector<ScreenLine> whole, parts;

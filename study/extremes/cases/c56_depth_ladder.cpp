@@ -9,8 +9,8 @@
 namespace glassbox::study {
 namespace c56 {
 
-// depth = B/z + A with B = n f/(f - n): float rounds the product A z, the sum and the quotient, which confuses depths at
-// relative separations up to 2 u z/f + 4 u (1 - z/f).
+// depth = B/z + A with B = n f/(f - n). Float rounds the product A z, the sum and the quotient,
+// which confuses depths at relative separations up to 2 u z/f + 4 u (1 - z/f).
 constexpr double kBound = 4 * double(unit_roundoff<float>);
 
 Outcome judge(const DepthPath& path) {
@@ -27,8 +27,8 @@ Outcome judge(const DepthPath& path) {
   return worst.outcome();
 }
 
-// 300 triangles of all sizes, tilted and through each other, from a hundredth to ten times as far as they are wide: the nearest is
-// seen, whichever is drawn first.
+// 300 triangles of all sizes, tilted and intersecting each other, at distances from a hundredth of
+// their width to ten times their width: the nearest one must be visible, in any order of drawing.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -10,7 +10,7 @@ namespace c57 {
 
 constexpr int kSide = 4096;
 
-// The plane has depths that float holds exactly at whole pixels.
+// The plane has depths that float holds exactly at integer pixel coordinates.
 double plane_at(double x, double y) {
   return 0.25 + x * 0x1p-14 + y * 0x1p-15;
 }
@@ -30,7 +30,7 @@ Outcome judge(const DepthAt& depth) {
   for (int i = 0; i < 300; ++i) {
     const auto setup = setup_triangle(random_triangle(random));
     if (!setup) continue;
-    // Some rows of each, whole.
+    // Tests some whole rows of each triangle.
     for (int row = 0; row < 4; ++row) {
       const int y = int(random.integer(0, kSide - 1));
       for_each_covered(*setup, {0, y, kSide, y + 1}, [&](const Coverage& pixel) {
@@ -42,9 +42,10 @@ Outcome judge(const DepthAt& depth) {
   return errors.outcome("samples beyond 8 u");
 }
 
-// 64 triangles whose farthest edge lies in pixel centres, and a wall as far as that edge, or a rounding or two farther: there
-// rounding may leave them behind it. Pixel by pixel as the formulas of depth say, without boxes, blocks, tiles and an order of draws:
-// either answer is within the bound, but all who draw must give the same.
+// 64 triangles whose farthest edge goes through pixel centres, and a wall that is as far away as
+// that edge or a rounding error or two farther, so that rounding may put the edge behind the wall.
+// The reference applies the depth formulas pixel by pixel, without boxes, blocks, tiles or an order
+// of draws. Both answers are within the bound, but all drawers must give the same one.
 Outcome judge_ties(const Drawer& by) {
   Random random(257);
   std::int64_t wrong = 0, all = 0;
@@ -71,8 +72,8 @@ Outcome judge_ties(const Drawer& by) {
                       fmt::format("{} of {} pixels decide a tie otherwise", wrong, all));
 }
 
-// Two panes that are computed to have one depth, of which the second is nearer by exact numbers: the first stays, as it does where
-// nothing is known of their boxes.
+// Two rectangles with the same computed depth; by exact numbers, the second one is nearer. The
+// first one must stay, as it does if nothing is known about their bounding boxes.
 Outcome judge_order_of_panes(const Drawer& by) {
   Company all;
   for (int i = 0; i + 1 < 200; ++i) {
@@ -92,7 +93,8 @@ Outcome judge_order_of_panes(const Drawer& by) {
                   "pixels of panes show the one that was drawn second");
 }
 
-// Triangles of the plane in a picture of 256 x 256 pixels, whose depths the engine keeps.
+// Triangles of the plane in a picture of 256 x 256 pixels; the depths that the engine stores are
+// checked.
 Outcome judge_drawn(const Drawer& by) {
   Random random(157);
   std::vector<ScreenTriangle> triangles;

@@ -9,13 +9,14 @@ namespace c58 {
 
 constexpr int kSide = 256;
 
-// To a fifth, somewhere in the picture: what the tile engine takes for a small triangle.
+// Scales to an eighth and moves to some place in the picture, so that the tile engine treats it as
+// a small triangle.
 ScreenVertex shrunk(const ScreenVertex& v, int i) {
   const float x = float(i * 37 % 200), y = float(i * 59 % 200);
   return screen_vertex(double(v.position.x / 8 + x), double(v.position.y / 8 + y), v.position.z);
 }
 
-// Each triangle, then the same begun at another vertex.
+// Each triangle, followed by the same triangle with another first vertex.
 std::vector<ScreenTriangle> pairs() {
   Random random(58);
   std::vector<ScreenTriangle> all;
@@ -34,7 +35,7 @@ std::vector<ScreenTriangle> pairs() {
   return all;
 }
 
-// Numbers of copies are even.
+// Copies have even numbers.
 Outcome judge(const Image<int>& seen) {
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });

@@ -8,13 +8,14 @@ namespace glassbox::study {
 namespace c59 {
 
 constexpr int kSide = 256;
-constexpr double kDepthOfView = 1024;  // px, so that slopes are those of a cube
+constexpr double kDepthOfView = 1024;  // in px, so that slopes are those of a cube
 
 double crossing_at(double y) {
   return 100 + 0.25 * y;
 }
 
-// Depths lie around 0.6, which is no edge of any format's codes. Two rectangles over the whole picture whose depths cross under the angle, at crossing_at(y).
+// Two rectangles over the whole picture whose depths cross at this slope, at x = crossing_at(y).
+// The depths are around 0.6, which is not special in any depth format.
 std::vector<ScreenTriangle> crossing(double slope) {
   std::vector<ScreenTriangle> all;
   for (const double sign : {1.0, -1.0}) {
@@ -34,7 +35,8 @@ Outcome judge(const Draws& draws) {
   for (const double degrees : {90.0, 1.0, 0.01}) {
     const double slope = tan_half_degrees(degrees) / kDepthOfView;
     const Image<int> seen = draws(crossing(slope));
-    // 8 u of each depth, and u of each vertex's own; then half a pixel, for pixels have one answer each.
+    // 8 u for each depth and u for each vertex's own; then half a pixel, because each pixel has a
+    // single answer.
     const double bound = 2 * 9 * double(unit_roundoff<float>) * 0.75 / (2 * slope) + 0.5;
     double farthest = 0;
     for (int y = 0; y < seen.height; ++y) {
@@ -49,7 +51,8 @@ Outcome judge(const Draws& draws) {
   return worst.outcome();
 }
 
-// All of one, then all of the other: the one with the smaller mean depth hides the other.
+// Draws all of one rectangle, then all of the other: the one with the smaller mean depth hides the
+// other.
 Image<int> painted(const std::vector<ScreenTriangle>& triangles) {
   return z_buffered(triangles, kSide,
                     {.passes = [](std::uint32_t, std::uint32_t) { return true; }});

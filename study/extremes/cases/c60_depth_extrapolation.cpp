@@ -7,7 +7,8 @@
 namespace glassbox::study {
 namespace c60 {
 
-// A few 1/256 px wide, 2000 px long, from the near plane to the far one: seen under 89.999 degrees and more.
+// A triangle of a few 1/256 px width and 2000 px length, from the near plane to the far plane: it
+// is seen at an angle of 89.999 degrees or more.
 ScreenTriangle sliver(Random& random) {
   const auto lattice = [&](double low, double high) {
     return std::floor(random.between(low, high) * 256) / 256;
@@ -33,7 +34,8 @@ Outcome judge(const DepthAt& depth) {
   return errors.outcome("pixels beyond 8 u");
 }
 
-// Such slivers a quarter as long, on their own rows, a few at a time so that none hides another.
+// Such slivers, a quarter as long, on separate rows; only a few are drawn together, so that none
+// hides another.
 Outcome judge_drawn(const Drawer& by) {
   Random random(160);
   std::vector<ScreenTriangle> triangles;

@@ -10,7 +10,8 @@
 namespace glassbox::study {
 namespace c61 {
 
-// z = m 2^e exactly, so floor(z (2^24 - 1) + 1/2) = (2 m (2^24 - 1) + 2^-e) >> (1 - e), in whole numbers.
+// z = m 2^e exactly, so floor(z (2^24 - 1) + 1/2) = (2 m (2^24 - 1) + 2^-e) >> (1 - e), in
+// integers.
 std::int64_t exact_code(float z) {
   int exponent = 0;
   const std::int64_t m = std::int64_t(std::ldexp(std::frexp(z, &exponent), 24));
@@ -28,7 +29,7 @@ Outcome judge(std::uint32_t (*code)(float)) {
   for (const float z : {0.0f, 1.0f, 1.0f - 0x1p-24f, 0x1p-24f, 0x1p-25f, 0.5f, 0x1p-149f}) ask(z);
   Random random(61);
   for (int i = 0; i < 100000; ++i) ask(float(random.unit()));
-  // Halves and their neighbours.
+  // The halves between codes, and their neighbours in float.
   for (int k = 1; k < 16777215; k += 16381) {
     const float tie = float((k + 0.5) / 16777215);
     for (const float z : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 1.0f)}) ask(z);
@@ -40,7 +41,8 @@ std::uint32_t pipeline_code(float z) {
   return depth_code(DepthFormat::kUnorm24, z);
 }
 
-// Flat triangles, whose depth is that of their corners: the codes that runs keep, of both formats of whole numbers.
+// Flat triangles, whose depth is that of their corners: checks the stored codes in both integer
+// formats.
 Outcome judge_drawn(const Drawer& by) {
   int wrong = 0, all = 0;
   for (const auto& [format, steps] :

@@ -9,7 +9,7 @@
 namespace glassbox::study {
 namespace c62 {
 
-// How depth is kept, cleared and compared.
+// Defines how depth is stored, cleared and compared.
 struct DepthTest {
   std::uint32_t (*code)(DepthFormat, float depth) = depth_code;
   std::uint32_t clear = kEmptyDepth;
@@ -19,8 +19,8 @@ struct DepthTest {
 constexpr DepthFormat kFormats[] = {DepthFormat::kFloat32, DepthFormat::kFloat32Reversed,
                                     DepthFormat::kUnorm24, DepthFormat::kUnorm16};
 
-// Anything is seen in an empty frame, from the near plane to the far one itself, and the nearer of two whichever is drawn
-// first.
+// In an empty frame every triangle must be visible, from the near plane to the far plane itself; of
+// two triangles the nearer one must be visible, in either order of drawing.
 Outcome judge(const DepthTest& test) {
   int wrong = 0, questions = 0;
   for (const DepthFormat format : kFormats) {
@@ -40,7 +40,8 @@ Outcome judge(const DepthTest& test) {
   return wrong_of(wrong, questions, "answers of the depth test wrong");
 }
 
-// The numbers of the triangles that a run in this format shows, 1 + theirs, in a picture of 16 x 16 pixels.
+// Draws a picture of 16 x 16 pixels in this format and returns the number of the triangle in each
+// pixel, counted from 1.
 LineVector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
                                    const std::vector<ScreenTriangle>& triangles) {
   const bool reversed = format == DepthFormat::kFloat32Reversed;
@@ -59,7 +60,8 @@ ScreenTriangle corner_triangle(double size, float depth) {
   return {screen_vertex(0, 0, depth), screen_vertex(size, 0, depth), screen_vertex(0, size, depth)};
 }
 
-// Pictures that stay black: a triangle over the whole picture, alone, at both ends of the range and between.
+// Counts the pictures that stay black. Each has a single triangle over the whole picture, at one
+// end of the depth range or in the middle.
 int runs_without_a_picture(const Drawer& by) {
   int black = 0;
   for (const DepthFormat format : kFormats) {
@@ -70,7 +72,8 @@ int runs_without_a_picture(const Drawer& by) {
   return black;
 }
 
-// Of a near and a far triangle, in both orders, small and large: pixels that show the far one, or, in the corner, none.
+// Draws a near and a far triangle, in both orders, small and large. Counts the pixels that show the
+// far one, and the corner pixel if it shows none.
 int pixels_that_show_the_far_one(const Drawer& by) {
   int wrong = 0;
   for (const DepthFormat format : kFormats) {

@@ -17,7 +17,8 @@ Outcome judge(DepthPath::Detour detour) {
           fmt::format("depths {:.2g} apart confused at the distance 1,000", confused)};
 }
 
-// Two panes across the gaze, 8 u apart at the distance 1,000, in both orders: the nearer one is seen.
+// Two rectangles at right angles to the gaze, 8 u apart at the distance 1,000, in both orders: the
+// nearer one must be visible.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;

@@ -5,7 +5,7 @@
 namespace glassbox::study {
 namespace c64 {
 
-// What someone expects a format to tell apart at a distance, relative.
+// Predicts the relative separation that a format can tell apart at a distance.
 using Expected = double (*)(const DepthPath&, double distance, double step);
 
 Outcome judge(Expected expected) {
@@ -28,7 +28,7 @@ Outcome judge(Expected expected) {
 double by_formula(const DepthPath& path, double distance, double step) {
   return standard_separation(distance, path.near, path.far, step);
 }
-// As if the steps were spread evenly between the planes.
+// Assumes that the steps are spread evenly between the planes.
 double evenly(const DepthPath& path, double distance, double step) {
   return (path.far - path.near) * step / distance;
 }
@@ -36,8 +36,9 @@ double without_near_plane(const DepthPath&, double distance, double step) {
   return distance * step;
 }
 
-// Panes across the gaze, and the codes that runs keep of them, against depth as a formula has it. In float it is (alpha z + beta)/z
-// by rounded numbers: 3 u |alpha|, 2 u |beta|/z and 2 u of the quotient; then half a step.
+// Rectangles at right angles to the gaze: compares the stored codes with depth computed by the
+// formula. In float, depth is (alpha z + beta)/z with rounded numbers: 3 u |alpha|, 2 u |beta|/z
+// and 2 u of the quotient; then half a step.
 Outcome judge_drawn(const Drawer& by) {
   const double near = 0.1, far = 1e4;
   Worst worst;

@@ -8,7 +8,8 @@ namespace c65 {
 
 constexpr int kSide = 512;
 
-// A floor 1.5 under the eye, from 4 to 4,000 away: seen under 0.02 degrees at its far end. u runs along the gaze.
+// A floor 1.5 below the eye, from 4 to 4,000 away: its far end is seen at an angle of 0.02 degrees.
+// u runs along the gaze.
 JudgedTriangle floor_triangle() {
   Camera camera;
   camera.lens = PerspectiveLens{1.0, 0.5, 8192};
@@ -35,8 +36,8 @@ Image<Rgba8> checks(const AttributeAt& at) {
   return picture;
 }
 
-// 2,048 texels along the floor, each of its own colour.
-// Then a floor of 2 x 60 x 20 small triangles with 16 texels each way over four of them.
+// A floor of 60 x 20 squares with two small triangles each; every 2 x 2 squares share a texture of
+// 16 x 16 texels.
 Vista tiled_floor() {
   std::vector<EyeTriangle> triangles;
   std::vector<Texcoords> texcoords;
@@ -48,7 +49,7 @@ Vista tiled_floor() {
       const auto uv = [&](int i, int j) {
         return std::array{float(column + i) / 2, float(row + j) / 2};
       };
-      // Begun at one or the other of the two corners that have one w.
+      // The triangle starts at one or the other of the two corners that have the same w.
       if (column % 2 == 0) {
         triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
         texcoords.push_back({uv(0, 0), uv(1, 0), uv(1, 1)});
@@ -67,7 +68,9 @@ Vista tiled_floor() {
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn tiles(tiled_floor());
   static const std::vector<SightDrawn> floors = [] {
-    // Begun at each of its corners: which of two equal w comes first is then not always the same.
+    // A long floor with 2,048 texels along it, each with its own colour. The triangle starts at
+    // each of its corners in turn, so that the order of two vertices with equal w is not always the
+    // same.
     EyeTriangle floor{Point<Eye>{-2, -1.5f, -4}, {2, -1.5f, -4}, {0, -1.5f, -4000}};
     Texcoords texcoords{{{0, 0}, {0, 1}, {1, 0.5f}}};
     std::vector<SightDrawn> all;

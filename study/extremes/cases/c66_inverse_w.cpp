@@ -8,7 +8,7 @@ namespace c66 {
 
 constexpr int kSide = 256;
 
-// The corners are 1e-3, 1 and 1e6 away; 1024 texels from the first to the others.
+// The corners are 1e-3, 1 and 1e6 away; there are 1024 texels from the first corner to the others.
 Outcome judge(const AttributeAt& at) {
   const JudgedTriangle judged{
       {screen_vertex(-200, -180, 0.5f, 1e3f), screen_vertex(700, 20, 0.5f, 1),

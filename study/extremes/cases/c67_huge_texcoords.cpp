@@ -10,7 +10,8 @@ namespace c67 {
 
 constexpr int kSize = 1024;
 
-// Texels between where the coordinate lies (exact in double: floats below 2^24) and the texel that was sampled.
+// The distance in texels between the place of the coordinate (exact in double: floats below 2^24)
+// and the sampled texel.
 Outcome judge(const TexelAt& texel_at) {
   Worst worst;
   Random random(67);
@@ -20,7 +21,7 @@ Outcome judge(const TexelAt& texel_at) {
       const double place = (double(t) - std::floor(double(t))) * kSize;
       const int texel = texel_at(Wrap::kRepeat, t, kSize);
       const double beside = std::max({texel - place, place - (texel + 1), 0.0});
-      // A negative coordinate near 0 may be rounded when 1 is added: by 2^-25 of the texture.
+      // A negative coordinate near 0 may be rounded when 1 is added, by 2^-25 of the texture.
       worst.see(std::min(beside, kSize - beside), kSize * 0x1p-25,
                 fmt::format("texel {} for {:.2f} at u = {}", texel, place, t), std::abs(double(t)));
     }
@@ -28,8 +29,8 @@ Outcome judge(const TexelAt& texel_at) {
   return worst.outcome();
 }
 
-// A wall whose coordinates run over 4 textures, 4,096 textures from the first one, where floats still have eleven bits for the
-// place in it.
+// A wall whose coordinates span 4 textures and start 4,096 textures from the origin, where floats
+// still have eleven bits for the place within a texture.
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn wall(textured_vista({{Point<Eye>{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}},
                                               {{{{4096, -4096}, {4100, -4096}, {4098, -4100}}}},

@@ -12,7 +12,7 @@ int modulo(int n, int m) {
   return ((n % m) + m) % m;
 }
 
-// In units of 1/64 of the texture, so an eighth of a texel: whole numbers.
+// k is in units of 1/64 of the texture, that is, an eighth of a texel; everything is in integers.
 int exact_texel(Wrap wrap, int k) {
   const int texel = (k - modulo(k, 8)) / 8;
   switch (wrap) {
@@ -43,7 +43,7 @@ Outcome judge(const TexelAt& texel_at) {
   return wrong_of(wrong, all, "texels wrong" + first);
 }
 
-// A wall with 8 x 8 texels and coordinates from -4 to 4, in each of the three ways.
+// A wall with 8 x 8 texels and coordinates from -4 to 4, in each of the three wrap modes.
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> walls = [] {
     std::vector<SightDrawn> all;

@@ -13,7 +13,8 @@ constexpr int kTexels = 1024;
 
 using Texcoords = std::array<std::array<float, 2>, 3>;
 
-// Narrow triangles whose texture runs away from the viewer; u and v as they belong to the vertices of the setup.
+// Narrow triangles whose texture recedes from the viewer; u and v are in the order of the setup's
+// vertices.
 struct Sheet {
   TriangleSetup setup;
   Texcoords texcoords;
@@ -38,8 +39,8 @@ std::vector<Sheet> sheets() {
   return all;
 }
 
-// d(N/D) of u = N/D, N = sum E_k q_k (a_k - a_0), D = sum E_k q_k, per pixel along one axis; and the sum of the sizes of
-// the terms, over D.
+// The derivative of u = N/D per pixel along one axis, with N = sum E_k q_k (a_k - a_0) and D = sum
+// E_k q_k; `terms` is the sum of the sizes of its terms, divided by D.
 struct Derivative {
   double value = 0, terms = 0;
 };
@@ -93,7 +94,8 @@ std::optional<float> pipeline_level(const Sheet& sheet, const Coverage& pixel) {
   return level_of_detail(gradient, kTexels, kTexels);
 }
 
-// Differences to the neighbours in the picture, whatever triangle they show; a pixel without one has 0 there.
+// Uses differences between neighbouring pixels, even if they show another triangle; a pixel without
+// a neighbour takes 0 for it.
 std::optional<float> level_by_neighbours(const Image<std::array<float, 2>>& texcoords, int x,
                                          int y) {
   const auto& here = texcoords.at(x, y);
@@ -121,8 +123,9 @@ Outcome judge(const LevelAt& level_at) {
   for (const Sheet& sheet : sheets()) {
     for_each_covered(sheet.setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
       const ExactLevel exact = exact_level(sheet, pixel);
-      // Slopes 6 u, the coordinate 14 u, their product and difference 3 u, w 8 u, the length 3 u: 34 u of the terms. Then
-      // 1/ln 2 levels for a relative change, and what the logarithm itself may be off by, 5e-8 and two roundings.
+      // Slopes 6 u, the coordinate 14 u, their product and difference 3 u, w 8 u, the length 3 u:
+      // 34 u of the terms. A relative change is multiplied by 1/ln 2 in levels. The logarithm
+      // itself may have an error of 5e-8 and two rounding errors.
       const double u = double(unit_roundoff<float>);
       const double bound = 34 * u * exact.condition / 0.693 + 5e-8 + 4 * u * std::abs(exact.level);
       const auto level = level_at(sheet, pixel);
@@ -141,7 +144,7 @@ Outcome judge_naive() {
   });
 }
 
-// The plane equations without the change of 1/w.
+// Plane equations that ignore the change of 1/w.
 std::optional<float> level_without_perspective(const Sheet& sheet, const Coverage& pixel) {
   const Fragment fragment = interpolate(sheet.setup, pixel);
   const auto& t = sheet.texcoords;
@@ -152,7 +155,7 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
       kTexels, kTexels);
 }
 
-// The level shows in which stripes of a texture are left.
+// The level of detail shows in the stripes of a texture that remain visible.
 Outcome judge_drawn(const Drawer& by) {
   static const SightDrawn strips([] {
     std::vector<EyeTriangle> triangles;

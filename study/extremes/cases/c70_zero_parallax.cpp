@@ -12,10 +12,10 @@ namespace c70 {
 constexpr StereoPair kPair{0.03, 10};
 constexpr double kBound = 1.0 / 256;
 
-// A point's x in one eye's picture, px.
+// Returns a point's x in one eye's picture, in px.
 using XOf = std::function<double(Side, const Point<Eye>&)>;
 
-// A grid of points at the window's distance, over the whole picture.
+// Tests a grid of points at the distance of the stereo window, over the whole picture.
 Outcome judge(const XOf& x_of) {
   double worst = 0;
   int flipped = 0, points = 0;
@@ -42,7 +42,7 @@ XOf through(const View& left, const View& right) {
   };
 }
 
-// Parallel cameras, and the pictures pushed by whole pixels until the window coincides.
+// Uses parallel cameras and shifts the pictures by whole pixels until the window coincides.
 Outcome judge_pushed() {
   const StereoPair parallel{kPair.half_separation};
   const View left = eye_view(centre(), parallel, Side::kLeft);
@@ -53,7 +53,7 @@ Outcome judge_pushed() {
   });
 }
 
-// x' = x + s (1 + z/f): the sign for an eye that looks along +z.
+// Uses x' = x + s (1 + z/f), the sign for an eye that looks along +z.
 View with_sign_turned(Side side) {
   View view = eye_view(centre(), {kPair.half_separation}, side);
   const Transform<Eye, Eye> skew = stereo_skew(eye_shift(kPair, side), -kPair.window);
@@ -61,7 +61,8 @@ View with_sign_turned(Side side) {
   return view;
 }
 
-// A mosaic in the window, of triangles whose corners lie anywhere: each eye's picture is what the camera between them sees.
+// A mosaic in the plane of the window, of triangles with corners at any place: each eye must see
+// the same picture as the camera between them.
 Vista mosaic() {
   Random random(70);
   constexpr int kCells = 8;

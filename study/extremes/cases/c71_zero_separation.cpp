@@ -37,7 +37,7 @@ Outcome judge_ours() {
   return worse_of(judge_engine(EngineKind::kStaged), judge_engine(EngineKind::kTile));
 }
 
-// The eyes one after the other, whatever the separation.
+// Draws the eyes one after the other, even if the separation is zero.
 Outcome judge_two_passes() {
   const PairScene s = mono();
   int passes = 0;
@@ -49,7 +49,7 @@ Outcome judge_two_passes() {
   return judge(eyes, passes);
 }
 
-// Some renderers want eyes that are apart.
+// Uses a minimum separation, as some renderers do.
 Outcome judge_least_separation() {
   PairScene s = mono();
   s.pair.half_separation = 1e-3;

@@ -10,7 +10,8 @@ namespace c72 {
 constexpr Display kScreen{2000, 3000};
 constexpr int kWidth = 1920;
 
-// Half the separation for a window and a scene's depths, given what may be behind the screen, px.
+// Returns half the separation of the eyes, for a window, the depths of a scene, and the parallax in
+// px that is allowed behind the screen.
 using Separation = double (*)(const View&, double window, const DepthSpan&, double budget_px);
 
 Outcome judge(Separation separation) {

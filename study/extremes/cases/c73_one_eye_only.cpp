@@ -11,7 +11,8 @@
 namespace glassbox::study {
 namespace c73 {
 
-// A wall at the window, 10 away, and small things at 0.5, side by side and tilted, so that the light tells them apart: each eye sees some that the other does not.
+// A wall at the window, 10 away, and small triangles at 0.5, side by side. They are tilted, so that
+// the light gives them different shades; each eye sees some that the other does not.
 PairScene close_things() {
   Mesh mesh;
   add_triangle(
@@ -26,7 +27,7 @@ PairScene close_things() {
   return {scene_of(std::move(mesh), material), view_from_origin(320, 180, 0.1), {0.3, 10}};
 }
 
-// Whether a triangle is kept, by where each eye's clip space has it.
+// Decides whether a triangle is kept, from its corners in both eyes' clip spaces.
 using Keeps = std::function<bool(const std::array<Point<Clip>, 3>& left,
                                  const std::array<Point<Clip>, 3>& right, const View& centre)>;
 

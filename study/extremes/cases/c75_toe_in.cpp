@@ -16,7 +16,8 @@ View centre() {
 
 using EyeView = View (*)(const View&, const StereoPair&, Side);
 
-// Points all over the picture at three distances. `predicted` is S0-07's formula, upwards.
+// Tests points all over the picture at three distances. `predicted` is the vertical parallax by the
+// formula for converging cameras (S0-07), upwards.
 Outcome judge(EyeView eye, bool formula) {
   const View left = eye(centre(), kPair, Side::kLeft), right = eye(centre(), kPair, Side::kRight);
   double worst = 0, off_formula = 0;
@@ -25,7 +26,7 @@ Outcome judge(EyeView eye, bool formula) {
       for (int j = -4; j <= 4; ++j) {
         const Point<Eye, double> p(i * 0.17 * z, j * 0.1 * z, -z);
         const Point<Eye> point(float(p.x), float(p.y), float(p.z));
-        // In eye space of the centre; toe-in turns eye space itself.
+        // The point is in the eye space of the centre camera; toe-in turns eye space itself.
         const auto y = [&](const View& view) {
           const Point<World> world(point.x, point.y, point.z);
           return double(project(view, round_to_float(view.eye_from_world) * world).position.y);
@@ -45,19 +46,19 @@ Outcome judge(EyeView eye, bool formula) {
                          off_formula));
 }
 
-// The left eye alone is turned.
+// Turns only the left eye.
 View one_toed_in(const View& centre, const StereoPair& pair, Side side) {
   return side == Side::kLeft ? toe_in_view(centre, pair, side) : eye_view(centre, pair, side);
 }
-// Each eye's frustum is worked out by itself, and rounds by itself.
+// Computes each eye's frustum separately, with separate rounding errors.
 View heights_of_their_own(const View& centre, const StereoPair& pair, Side side) {
   View view = eye_view(centre, pair, side);
   if (side == Side::kRight) view.clip_from_eye.at(1, 1) *= 1 + 0x1p-22;
   return view;
 }
 
-// Low and wide triangles over the whole picture at the three distances: their edges are nearly level, and show when an eye's
-// picture lies higher than the other's.
+// Low and wide triangles over the whole picture at the three distances. Their edges are almost
+// horizontal, so they show if one eye's picture is higher than the other's.
 Outcome judge_drawn(const Drawer& by) {
   static const PairDrawn steps = [] {
     std::vector<EyeTriangle> triangles;

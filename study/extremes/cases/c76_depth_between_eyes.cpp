@@ -31,7 +31,7 @@ Image<Rgba8> without_clearing() {
   return naive::anaglyph_without_clearing_depth(eyes().left, eyes().right, kBackground);
 }
 
-// Red of the left eye's own picture, green and blue of the right eye's (S0-02).
+// Expects red from the left eye's own picture, green and blue from the right eye's (S0-02).
 Outcome judge(const Image<Rgba8>& shown) {
   const Image<Rgba8> right =
       make_anaglyph(eyes().left.color, eyes().right.color, AnaglyphMethod::kMask).value();
@@ -40,7 +40,8 @@ Outcome judge(const Image<Rgba8>& shown) {
                       fmt::format("{} of {} pixels differ", differ, right.pixels.size()));
 }
 
-// Cards before each other, each texel in a colour of its own: red as the left eye sees it, green and blue as the right one does.
+// Cards one in front of the other, where each texel has its own colour: the red channel must be as
+// the left eye sees it, green and blue as the right eye does.
 Vista cards() {
   std::vector<EyeTriangle> triangles;
   std::vector<Texcoords> texcoords;

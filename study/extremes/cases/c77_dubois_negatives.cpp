@@ -17,7 +17,8 @@ AnaglyphMatrix dubois() {
   return anaglyph_matrix(AnaglyphMethod::kDubois, Glasses::kRedCyan).value();
 }
 
-// The sum in double of products of two floats each, which are exact; clamped, then encoded by IEC 61966-2-1.
+// The sum in double of products of two floats, which are exact; it is clamped, then encoded (IEC
+// 61966-2-1).
 Bytes exact_mix(const Rgba8& left, const Rgba8& right) {
   const AnaglyphMatrix matrix = dubois();
   const Linear l = linear_of(left), r = linear_of(right);
@@ -36,7 +37,7 @@ Bytes exact_mix(const Rgba8& left, const Rgba8& right) {
   return bytes;
 }
 
-// All pairs of the corners, edges' middles and centre of the cube of colours.
+// Tests all pairs of colours from the corners, edge midpoints and centre of the colour cube.
 Outcome judge(Mixes mixes, const AnaglyphMatrix& matrix) {
   std::int64_t worst = 0, wrong = 0, mixed = 0;
   std::string where;
@@ -88,12 +89,13 @@ Bytes mix_in_bytes(const AnaglyphMatrix& matrix, const Rgba8& l, const Rgba8& r,
 Bytes wrapping_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   return mix_in_bytes(matrix, left, right, naive::wrapped_byte);
 }
-// Clamped, but on encoded bytes in place of light.
+// Clamps, but computes with encoded bytes instead of linear light.
 Bytes gamma_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   return mix_in_bytes(matrix, left, right,
                       [](double sum) { return encode_unorm8(float(std::clamp(sum, 0.0, 1.0))); });
 }
-// In light, but what is below 0 or above 1 is not clamped before it is encoded as a power: negatives are mirrored.
+// Computes in linear light, but does not clamp values below 0 or above 1 before they are encoded as
+// a power: negative values are mirrored.
 Bytes unclamped_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   const Linear l = linear_of(left), r = linear_of(right);
   Bytes bytes;
@@ -107,7 +109,8 @@ Bytes unclamped_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8
   return bytes;
 }
 
-// Read row by row where the file has it column by column (each eye's 3 x 3 numbers).
+// Reads the numbers row by row, although the file has them column by column (3 x 3 numbers for each
+// eye).
 AnaglyphMatrix transposed() {
   const AnaglyphMatrix matrix = dubois();
   AnaglyphMatrix turned = matrix;
@@ -121,12 +124,12 @@ AnaglyphMatrix transposed() {
 }
 AnaglyphMatrix with_misprint() {
   AnaglyphMatrix matrix = dubois();
-  matrix.at[1][0] *= 10;  // as -0.400822 for -0.0400822 in a shader that is passed around
+  matrix.at[1][0] *= 10;  // -0.400822 instead of -0.0400822, a typing error in a widespread shader
   return matrix;
 }
 
-// A pair of pictures that a run draws of cards in six strong colours, mixed: within a byte of what the colours make that are seen along
-// each eye's own line of sight.
+// A pair of pictures of cards in six strong colours, drawn and mixed in one run: each pixel must be
+// within a byte of the mix of the colours that are on each eye's own line of sight.
 Outcome judge_drawn(const Drawer& by) {
   constexpr StereoPair kPair{0.3, 8};
   static const std::array<Rgba8, 6> colors{Rgba8{255, 0, 0, 255}, {0, 255, 0, 255},

@@ -22,14 +22,14 @@ Drawn room_by(const Drawer& drawer) {
   return {{pair.left.color, pair.right.color}, disparity_map(s.centre, s.pair, pair.left.distance)};
 }
 
-// By the staged reference.
+// The room drawn by the staged reference.
 const Drawn& room() {
   static const Drawn drawn = room_by(drawers().front());
   return drawn;
 }
 
-// The share of the windows that vote for interchanged eyes; more than a third is too much for the order to be known
-// (images/stereo/order.h).
+// The share of the windows that vote for exchanged eyes. If it is more than a third, the order
+// cannot be decided (images/stereo/order.h).
 Outcome outcome_of(const OrderEvidence& evidence) {
   const double votes = double(evidence.in_order + evidence.swapped);
   const char* verdict = evidence.order == EyeOrder::kInOrder   ? "in order"

@@ -8,11 +8,12 @@ namespace c79 {
 
 constexpr double kFrames = 15;
 
-// Given the window that is asked for, frame after frame, the one that is used.
+// Takes the requested window, frame after frame, and returns the window that is used.
 using Filter = std::function<double(double)>;
 
-// 10 to 1, then back, 120 frames each. The parallax of infinity goes with 1/f: the largest change from a frame to the
-// next, as a share of the whole step; a step the wrong way or beyond the goal is as bad as a jump.
+// The window goes from 10 to 1, then back, 120 frames each. The parallax at infinity is
+// proportional to 1/f, so the result is the largest change of 1/f between two frames, as a share of
+// the whole step. A change in the wrong direction or beyond the goal counts as a jump.
 Outcome judge(const std::function<Filter()>& make) {
   const Filter next = make();
   double worst = 0, backwards = 0;
@@ -28,7 +29,7 @@ Outcome judge(const std::function<Filter()>& make) {
       last = inverse;
     }
   }
-  // 1e-15 is the rounding of 1/(1/f).
+  // 1e-15 is the rounding error of 1/(1/f).
   const bool monotone = backwards <= 1e-15;
   return {monotone ? worst : std::max(worst, 1.0),
           low_pass_share(kFrames) * (1 + 1e-12),

@@ -13,7 +13,7 @@ constexpr int kWidth = 8192;
 LayerEye first_eye() {
   return {.width = kWidth, .height = 1, .focal = kWidth / 2.0, .near = 0.5};
 }
-// Eye and turn are such that a row stays a row.
+// The eye's position and turn are such that a row stays a row.
 LayerEye second_eye() {
   LayerEye eye = first_eye();
   eye.at = {0.31, 0, -0.17};
@@ -21,7 +21,7 @@ LayerEye second_eye() {
   return eye;
 }
 
-// The column of the second picture where each column's sample is drawn; -1: it is not seen.
+// The column of the second picture in which each column's sample is drawn; -1 if it is not visible.
 using Columns = std::vector<int>;
 using Warp = Columns (*)(const views::LayeredImage&, const views::LayerCamera& to);
 
@@ -49,7 +49,7 @@ Outcome judge(Warp warp) {
     const Eigen::Vector4d at =
         matrix * Eigen::Vector4d(x + 0.5, 0.5, double(row.depth[std::size_t(x)]), 1);
     const double exact = at.x() / at.w();
-    // Beside the pixel in which it was drawn; what is hidden within it stays unknown.
+    // The distance from the pixel in which it was drawn; the place inside the pixel is unknown.
     const double error = std::max({column - exact, exact - (column + 1), 0.0});
     ++seen;
     if (error > worst) worst = error, worst_x = x;
@@ -71,12 +71,13 @@ Columns ours(const views::LayeredImage& image, const views::LayerCamera& to) {
   return columns;
 }
 
-// Additions in float, begun anew every `anchor` pixels; w of its own accord every `anchor_w`.
+// Additions in float, which start again from the exact value every `anchor` pixels; w does so every
+// `anchor_w`.
 Columns added_up(const views::LayeredImage& image, const views::LayerCamera& to, int anchor,
                  int anchor_w) {
   const Eigen::Matrix4d matrix = views::warp_matrix(to, image.camera);
   const Eigen::Vector4f right = matrix.col(0).cast<float>(), depth = matrix.col(2).cast<float>();
-  Eigen::Vector4f start = Eigen::Vector4f::Zero();  // the first pixel sets it
+  Eigen::Vector4f start = Eigen::Vector4f::Zero();  // set at the first pixel
   Columns columns;
   for (int x = 0; x < kWidth; ++x, start += right) {
     const Eigen::Vector4d anew = matrix * Eigen::Vector4d(x + 0.5, 0.5, 0, 1);

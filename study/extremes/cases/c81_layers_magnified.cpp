@@ -5,9 +5,9 @@
 namespace glassbox::study {
 namespace c81 {
 
-constexpr int kSide = 64;  // px
+constexpr int kSide = 64;  // in px
 
-// A wall, 8 units away, that fills the picture.
+// A wall at a distance of 8 units that fills the picture.
 const views::LayeredImage& wall() {
   static const views::LayeredImage image = [] {
     views::LayerBuilder builder(
@@ -20,7 +20,7 @@ const views::LayeredImage& wall() {
   return image;
 }
 
-// How many pixels show nothing; `zoom` is F2/F1.
+// Counts the pixels that show nothing; `zoom` is F2/F1.
 using Holes = std::function<int(const views::LayerCamera& to, double zoom)>;
 
 Outcome judge(const Holes& holes) {

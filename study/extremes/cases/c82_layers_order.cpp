@@ -7,11 +7,12 @@
 namespace glassbox::study {
 namespace c82 {
 
-constexpr int kSide = 33, kMiddle = 16;  // px
+constexpr int kSide = 33, kMiddle = 16;  // in px
 constexpr double kFocal = 32, kNear = 1e-3;
 
-// The second eye goes `ahead` units along the gaze (back, if negative), in the direction in which pixel (x, y), counted from the middle
-// one, is seen; with 0 it goes to the side, by x and y pixels of parallax for each step of closeness.
+// How the second eye moves: `ahead` units along the gaze (backwards if negative), in the direction
+// in which pixel (x, y), counted from the middle pixel, is seen. If `ahead` is 0, it moves
+// sideways, by x and y pixels of parallax for each step of closeness.
 struct Move {
   double ahead;
   int x, y;
@@ -30,15 +31,18 @@ std::vector<Move> moves() {
   return all;
 }
 
-// Samples that are drawn exactly in the middle of pixels, and those that meet in one are exactly on one line through the second eye.
+// A layered image whose samples are drawn exactly at pixel centres; samples that meet in one pixel
+// are exactly on one line through the second eye.
 struct Lattice {
   views::LayeredImage image;
   views::LayerCamera to;
   Image<Rgba8> right;
 };
 
-// Where the sample of pixel k (from the middle) and closeness n is seen, along one axis whose epipole is e; nothing where it is not on
-// the lattice. Ahead the place goes n + 1 times as far from the epipole, going back to 1/(n + 1) of it, aside n e further.
+// The place along one axis at which the sample of pixel k (counted from the middle) with closeness
+// n is seen, where e is the epipole on this axis; nothing if the place is not on the lattice. If
+// the eye moves ahead, the distance from the epipole is multiplied by n + 1; if it moves back,
+// divided by n + 1; if it moves sideways, the place shifts by n e.
 std::optional<int> moved(const Move& move, int k, int e, int n) {
   if (move.ahead > 0) return (n + 1) * k - e * n;
   if (move.ahead == 0) return k - n * e;
@@ -53,7 +57,7 @@ double distance_of(const Move& move, int n) {
 Lattice lattice_of(const Move& move) {
   const LayerEye first{.width = kSide, .height = kSide, .focal = kFocal, .near = kNear};
   LayerEye second = first;
-  // y of the world goes up.
+  // In the world, y points up.
   second.at = move.ahead == 0 ? std::array<double, 3>{double(move.x), double(-move.y), 0}
                               : std::array<double, 3>{move.ahead * move.x / kFocal,
                                                       -move.ahead * move.y / kFocal, -move.ahead};
@@ -107,7 +111,7 @@ Image<Rgba8> in_order(const Lattice& lattice) {
       .color;
 }
 
-// The epipole along an axis, times w, and w.
+// The epipole along the two axes, times w, and w itself.
 struct Epipole {
   double x, y, w;
 };
@@ -128,7 +132,7 @@ Image<Rgba8> by_lists(const Lattice& lattice, std::vector<int> columns, std::vec
 Image<Rgba8> as_packed(const Lattice& lattice) {
   return by_lists(lattice, {}, {});
 }
-// Towards the epipole, wherever the eye has gone.
+// Visits towards the epipole, even if the eye has moved back.
 Image<Rgba8> without_sign(const Lattice& lattice) {
   const Epipole e = epipole_of(lattice);
   const double sign = e.w < 0 ? -1 : 1;

@@ -7,9 +7,9 @@
 namespace glassbox::study {
 namespace c83 {
 
-constexpr int kSide = 64;  // px
+constexpr int kSide = 64;  // in px
 
-// 4,096 samples 0.5 to 8 units away, and an eye that has gone 4 of them ahead.
+// 4,096 samples at distances of 0.5 to 8 units, for an eye that has moved 4 units ahead.
 const views::LayeredImage& cloud() {
   static const views::LayeredImage image = [] {
     views::LayerBuilder builder(
@@ -42,7 +42,8 @@ Outcome judge(const std::function<Image<Rgba8>()>& draw) {
     ++shown;
     wrong += !(warped(number).w() > 0);
   }
-  // Who is before the eye and the near plane, and well within a pixel, has something in it.
+  // A pixel must not be empty if a sample beyond the near plane is seen in it, not too close to its
+  // border.
   for (std::uint32_t number = 1; number <= kSide * kSide; ++number) {
     const Eigen::Vector4d at = warped(number);
     if (!(at.w() > 0) || at.z() / at.w() > 0.999) continue;
@@ -66,7 +67,8 @@ Outcome judge_test(const std::function<bool(double z, double w)>& is_drawn,
   naive::SplatLoop loop;
   loop.is_drawn = is_drawn;
   loop.side = side;
-  // As in an occlusion-compatible order: a depth buffer hides what has z < 0 by chance.
+  // No depth buffer, as with an occlusion-compatible order: a depth buffer happens to hide samples
+  // with z < 0.
   loop.compares_depth = false;
   return judge([loop] { return naive::splat(cloud(), passed(), loop).color; });
 }

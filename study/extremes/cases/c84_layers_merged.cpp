@@ -11,10 +11,11 @@ namespace c84 {
 
 constexpr double kEpsilon = 0x1p-6;
 
-// What is left of the depths of one pixel, from back to front.
+// Returns the depths of one pixel that are left after merging, from back to front.
 using Merge = std::function<std::vector<float>(const std::vector<float>& depths, double epsilon)>;
 
-// Each 0.9 epsilon behind the one before it: near to its neighbours, and not to the next but one.
+// Each depth is 0.9 epsilon behind the previous one: near to its neighbours, but not to the next
+// one but one.
 std::vector<float> chain() {
   std::vector<float> depths;
   for (int i = 0; i < 12; ++i)
@@ -24,7 +25,7 @@ std::vector<float> chain() {
 
 Outcome judge(const Merge& merge) {
   std::vector<float> depths = chain();
-  // From the front: the first, the third, and so on.
+  // Counted from the front, the right result is the first depth, the third, and so on.
   std::vector<float> right;
   for (std::size_t i = depths.size(); i-- > 0;) {
     if (i % 2 == 0) right.push_back(depths[i]);

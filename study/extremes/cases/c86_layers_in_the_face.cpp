@@ -5,9 +5,9 @@
 namespace glassbox::study {
 namespace c86 {
 
-constexpr int kSide = 512;  // px
+constexpr int kSide = 512;  // in px
 
-// One sample, straight ahead and 1 unit away.
+// One sample, straight ahead at a distance of 1 unit.
 const views::LayeredImage& sample() {
   static const views::LayeredImage image = [] {
     views::LayerBuilder builder(
@@ -17,19 +17,21 @@ const views::LayeredImage& sample() {
   }();
   return image;
 }
-// 1/m units before it: there it is m px wide, from the middle of the picture.
+// An eye 1/m units in front of the sample: from there it is m px wide, starting at the middle of
+// the picture.
 views::LayerCamera eye_at(double m) {
   return layer_camera_of(
       {.width = kSide, .height = kSide, .focal = 64, .near = 0x1p-24, .at = {0, 0, -1 + 1 / m}});
 }
 
 struct Splatted {
-  int pixels = 0;    // that are covered
-  int reported = 0;  // samples that are said to be larger than they are drawn
+  int pixels = 0;    // covered pixels
+  int reported = 0;  // samples reported as larger than they are drawn
 };
 using Draw = std::function<Splatted(double m)>;
 
-// Pixels too many or too few, and samples of which it should have been said; 2 to 2^20 px wide.
+// Counts pixels that are drawn too often or missing, and samples for which the report is wrong; the
+// samples are 2 to 2^20 px wide.
 Outcome judge(const Draw& draw) {
   double wrong = 0;
   int silent = 0;

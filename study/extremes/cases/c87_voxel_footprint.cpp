@@ -13,7 +13,7 @@ using views::Projected;
 using Visit = std::function<void(int, int)>;
 using FootprintOf = void (*)(const GridPicture& lens, const Projected& centre, const Visit& visit);
 
-constexpr int kSide = 64;  // px
+constexpr int kSide = 64;  // in px
 
 struct Box {
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
@@ -34,24 +34,25 @@ void ours(const GridPicture& lens, const Projected& centre, const Visit& visit) 
   views::for_each_pixel(lens, centre, views::Footprint::kBox, visit);
 }
 
-// Pixels first .. last of the box, kept to the picture.
+// Visits the pixels first .. last of the box, limited to the picture.
 void visit_box(double left, double right, double top, double bottom, const Visit& visit) {
   for (int y = std::max(0, int(top)); y <= std::min(kSide - 1, int(bottom)); ++y)
     for (int x = std::max(0, int(left)); x <= std::min(kSide - 1, int(right)); ++x) visit(x, y);
 }
-// Those whose centres are in the box: none, if it lies between them, and the sigma of nothing is 0.
+// Visits only pixels whose centres are in the box. If the box is between centres there are none,
+// and the deviation of no pixels is 0.
 void centres_alone(const GridPicture& lens, const Projected& centre, const Visit& visit) {
   const Box box = box_around(lens, centre);
   visit_box(std::ceil(box.left - 0.5), std::floor(box.right - 0.5), std::ceil(box.top - 0.5),
             std::floor(box.bottom - 0.5), visit);
 }
-// All that the box touches: neighbours' pixels as well.
+// Visits every pixel that the box touches, including pixels of neighbouring voxels.
 void all_touched(const GridPicture& lens, const Projected& centre, const Visit& visit) {
   const Box box = box_around(lens, centre);
   visit_box(std::floor(box.left), std::floor(box.right), std::floor(box.top),
             std::floor(box.bottom), visit);
 }
-// As wide as the voxel is at its centre, though its corners are nearer and farther.
+// Uses the width of the voxel at its centre, although its corners are nearer and farther.
 void centre_alone(const GridPicture& lens, const Projected& centre, const Visit& visit) {
   views::for_each_pixel(lens, centre, views::Footprint::kCentre, visit);
 }
@@ -63,7 +64,7 @@ Outcome judge(FootprintOf footprint_of) {
     for (int round = 0; round < 40; ++round) {
       views::VoxelGrid grid;
       grid.size = size;
-      // 100 units away with f = 100 px: a unit is a pixel.
+      // The voxel is 100 units away and f = 100 px, so one unit is one pixel.
       grid.corner = {random.between(-20, 20), random.between(-20, 20), 100};
       views::PinholeCamera camera;
       camera.intrinsic << 100, 0, kSide / 2, 0, 100, kSide / 2, 0, 0, 1;
@@ -74,7 +75,7 @@ Outcome judge(FootprintOf footprint_of) {
       Image<std::uint8_t> found(kSide, kSide, 0);
       footprint_of(lens, centre, [&](int x, int y) { found.at(x, y) = 1; });
       const Box box = box_around(lens, centre);
-      // Floats add and divide numbers of at most 64 px: 8 roundings.
+      // Floats are used to add and divide numbers of at most 64 px: 8 rounding errors.
       constexpr double kOff = 8 * kSide * 0x1p-24;
       bool is_wrong = found.at(middle.column, middle.row) == 0;
       bool is_empty = true;

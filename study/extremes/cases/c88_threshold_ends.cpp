@@ -23,7 +23,8 @@ FlatScene noisy(bool blank, double threshold) {
   return flat;
 }
 
-// With T infinite the first layer takes all pixels of the middle camera, and each of the others sees nothing behind it but alone.
+// With an infinite T, the first layer takes all pixels of the middle camera. The pixels that each
+// of the other cameras sees behind that layer are seen by this camera alone.
 Outcome judge(Colorer colored_by) {
   std::vector<views::VoxelAt> wall;
   for (int y = 0; y < kWide; ++y)

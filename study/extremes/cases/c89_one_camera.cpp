@@ -5,7 +5,7 @@
 namespace glassbox::study {
 namespace c89 {
 
-// One camera agrees with itself about everything, and so do two in one place.
+// One camera always agrees with itself, and so do two cameras at the same place.
 Outcome judge(Colorer colored_by) {
   FlatScene one = flatland(6, 1, 5, {0});
   paint(one, {{2, 0, 3}, {4, 0, 1}}, {200, 30, 20, 255});

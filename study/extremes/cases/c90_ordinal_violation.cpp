@@ -9,7 +9,7 @@ namespace c90 {
 
 using views::Vector3d;
 using Cameras = std::vector<Vector3d>;
-// A direction along which what hides comes first; nothing: there is none.
+// Returns a direction in which voxels that hide others come first; nothing if there is none.
 using OrderOf = std::optional<Vector3d> (*)(const Cameras& cameras);
 
 const Vector3d kLow(-1, -1, -1), kHigh(1, 1, 1);
@@ -31,11 +31,12 @@ Vector3d away_from_mean(const Cameras& cameras) {
   for (const Vector3d& camera : cameras) mean += camera / double(cameras.size());
   return (kLow + kHigh) / 2 - mean;
 }
-// Away from the cameras' middle, whatever they are around.
+// Goes away from the mean of the cameras, even if they are all around.
 std::optional<Vector3d> whatever(const Cameras& cameras) {
   return away_from_mean(cameras);
 }
-// As far as the cameras are before the box's middle: its near corners are not asked.
+// Tests whether the cameras are before the middle of the box, but ignores the near corners of the
+// box.
 std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
   const Vector3d direction = away_from_mean(cameras);
   for (const Vector3d& camera : cameras) {
@@ -43,7 +44,7 @@ std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
   }
   return direction;
 }
-// One camera is asked for all.
+// Uses only the first camera.
 std::optional<Vector3d> of_the_first(const Cameras& cameras) {
   return views::classify({cameras.front()}, kLow, kHigh).direction;
 }
@@ -57,7 +58,8 @@ Outcome judge(OrderOf order_of) {
                     random.between(-far, far)};
   };
   std::vector<Cameras> all{ring(0), ring(0.5), ring(3), ring(-3)};
-  // Cameras beyond a plane that leaves a corner of the box on their side, but for the first.
+  // Six cameras beyond a plane at a random distance; most of these planes leave a corner of the box
+  // on the cameras' side.
   for (int i = 0; i < 40; ++i) {
     const Vector3d beyond = anywhere(1).normalized();
     const double least = beyond.cwiseAbs().sum() * random.between(0.2, 1.4);
@@ -70,7 +72,7 @@ Outcome judge(OrderOf order_of) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Cameras& cameras = all[i];
     const auto order = order_of(cameras);
-    // Rings above and below the box have an order.
+    // Only the rings above and below the box have an order.
     missed += !order && (i == 2 || i == 3);
     if (!order) continue;
     for (int pair = 0; pair < 400; ++pair) {

@@ -7,7 +7,7 @@ namespace c91 {
 
 constexpr Rgba8 kRed{200, 30, 20, 255};
 
-// Two red voxels side by side look as two behind each other between them.
+// Two red voxels side by side look the same as two voxels one behind the other, between them.
 Outcome judge(Colorer colored_by) {
   const std::vector<views::VoxelAt> beside{{3, 0, 2}, {5, 0, 2}}, nearer{{4, 0, 1}, {4, 0, 3}};
   FlatScene flat = flatland(10, 1, 6, {-1, 1}), other = flat;
@@ -24,7 +24,7 @@ Outcome judge(Colorer colored_by) {
   };
   differ(flat, other);
   const naive::VoxelKeys found = colored_by(flat);
-  // What is found, seen again.
+  // Draws the scene that was found and compares the pictures.
   FlatScene again = flatland(10, 1, 6, {-1, 1});
   for (int z = 0; z < 6; ++z)
     for (int x = 0; x < 10; ++x)

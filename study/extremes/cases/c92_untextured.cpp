@@ -21,7 +21,9 @@ FlatScene disc() {
   return flat;
 }
 
-// Of one colour all agrees: the hull is where both show the object, and its surface is what is nearest on a line of either picture.
+// All voxels have one colour, so all of them are consistent. The hull is the set of voxels that
+// both pictures show as object; its surface has the voxels that are nearest on a line of sight of
+// either picture.
 naive::VoxelKeys photo_hull(const FlatScene& flat) {
   std::set<int> taken[2];
   naive::VoxelKeys hull;

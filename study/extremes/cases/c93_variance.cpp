@@ -25,7 +25,7 @@ double of_two_means(const std::vector<double>& numbers) {
   const T mean = sum / T(kCount);
   return double((squares - T(kCount) * mean * mean) / T(kCount - 1));
 }
-// The running mean has x in it already on both sides.
+// Uses the running mean that already includes x in both factors.
 double by_the_new_mean(const std::vector<double>& numbers) {
   double mean = 0, squares = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -45,7 +45,8 @@ Outcome judge(VarianceOf variance_of) {
     for (const double x : numbers) mean += static_cast<long double>(x) / kCount;
     for (const double x : numbers) squares += (x - mean) * (x - mean);
     const double right = double(squares / (kCount - 1));
-    // Chan, Golub and LeVeque 1983: n u kappa with kappa = sqrt(1 + (mean / sigma)^2).
+    // The bound n u kappa, with kappa = sqrt(1 + (mean / sigma)^2), see Chan, Golub and LeVeque
+    // 1983.
     const double kappa = std::sqrt(1 + 250 * 250 / right);
     worst.see(std::abs(variance_of(numbers) - right) / right, kCount * 0x1p-53 * kappa,
               fmt::format("seed {}", seed), kappa);

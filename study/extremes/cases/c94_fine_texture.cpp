@@ -5,7 +5,7 @@
 namespace glassbox::study {
 namespace c94 {
 
-// A wall of voxels that are two by two pixels of a checker board each.
+// A wall of voxels, each of which covers two by two pixels of a checkerboard.
 Outcome judge(const views::ColoringSettings& asked) {
   FlatScene flat = flatland(16, 16, 4, {-2, 0, 2});
   for (views::CalibratedPicture& picture : flat.set.pictures) {

@@ -13,7 +13,8 @@ using views::PolygonMesh;
 using views::ScalarField;
 using Surface = std::function<PolygonMesh(const ScalarField& field)>;
 
-// Two cells with a face of two opposite corners between them: one has those two corners inside, the other all but two.
+// Two cells that share a face with two opposite corners inside: one cell has only those two corners
+// inside, the other has all corners inside but two.
 ScalarField beside_its_opposite() {
   ScalarField field(2, 2, 3, -1);
   field.at(0, 0, 1) = field.at(1, 1, 1) = 1;

@@ -25,7 +25,7 @@ const views::PinholeCamera& camera() {
   return made;
 }
 
-// Small triangles that the camera sees, a third of them in one plane.
+// A small triangle that the camera sees; a third of all triangles are in the same plane.
 Corners3d any_triangle(Random& random) {
   const double x = random.between(-1.5, 1.5), y = random.between(-1.5, 1.5);
   const double z = random.integer(0, 2) == 0 ? 0.5 : random.between(-1, 1);
@@ -33,7 +33,8 @@ Corners3d any_triangle(Random& random) {
   return {Vector3d(x, y, z), Vector3d(x, y + wide, z), Vector3d(x + wide, y, z)};
 }
 
-// Puts the same edits to `layers`, and counts the pixels that differ from a layered image of what is left.
+// Applies the same edits to `layers`, and counts the pixels that differ from a layered image built
+// from the remaining polygons.
 template <typename Layers>
 Outcome judge(Layers layers) {
   Random random(97);

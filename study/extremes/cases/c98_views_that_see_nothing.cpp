@@ -16,7 +16,8 @@ using views::ViewWeights;
 using Sees = std::function<bool(std::size_t view)>;
 using Weights = std::function<ViewWeights(const Vector3d& direction, const Sees& sees)>;
 
-// The corners of an octahedron and the middles of its faces: directions on the sides of triangles are exact.
+// The corners of an octahedron and the centres of its faces: directions on the sides of the
+// triangles are exact.
 const std::vector<Vector3d>& directions() {
   static const std::vector<Vector3d> all = [] {
     std::vector<Vector3d> made;
@@ -37,7 +38,7 @@ const ViewBlend& blend() {
   return made;
 }
 
-// Directions in, on and at the triangles.
+// Directions inside the triangles, on their edges and at their corners.
 std::vector<Vector3d> asked(Random& random) {
   std::vector<Vector3d> all = directions();
   for (const auto& t : blend().sphere().triangles()) {
@@ -52,14 +53,14 @@ std::vector<Vector3d> asked(Random& random) {
   return all;
 }
 
-// Four roundings of each of at most three shares, and their sums.
+// Four rounding errors for each of at most three weights, and those of their sums.
 constexpr double kBound = 0x1p-50;
 
 Outcome judge(const Weights& weights) {
   Random random(98);
   Worst worst;
   for (const Vector3d& direction : asked(random)) {
-    for (const int share : {1, 2, 4, 8, 1000}) {  // one in so many views sees the polygon
+    for (const int share : {1, 2, 4, 8, 1000}) {  // one of this many views sees the polygon
       std::vector<bool> seen(directions().size());
       for (std::size_t v = 0; v < seen.size(); ++v) seen[v] = random.integer(0, share - 1) == 0;
       const bool by_anybody = std::ranges::find(seen, true) != seen.end();
@@ -67,7 +68,7 @@ Outcome judge(const Weights& weights) {
       double sum = 0, error = 0;
       for (const views::ViewWeight& each : found) {
         sum += each.weight;
-        // Nothing is taken from a view that does not see it, and no weight is below 0.
+        // A view that does not see the polygon must have no weight, and no weight may be negative.
         if (!seen[each.view] || !(each.weight >= 0)) error = 1;
       }
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
@@ -84,7 +85,7 @@ ViewWeights ours(const Vector3d& direction, const Sees& sees) {
   return blend().from(direction).weights(sees);
 }
 
-// What each step may leave out.
+// The steps of the method; each can be left out.
 struct Steps {
   bool leaves_out_unseen = true, divides = true, falls_back = true, has_empty_sum = false;
 };

@@ -17,14 +17,15 @@ views::Matrix3d by_normalised_points(const views::Matches& pixels) {
   return fit ? fit->matrix : views::Matrix3d::Zero();
 }
 
-// Of points without noise, to the lines of an estimate of points with it.
+// The mean distance of points without noise from the epipolar lines of a matrix that was estimated
+// from points with noise.
 double mean_distance(const views::Matrix3d& estimate, const views::Matches& clean) {
   double sum = 0;
   for (const views::Match& m : clean) sum += views::epipolar_distance(estimate, m);
   return sum / double(clean.size());
 }
 
-// Means over all pairs, beside what the best estimate of the same matches leaves.
+// Averages over all pairs, compared with what the best estimate from the same matches gives.
 Outcome judge(Estimator estimator) {
   Random random(99);
   double error = 0, best = 0, condition = 0;

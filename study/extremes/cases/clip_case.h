@@ -1,4 +1,4 @@
-// What the cases about clipping share: clippers under judgement, and areas in rationals.
+// Shared code of the clipping cases: the clippers that are judged, and areas in rational numbers.
 #pragma once
 
 #include <array>
@@ -43,12 +43,13 @@ inline exact::ExactPolygon<exact::Rational> exact_outline(const Outline& outline
   return exact;
 }
 
-// |twice the area of the outline - twice the exact one|, in square NDC units; infinite where a w is zero.
+// |twice the area of the outline - twice the exact area|, in square NDC units; infinite if a w is
+// zero.
 double area_error(const Outline& outline, const ClipTriangle& triangle,
                   std::span<const ClipPlane> planes);
 
-// near, left, right, bottom, top: without the far plane, which can meet a triangle at any small angle and has then no
-// useful bound on the area.
+// The planes near, left, right, bottom and top. The far plane is left out: it can cut a triangle at
+// an arbitrarily small angle, and then the area has no useful bound.
 inline std::vector<ClipPlane> planes_without_far() {
   const auto planes = frustum_planes();
   return {planes[0], planes[2], planes[3], planes[4], planes[5]};

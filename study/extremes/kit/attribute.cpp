@@ -47,7 +47,7 @@ Outcome judge_attribute(const AttributeAt& at, const JudgedTriangle& judged, int
   if (!setup) return must_be_zero(HUGE_VAL, "no triangle");
   std::array<float, 3> values;
   for (std::size_t k = 0; k < 3; ++k) values[k] = judged.values[std::size_t(setup->order[k])];
-  Worst worst;  // by its share of the bound
+  Worst worst;  // the one that uses the largest share of its bound
   Outcome farthest;
   for_each_covered(*setup, {0, 0, side, side}, [&](const Coverage& pixel) {
     const ExactAttribute exact = exact_attribute(*setup, pixel, values);

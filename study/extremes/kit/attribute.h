@@ -1,4 +1,4 @@
-// What is interpolated over a triangle, under judgement.
+// Judges attributes that are interpolated over a triangle.
 #pragma once
 
 #include <array>
@@ -12,13 +12,15 @@
 
 namespace glassbox::study {
 
-// An attribute at a pixel from its values at the vertices, in the order of the setup.
+// Computes an attribute at a pixel from its values at the vertices, which are in the order of the
+// setup.
 using AttributeAt =
     std::function<float(const TriangleSetup&, const Coverage&, const std::array<float, 3>&)>;
 float pipeline_attribute(const TriangleSetup& setup, const Coverage& pixel,
                          const std::array<float, 3>& values);
 
-// sum E_k q_k a_k / sum E_k q_k with q = 1/w as given: a quotient of sums of positive numbers, 2^-60 relative.
+// sum E_k q_k a_k / sum E_k q_k with the given q = 1/w: a quotient of sums of positive numbers,
+// right to 2^-60 relative.
 struct ExactAttribute {
   long double value = 0;
   std::array<long double, 3> weights{};
@@ -26,19 +28,20 @@ struct ExactAttribute {
 ExactAttribute exact_attribute(const TriangleSetup& setup, const Coverage& pixel,
                                const std::array<float, 3>& values);
 
-// 13 u (w1 |a1 - a0| + w2 |a2 - a0|) + u |a|: raster/interpolate.h.
+// The bound 13 u (w1 |a1 - a0| + w2 |a2 - a0|) + u |a|, see raster/interpolate.h.
 double attribute_bound(const ExactAttribute& exact, const std::array<float, 3>& values);
 
-// The worst over all pixels of a picture, each with its own bound: the one nearest to its bound, or the largest error where
-// one is beyond; `scale` turns the attribute's unit into that of the case.
+// The worst of all pixels of a picture, each with its own bound: the error that is nearest to its
+// bound, or the largest error if some exceed their bounds. `scale` converts the attribute's unit to
+// that of the case.
 struct JudgedTriangle {
   ScreenTriangle triangle;
-  std::array<float, 3> values{};  // at its vertices as they come
+  std::array<float, 3> values{};  // at the vertices, in their original order
 };
 Outcome judge_attribute(const AttributeAt& at, const JudgedTriangle& judged, int side,
                         double scale);
 
-// Points in eye space seen through a view, where they lie on its screen.
+// Projects a point in eye space to the screen of a view.
 ScreenVertex project(const View& view, const Point<Eye>& eye);
 
 }  // namespace glassbox::study

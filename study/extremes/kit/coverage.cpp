@@ -103,7 +103,8 @@ std::string coverage_png(const Image<int>& times, int scale) {
   Image<Rgba8> picture(times.width, times.height);
   for (std::size_t i = 0; i < times.pixels.size(); ++i) {
     const int count = times.pixels[i];
-    // Vermilion and yellow of Okabe and Ito's palette, which every kind of eye tells apart.
+    // Vermilion and yellow from the palette of Okabe and Ito, which people with any kind of colour
+    // vision can tell apart.
     picture.pixels[i] = count == 0   ? Rgba8{213, 94, 0, 255}
                         : count == 1 ? Rgba8{40, 44, 52, 255}
                                      : Rgba8{240, 228, 66, 255};

@@ -1,4 +1,4 @@
-// Whoever draws pictures: cases that show in one are put to all of them.
+// The engines that draw pictures; each case that shows in a picture is tested with all of them.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,14 @@
 namespace glassbox::study {
 
 struct Drawer {
-  std::string name;  // "staged", "tile, avx2"
+  std::string name;  // for example "staged" or "tile, avx2"
   std::function<Rendering(const Scene&, const View&, const RenderSettings&)> draw;
-  // For pairs. The scene must outlive it.
+  // For stereo pairs. The scene must outlive the renderer.
   std::function<Renderer(const Scene&, Transfer)> renderer;
 };
 
-// The staged reference; the tile engine for each target that this processor has; and without a plan, for the best of them.
+// All drawers: the staged reference, the tile engine for each target that this processor supports,
+// and the best of these once more without a plan.
 const std::vector<Drawer>& drawers();
 Drawer tile_engine(const std::string& name, const TileOptions& options);
 

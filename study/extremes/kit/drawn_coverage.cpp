@@ -18,7 +18,7 @@ std::vector<ScreenTriangle> on_lattice(std::vector<ScreenTriangle> triangles) {
     }
   }
   std::erase_if(triangles, [](const ScreenTriangle& t) {
-    // In double, exactly: 25 bits each.
+    // This is exact in double: coordinates have 25 bits each.
     return exact::turn<double>(t[0].position, t[1].position, t[2].position) == 0;
   });
   return triangles;
@@ -68,7 +68,8 @@ Material layer_material() {
   return material;
 }
 
-// Half of white over what was there, rounded to a byte each time: 0, 128, 192, 224, 240, 248.
+// Each layer adds half of white to the value below it and rounds to a byte: 0, 128, 192, 224, 240,
+// 248.
 int layers_of(const Rgba8& color) {
   int layers = 0, byte = 0;
   while (layers < kMostLayers && color.r > byte + (255 - byte) / 4) {

@@ -1,4 +1,5 @@
-// Which pixels whole runs cover, against 128-bit integers: the stages between the scene and the picture are all in it.
+// Compares the pixels that complete runs cover with 128-bit integers; a run includes all stages
+// between the scene and the picture.
 #pragma once
 
 #include <vector>
@@ -8,16 +9,18 @@
 
 namespace glassbox::study {
 
-// Coordinates on the lattice of 1/1024 px, where the camera of screen_scene moves nothing: what is snapped are these very
-// numbers, ties included. Up to 2^14 px from the picture's centre, for pictures whose side is a power of two. Triangles that have
-// no area there are left out, as a mesh leaves them out: the snap could give them one.
+// Moves the coordinates to the lattice of 1/1024 px, which the camera of screen_scene preserves:
+// snapping gets exactly these numbers, ties included. Coordinates may be up to 2^14 px from the
+// picture's centre, for pictures whose side is a power of two. Triangles without area on the
+// lattice are dropped, as a mesh drops them, because snapping could give them an area.
 std::vector<ScreenTriangle> on_lattice(std::vector<ScreenTriangle> triangles);
 
-// Pictures more deeply covered than that are not counted further.
+// Layers are counted only up to this number.
 inline constexpr int kMostLayers = 5;
 
-// What the triangles cover in a picture of side x side pixels, `times` up to kMostLayers. Of those that are turned away, which is
-// decided by the sign of the snapped area, nothing.
+// The pixels that the triangles cover in a picture of side x side pixels; `times` counts up to
+// kMostLayers. Triangles that are culled, which the sign of their snapped area decides, cover
+// nothing.
 TrianglesDrawn covered_exactly(const std::vector<ScreenTriangle>& triangles, int side,
                                Cull cull = Cull::kNone);
 
@@ -25,14 +28,16 @@ struct Culling {
   Cull cull = Cull::kNone;
   CullStage stage = CullStage::kScreen;
 };
-// By two runs: opaque, where the first drawn stays, for all have one depth; then blended, where colours count the layers.
+// Draws twice: first opaque, where the first triangle stays because all have the same depth; then
+// blended, where the colour counts the layers.
 TrianglesDrawn drawn_by(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles,
                         int side, const Culling& culling = {});
 
-// "3 pixels show another triangle, 4 are covered too often or not often enough, of 1,024"
+// The outcome says for example "3 pixels show another triangle, 4 are covered too often or not
+// often enough, of 1,024".
 Outcome compare(const TrianglesDrawn& found, const TrianglesDrawn& exact);
 
-// Triangles and what they cover, worked out once for all drawers.
+// Triangles and the pixels that they cover, computed once for all drawers.
 class CoverageDrawn {
 public:
   CoverageDrawn(std::vector<ScreenTriangle> triangles, int side, const Culling& culling = {});
@@ -45,15 +50,16 @@ private:
   TrianglesDrawn exact_;
 };
 
-// The worst of several pictures.
+// The worst outcome of several pictures.
 Outcome worst_of(const std::vector<CoverageDrawn>& pictures, const Drawer& drawer);
 
-// How many half-transparent white layers lie on black in a picture of linear bytes; kMostLayers or more of them are one.
+// The number of half-transparent white layers on black, in a picture of linear bytes; the result is
+// at most kMostLayers.
 int layers_of(const Rgba8& color);
 
-// Unlit, linear bytes, black behind it.
+// Unlit, linear bytes, black background.
 RenderSettings plain_settings();
-// Half-transparent white from both sides.
+// A double-sided material in half-transparent white.
 Material layer_material();
 
 }  // namespace glassbox::study

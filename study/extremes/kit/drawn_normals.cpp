@@ -15,9 +15,10 @@ namespace glassbox::study {
 
 namespace {
 
-constexpr int kSpecimenPixels = 12;  // of a specimen's square, each way
+constexpr int kSpecimenPixels = 12;  // side of a specimen's square
 
-// Bytes are the nearest to 255 (n/2 + 1/2), which the pipeline computes in float: four roundings of numbers up to 1.
+// The right byte is the one nearest to 255 (n/2 + 1/2), which the pipeline computes in float with
+// four rounding errors of numbers up to 1.
 bool shows_normal(const Rgba8& color, const std::array<double, 3>& normal, double radians) {
   const double length = std::hypot(normal[0], normal[1], normal[2]);
   const std::array<std::uint8_t, 3> found{color.r, color.g, color.b};
@@ -41,7 +42,7 @@ Outcome judge_normals(const Drawer& by, const std::vector<Specimen>& specimens, 
   const int columns = int(std::ceil(std::sqrt(double(specimens.size()))));
   Scene scene;
   scene.materials = {Material{}};
-  std::vector<std::size_t> owners;  // of triangles, by their number
+  std::vector<std::size_t> owners;  // specimen of each triangle, by triangle number
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     const double x = 2 * double(int(i) % columns) - columns + 1;
     const double y = 2 * double(int(i) / columns) - columns + 1;

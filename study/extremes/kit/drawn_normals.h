@@ -1,4 +1,4 @@
-// Normals that whole runs show (Show::kNormal), against exact ones.
+// Compares the normals that complete runs show (Show::kNormal) with exact ones.
 #pragma once
 
 #include <array>
@@ -13,23 +13,27 @@
 
 namespace glassbox::study {
 
-// A mesh whose front is seen from +z once it has been carried to the square -1 .. 1 of x and y, and to -1 .. 1 of z.
+// A mesh whose front faces +z. `place` moves it into the square -1 .. 1 in x and y, and into -1 ..
+// 1 in z.
 struct Specimen {
   Mesh mesh;
   Transform<World, Object> place;
-  // Of all its fragments, of any length; zero: the face has none, which shows in the middle of all channels.
+  // The normal of all its fragments, of any length; zero if the face has none, which shows as the
+  // middle value in all channels.
   std::array<double, 3> normal{};
 };
 
 Specimen specimen(Mesh mesh, const Transform<World, Object>& place,
                   const Vector<Object, exact::Rational>& normal);
 
-// How far the direction of a face's normal may be off: one rounding of a vector of double, the entries of the cofactors, three products
-// and two sums of one size, the unit length, and three equal ones interpolated.
+// The bound for the direction of a face's normal: one rounding of a vector of double, the entries
+// of the cofactors, three products and two sums of the same size, the division by the length, and
+// the interpolation of three equal normals.
 inline constexpr double kShownNormal = 14 * 0x1p-24;
 
-// Specimens beside each other, looked at along -z. Pixels in which a channel is farther from its normal's than half a byte and an
-// angle of `radians`; infinite where a specimen is not seen.
+// Draws the specimens side by side, seen along -z. Counts the pixels in which a channel differs
+// from that of the normal by more than half a byte and an angle of `radians`; infinite if a
+// specimen is not visible.
 Outcome judge_normals(const Drawer& by, const std::vector<Specimen>& specimens, Shading shading,
                       double radians);
 

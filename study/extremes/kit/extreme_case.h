@@ -1,9 +1,10 @@
-// A case that breaks pipelines (SPEC C): how it is built, what the right answer is, and what several subjects make of
-// it: the pipeline's own code, the naive code that one would write first, and mutants of the right code.
+// An extreme case is an input that breaks pipelines: how it is built, what the right answer is, and
+// how several subjects handle it: the pipeline's own code, the naive code that a beginner would
+// write, and mutants of the right code.
 //
-// A case is one judge, a function that puts a subject to the case and measures how far from the right answer it
-// comes; all subjects of a case go through the same judge. The naive variants and the mutants are real code
-// (study/naive), which nothing of the pipeline uses.
+// Each case has one judge, a function that runs a subject and measures how far it is from the right
+// answer; all subjects of a case have the same judge. The naive variants and the mutants are real
+// code (study/naive), which the pipeline never uses.
 #pragma once
 
 #include <functional>
@@ -15,45 +16,50 @@
 
 namespace glassbox::study {
 
-// How the right answer is known (SPEC C): exact rationals, exact integers, extended precision, a formula, a property.
+// How the right answer is known: from exact rationals, exact integers, extended precision, a
+// formula or a property.
 enum class Oracle { kRational, kInteger, kExtended, kAnalytic, kProperty };
 
 struct Subject {
-  // "float differences"; for a mutant what was changed: "the tie rule is missing".
+  // For example "float differences"; for a mutant it says what was changed: "the tie rule is
+  // missing".
   std::string name;
   std::function<Outcome()> judged;
 };
 
-// A picture that tells more than the number.
+// A picture that shows more than the number does.
 struct ExtremePicture {
-  std::string name;  // a file name's stem: "naive"
+  std::string name;  // stem of the file name: "naive"
   std::function<std::string()> png;
 };
 
 struct ExtremeCase {
-  std::string id;            // "C-38"
-  std::string name;          // "Shared clipped edge"
-  std::string construction;  // how it is built, with its numbers
-  std::string stage;         // the stage of the pipeline that it strains: "clip", "snap"
-  std::string right;         // the right answer or bound, with where the bound comes from
-  std::string unit;          // of error and bound: "px", "radian", "pixels", "ulp"
+  std::string id;            // for example "C-38"
+  std::string name;          // for example "Shared clipped edge"
+  std::string construction;  // how the case is built, with its numbers
+  std::string stage;         // the pipeline stage that it tests: "clip", "snap"
+  std::string right;         // the right answer or the bound, with the bound's source
+  std::string unit;          // unit of error and bound: "px", "radian", "pixels", "ulp"
   Oracle oracle = Oracle::kProperty;
   Subject ours, naive;
   std::vector<Subject> mutants = {};
-  // A case that shows in a picture: the same put to a whole run by any of the drawers, judged by something that no drawer has a
-  // part in. Exceptions of the run's own are not asked about.
+  // For a case that shows in a picture: the same input is drawn by a complete run of any drawer,
+  // and judged by code that the drawers do not share. Floating-point exceptions of the run do not
+  // matter.
   std::function<Outcome(const Drawer& drawer)> drawn = {};
-  std::string not_drawn = {};  // where that is empty: why no picture shows it
+  std::string not_drawn = {};  // why no picture shows the case, if `drawn` is empty
   std::vector<ExtremePicture> pictures = {};
-  // Floating-point exceptions that the case itself asks for (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW): naive code
-  // divides by zero, right code does not. Of `ours` alone; naive code and mutants may raise any.
+  // The floating-point exceptions that the case may raise (FE_INVALID | FE_DIVBYZERO |
+  // FE_OVERFLOW): naive code divides by zero, right code does not. This applies to `ours` only;
+  // naive code and mutants may raise any.
   int exceptions_of_ours = 0;
 };
 
-// All of them, in the order of their numbers.
+// All cases, in the order of their numbers.
 const std::vector<ExtremeCase>& extreme_cases();
 
-// A case of the list that is not among them, and why: "C-12", "needs the camera file of a data set".
+// A case of the list that is missing here, and the reason: "C-12", "needs the camera file of a data
+// set".
 struct LeftOut {
   std::string id, name, reason;
 };

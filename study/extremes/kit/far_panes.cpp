@@ -15,7 +15,8 @@ Mesh mesh_of_pane(float z, bool in_company) {
   const Point<Object> a{-1e5f, -1e5f, z}, b{1e5f, -1e5f, z}, c{1e5f, 1e5f, z}, d{-1e5f, 1e5f, z};
   add_triangle(mesh, {a, b, c});
   add_triangle(mesh, {a, c, d});
-  // From behind the eye to far away, and a hundred thousand pictures to the right.
+  // The added triangle extends from behind the eye to far away, and is a hundred thousand picture
+  // widths to the right.
   if (in_company) {
     add_triangle(mesh, {Point<Object>{5e5f, 0, z - 5e5f}, {6e5f, 0, z}, {5e5f, 1e5f, z + 5e5f}});
   }
@@ -49,7 +50,7 @@ Company changed_by_company(const Drawer& by, const std::vector<FarPane>& panes) 
   camera.lens = OrthographicLens{2, 0.5, 20};
   const View view = make_view(camera, 8, 8).value();
   RenderSettings settings = plain_settings();
-  settings.want_id = false;  // numbers of triangles keep draws apart that may be drawn together
+  settings.want_id = false;  // triangle ids would keep apart draws that may be drawn together
   const auto drawn = [&](bool in_company) {
     return by.draw(scene_of_panes(panes, in_company), view, settings).buffers.color;
   };

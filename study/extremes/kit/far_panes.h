@@ -1,9 +1,11 @@
-// Panes whose depth is the difference of two numbers near 1/2, so that it is computed up to 2^-25 from where their matrix puts it: what
-// may be said of their box without looking at a vertex hangs on its slack for rounding.
+// Rectangles whose depth is the difference of two numbers near 1/2: the computed depth differs by
+// up to 2^-25 from the depth by their matrix. Whether a rectangle can be rejected or accepted by
+// its bounding box alone therefore depends on the slack for rounding errors.
 //
-// What is right there no exact oracle knows, for each vertex is where its rounding has put it. But what a picture shows of a mesh does
-// not depend on what else the mesh has: with a triangle more, beside the picture, that makes its box too large for anything to be said
-// of it, every pixel must be what it is without.
+// No exact oracle knows the right picture, because each vertex is where rounding has put it. But
+// the picture of a mesh must not depend on what else the mesh contains: another triangle, outside
+// the picture, makes the bounding box too large for any decision, and every pixel must stay the
+// same.
 #pragma once
 
 #include <array>
@@ -14,20 +16,21 @@
 
 namespace glassbox::study {
 
-// Fills the picture of a parallel camera with the near plane at 1/2 and the far plane at 20. 2e5 wide, at `z` near 10^6 in its mesh, which
-// has no anchor, for it is not farther than eight times its size.
+// A rectangle that fills the picture of a parallel camera with the near plane at 1/2 and the far
+// plane at 20. It is 2e5 wide and at `z` near 10^6 in its mesh. The mesh has no anchor, because its
+// distance is at most eight times its size.
 struct FarPane {
   float z = 0;
   double scale_z = 1;
-  double behind_near = 0;  // how far its plane is moved, before z is scaled and added
+  double behind_near = 0;  // how far its plane is moved back, before z is scaled and added
   std::array<float, 3> color{1, 1, 1};
 };
 
 struct Company {
-  std::uint64_t changed = 0;  // pixels
-  std::uint64_t shown = 0;    // pixels that are not black in company
+  std::uint64_t changed = 0;  // pixels that differ between the two pictures
+  std::uint64_t shown = 0;    // pixels that are not black, with the added triangle
 };
-// Each pane a draw of its own, alone and in company.
+// Draws each rectangle as a draw of its own, without and with the added triangle.
 Company changed_by_company(const Drawer& by, const std::vector<FarPane>& panes);
 
 }  // namespace glassbox::study

@@ -1,5 +1,5 @@
-// Flatland: cameras so far away that voxel (x, y, z) of size 1 is the pixel (x - slope z + beside, y), so that every answer of voxel
-// colouring can be written down.
+// A scene for voxel colouring with cameras so far away that voxel (x, y, z) of size 1 is pixel (x -
+// slope z + beside, y): every right answer can be written down.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace glassbox::study {
 
-inline constexpr double kFlatFar =
-    0x1p20;  // voxels; places are off by 1e-3 px over a thousand of them
+// in voxels; positions have errors of 1e-3 px over a thousand voxels
+inline constexpr double kFlatFar = 0x1p20;
 
 struct FlatScene {
   views::PictureSet set;
@@ -25,13 +25,15 @@ struct FlatScene {
 
 inline views::PinholeCamera flat_camera(double slope, double beside) {
   views::PinholeCamera camera;
-  // f X / Z + cx with X = x + f slope, Z = z + f. A centre is half a voxel deep.
+  // The pixel is f X / Z + cx with X = x + f slope and Z = z + f; a voxel's centre is half a voxel
+  // deep.
   camera.intrinsic << kFlatFar, 0, beside + slope / 2 - kFlatFar * slope, 0, kFlatFar, 0, 0, 0, 1;
   camera.centre = {-kFlatFar * slope, 0, -kFlatFar};
   return camera;
 }
 
-// A box of n x height x depth voxels, seen by cameras of these slopes; all is background until it is painted.
+// A box of n x height x depth voxels, seen by cameras with these slopes. Everything is background
+// until it is painted.
 inline FlatScene flatland(int n, int height, int depth, const std::vector<double>& slopes) {
   FlatScene flat;
   for (const double slope : slopes) {
@@ -55,7 +57,8 @@ inline views::PixelOf flat_pixel(const FlatScene& flat, std::size_t picture,
   return {int(std::floor(p.x())), int(std::floor(p.y()))};
 }
 
-// What the cameras see of these voxels of one colour: nearest or not, it looks the same.
+// Paints these voxels, which have a single colour, into all pictures; the order does not matter
+// because hidden voxels have the same colour.
 inline void paint(FlatScene& flat, const std::vector<views::VoxelAt>& voxels, Rgba8 color) {
   for (std::size_t p = 0; p < flat.set.pictures.size(); ++p) {
     views::CalibratedPicture& picture = flat.set.pictures[p];
@@ -67,7 +70,7 @@ inline void paint(FlatScene& flat, const std::vector<views::VoxelAt>& voxels, Rg
   }
 }
 
-using VoxelKeys = std::set<std::uint64_t>;  // key_of each voxel
+using VoxelKeys = std::set<std::uint64_t>;  // the key_of each voxel
 
 inline VoxelKeys keys_of(const std::vector<views::VoxelAt>& voxels) {
   VoxelKeys keys;
@@ -75,7 +78,7 @@ inline VoxelKeys keys_of(const std::vector<views::VoxelAt>& voxels) {
   return keys;
 }
 
-// What finds voxels: ours, or a plain sweep.
+// A function that finds voxels: our own code or a plain sweep.
 using Colorer = VoxelKeys (*)(const FlatScene& flat);
 
 inline VoxelKeys colored_by_ours(const FlatScene& flat) {
@@ -86,7 +89,7 @@ inline VoxelKeys colored_by_ours(const FlatScene& flat) {
   return keys;
 }
 
-// Voxels of one set that the other has not.
+// The number of voxels that only one of the two sets contains.
 inline int differing(const VoxelKeys& a, const VoxelKeys& b) {
   std::vector<std::uint64_t> differ;
   std::ranges::set_symmetric_difference(a, b, std::back_inserter(differ));

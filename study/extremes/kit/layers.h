@@ -1,4 +1,5 @@
-// Cameras of layered depth images whose numbers are short, and samples that are told by their colour.
+// Cameras of layered depth images with simple numbers, and samples that are identified by their
+// colour.
 #pragma once
 
 #include <array>
@@ -11,12 +12,13 @@
 
 namespace glassbox::study {
 
-// A perspective camera at a place in the world, looking along -z and turned to the left by an angle.
+// A perspective camera at a position in the world, looking along -z and turned to the left by an
+// angle.
 struct LayerEye {
-  int width = 0, height = 0;   // px
-  double focal = 1;            // px; the gaze goes through the middle of the picture
-  double near = 1;             // world units
-  std::array<double, 3> at{};  // world units
+  int width = 0, height = 0;   // in px
+  double focal = 1;            // in px; the gaze goes through the middle of the picture
+  double near = 1;             // in world units
+  std::array<double, 3> at{};  // in world units
   double left_radians = 0;
 };
 
@@ -30,7 +32,7 @@ inline views::LayerCamera layer_camera_of(const LayerEye& eye) {
                             Eigen::Isometry3d(eye_from_world));
 }
 
-// Numbers from 1 on; 0 is the background.
+// Numbers start at 1; 0 is the background.
 inline Rgba8 color_of_number(std::uint32_t n) {
   return {std::uint8_t(n >> 24), std::uint8_t(n >> 16), std::uint8_t(n >> 8), std::uint8_t(n)};
 }
@@ -38,7 +40,7 @@ inline std::uint32_t number_of_color(const Rgba8& c) {
   return std::uint32_t(c.r) << 24 | std::uint32_t(c.g) << 16 | std::uint32_t(c.b) << 8 | c.a;
 }
 
-// As draw_layers draws it: one pixel for each sample unless asked otherwise.
+// The picture by draw_layers: one pixel for each sample, unless `splat` says otherwise.
 inline views::LayerPicture drawn_layers(const views::LayeredImage& image,
                                         const views::LayerCamera& to,
                                         views::Splat splat = views::Splat::kPoint,

@@ -1,4 +1,5 @@
-// What the cases about transformed normals share: a normal against the exact cofactors'.
+// Shared code of the cases about transformed normals: compares a normal with the exact one from
+// cofactors.
 #pragma once
 
 #include <glassbox/base/rounding.h>
@@ -15,7 +16,7 @@ inline Normal<World> by_cofactors(const Transform<World, Object>& m, const Norma
   return normalized(normal_transform(m) * n);
 }
 
-// The signed cofactors of the very matrix, times the very normal.
+// The signed cofactors of this very matrix times this very normal, in rational numbers.
 inline Vector<Object, exact::Rational> exact_normal(const Transform<World, Object>& m,
                                                     const Normal<Object>& n) {
   using V = Vector<Object, exact::Rational>;
@@ -30,7 +31,7 @@ inline Vector<Object, exact::Rational> exact_normal(const Transform<World, Objec
          cofactors[2] * (sign * exact::Rational(double(n.z)));
 }
 
-// In the plane z = 0, with this normal at its corners.
+// A triangle in the plane z = 0 with this normal at its corners.
 inline Mesh triangle_with_normal(const Normal<Object>& n) {
   Mesh mesh = mesh_of(Polygon{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
   mesh.normals = {n};

@@ -1,4 +1,4 @@
-// What comes of putting a subject to a case, and how it is measured.
+// The result of a subject in a case, and how it is measured.
 #pragma once
 
 #include <algorithm>
@@ -14,31 +14,34 @@
 namespace glassbox::study {
 
 struct Outcome {
-  // In the case's unit, worst over all that the case tries; infinity for a NaN or no answer.
+  // In the unit of the case, the worst of everything that the case tries; infinite for a NaN or no
+  // answer.
   double error = 0;
-  double bound = 0;                      // what the right code stays within; 0: exact
-  std::optional<double> condition = {};  // the condition number there, where the case has one
-  std::string seen = {};  // what came out, in one line: "18 gaps, 12 doubles of 2,600,000 samples"
+  double bound = 0;                      // the right code's error is at most this; 0: exact
+  std::optional<double> condition = {};  // the condition number there, if the case has one
+  std::string seen = {};  // the result in one line: "18 gaps, 12 doubles of 2,600,000 samples"
 
   bool passes() const { return error <= bound; }  // false for NaN
 };
 
-// The outcome with the larger error, the first of equals.
+// The outcome with the larger error; the first one if the errors are equal.
 inline Outcome worse_of(Outcome a, Outcome b) {
   return a.error >= b.error ? std::move(a) : std::move(b);
 }
 
-// An error of which nothing is right but 0.
+// An outcome that passes only if the error is 0.
 inline Outcome must_be_zero(double error, std::string seen) {
   return {.error = error, .seen = std::move(seen)};
 }
 
-// A number of wrong answers out of `all`: none is right. `more` is added to what is seen.
+// An outcome with a number of wrong answers out of `all`; it passes only with none. `more` is added
+// to the text.
 inline Outcome wrong_of(int wrong, int all, const std::string& what, const std::string& more = {}) {
   return must_be_zero(wrong, fmt::format("{} of {} {}{}", wrong, all, what, more));
 }
 
-// Many errors against one bound: the largest, and how many are beyond it. NaN is as wrong as can be.
+// Compares many errors with one bound: finds the largest one, and counts those beyond the bound. A
+// NaN counts as infinite.
 class ErrorsBeyond {
 public:
   explicit ErrorsBeyond(double bound) : bound_(bound) {}
@@ -49,7 +52,7 @@ public:
     beyond_ += error > bound_;
     largest_ = std::max(largest_, error);
   }
-  // "3 of 2,000 WHAT"
+  // The text of the outcome is for example "3 of 2,000 WHAT".
   Outcome outcome(const std::string& what) const {
     return {largest_, bound_, {}, fmt::format("{} of {} {}", beyond_, tried_, what)};
   }
@@ -59,7 +62,8 @@ private:
   std::int64_t tried_ = 0, beyond_ = 0;
 };
 
-// The worst of many measurements, each with a bound of its own: the one that uses up most of it. NaN is as wrong as can be.
+// Finds the worst of many measurements, each with its own bound: the one with the largest share of
+// its bound. A NaN counts as infinite.
 class Worst {
 public:
   void see(double error, double bound, std::string where = {},
@@ -79,7 +83,7 @@ public:
   int count() const { return count_; }
   const std::string& where() const { return where_; }
 
-  // `seen` is added to where the worst was.
+  // `seen` is added to the description of the worst place.
   Outcome outcome(const std::string& seen = {}) const {
     Outcome outcome{error_, bound_, condition_, where_};
     if (!seen.empty()) outcome.seen += (outcome.seen.empty() ? "" : "; ") + seen;

@@ -1,4 +1,4 @@
-// Scenes seen by two eyes, and what is wrong with their pictures.
+// Scenes for two eyes, and checks of their pictures.
 #pragma once
 
 #include <cstdint>
@@ -21,24 +21,25 @@ struct PairScene {
   StereoPair pair;
 };
 
-// A built-in scene seen by its own camera or framed; half the separation a share of the window's distance, which is that of
-// the scene's centre.
+// A built-in scene, seen by its own camera or framed. The window is at the distance of the scene's
+// centre, and half the separation is this share of that distance.
 PairScene pair_scene(const std::string& name, double share, int width = 320, int height = 180);
 
 struct EyePictures {
   Image<Rgba8> left, right;
 };
 
-// Each eye by a run of its own, with the staged reference: what a pair has to look like.
+// Draws each eye in a separate run of the staged reference: the right result for a pair.
 EyePictures each_eye_alone(const PairScene& scene);
 
-// What one eye sees of what the camera between the eyes looks at, through a perspective lens: from its own place, through the same
-// window.
+// The vista that one eye sees, for a vista of the camera between the eyes with a perspective lens:
+// from the eye's own place, through the same window.
 Vista seen_by(Vista centre, const StereoPair& pair, Side side);
-// One eye of the pairs that a drawer draws. The view that it is given is the camera's between the eyes.
+// A drawer that draws one eye of a pair with the given drawer. Its views are those of the camera
+// between the eyes.
 Drawer eye_of(const Drawer& drawer, const StereoPair& pair, Side side);
 
-// A vista from both eyes, worked out once for all drawers.
+// A vista seen by both eyes, computed once for all drawers.
 class PairDrawn {
 public:
   PairDrawn(const Vista& centre, const StereoPair& pair);
@@ -49,11 +50,11 @@ private:
   SightDrawn left_, right_;
 };
 
-// Pixels that differ from it, of both eyes.
+// The number of pixels that differ; for pairs, in both eyes.
 std::uint64_t pixels_that_differ(const Image<Rgba8>& a, const Image<Rgba8>& b);
 std::uint64_t pixels_that_differ(const EyePictures& a, const EyePictures& b);
 
-// A camera at the origin that looks along -z, with a vertical angle of 45 degrees.
+// A camera at the origin that looks along -z, with a vertical angle of view of 45 degrees.
 View view_from_origin(int width, int height, double near = 0.5, double far = 1000);
 
 }  // namespace glassbox::study

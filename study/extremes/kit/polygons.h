@@ -1,4 +1,4 @@
-// Polygons, meshes of one face, and their Newell vectors in rationals.
+// Polygons, meshes with a single face, and exact Newell vectors in rational numbers.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +23,20 @@ inline Mesh mesh_of(const Polygon& positions, const std::vector<std::uint32_t>& 
   return mesh;
 }
 
-// One face over all positions, in their order.
+// A mesh with one face that uses all positions in their order.
 inline Mesh mesh_of(const Polygon& positions) {
   std::vector<std::uint32_t> all(positions.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   return mesh_of(positions, all);
 }
 
-// The pipeline's.
+// The pipeline's own Newell vector.
 inline Vector<Object, double> newell_in_double(std::span<const Point<Object>> polygon) {
   const Mesh mesh = mesh_of({polygon.begin(), polygon.end()});
   return newell_vector(mesh, mesh.faces[0]);
 }
 
-// Newell's sums by the pipeline's own code, in rationals.
+// Newell's sums by the pipeline's own code, but in rational numbers.
 inline Vector<Object, exact::Rational> exact_newell(std::span<const Point<Object>> polygon) {
   std::vector<Point<Object, exact::Rational>> exact;
   for (const Point<Object>& p : polygon) {
@@ -46,7 +46,7 @@ inline Vector<Object, exact::Rational> exact_newell(std::span<const Point<Object
   return newell_vector<exact::Rational>(exact);
 }
 
-// The angle between a vector and an exact one; pi/2 for a vector without direction.
+// The angle between a vector and an exact one; pi/2 if the vector has no direction.
 double angle_to(const Vector<Object, double>& v, const Vector<Object, exact::Rational>& exact);
 
 }  // namespace glassbox::study

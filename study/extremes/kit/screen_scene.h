@@ -1,4 +1,4 @@
-// Triangles given on the screen, as a scene that a whole run draws there.
+// Turns triangles in screen coordinates into a scene that a complete run draws at the same place.
 #pragma once
 
 #include <vector>
@@ -15,24 +15,26 @@ struct ScreenScene {
   View view;
 };
 
-// All triangles as one mesh of one double-sided material, seen by a parallel camera that carries them to where they were
-// given: exactly where `side`, the picture's width and height, is a power of two and coordinates have few bits; elsewhere
-// all that share a vertex still share it.
+// Makes one mesh with a double-sided material from all triangles, and a parallel camera that
+// projects them to the given places. The places are exact if `side`, the picture's width and
+// height, is a power of two and the coordinates have few bits; otherwise shared vertices at least
+// stay shared.
 ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
                          const Material& material);
 
-// The triangles of the scene's first mesh, each as a mesh and an instance of its own.
+// Turns each triangle of the scene's first mesh into a mesh and an instance of its own.
 Scene in_draws(const Scene& scene);
 
-// Shows its own colour, from both sides.
+// A double-sided material that shows its own colour.
 Material unlit_material();
 
-// Which triangle each pixel shows where the first drawn stays, 1 + its number, 0 for none; and how often it is covered.
+// `first` is the triangle that each pixel shows if the first one drawn stays, counted from 1 (0:
+// none); `times` is how often the pixel is covered.
 struct TrianglesDrawn {
   Image<int> first, times;
 };
 
-// A mesh with the triangle's positions added, as a face.
+// Adds a triangle to the mesh: its positions and a face.
 void add_triangle(Mesh& mesh, const std::array<Point<Object>, 3>& corners);
 Scene scene_of(Mesh mesh, const Material& material);
 

@@ -17,7 +17,7 @@ namespace {
 using Long = long double;
 using Long3 = std::array<Long, 3>;
 
-constexpr double kBlur = 0x1p-7;  // px
+constexpr double kBlur = 0x1p-7;  // in px
 
 Long3 operator-(const Long3& a, const Long3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -35,7 +35,7 @@ struct Line {
 };
 
 struct LineOf {
-  Long x, y;  // -1 .. 1, y up
+  Long x, y;  // -1 .. 1, y points up
   Long aspect;
 
   Line operator()(const PerspectiveLens& lens) const {
@@ -56,7 +56,8 @@ struct LineOf {
   }
 };
 
-// Where a line meets a triangle's plane: the weights of its corners there, whose sum is 1.
+// The point where a line meets a triangle's plane: its distance, and the weights of the triangle's
+// corners, whose sum is 1.
 struct Hit {
   Long distance = 0;
   Long3 weights{};
@@ -85,7 +86,8 @@ bool is_culled(Cull cull, bool front) {
   return (cull == Cull::kBack && !front) || (cull == Cull::kFront && front);
 }
 
-// The numerators and the denominator of texture coordinates along a line, which are linear in the line's direction.
+// The numerators and the denominator of the texture coordinates along a line; all are linear in the
+// line's direction.
 std::array<Long, 3> texture_terms(const Long3& along, const SeenTriangle& triangle) {
   std::array<Long, 3> terms{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -97,7 +99,8 @@ std::array<Long, 3> texture_terms(const Long3& along, const SeenTriangle& triang
   return terms;
 }
 
-// log2 of the longer of the two steps in the texture, in texels, that a pixel to the right or below makes.
+// log2 of the longer one of the two steps in the texture, in texels, to the pixel on the right and
+// to the pixel below.
 Long level_of_detail(const Vista& vista, const SeenTriangle& triangle, const Line& line) {
   const auto& lens = std::get<PerspectiveLens>(vista.lens);
   const Long pixel = 2 * std::tan(Long(lens.fovy_radians) / 2) / Long(vista.view.viewport.height());
@@ -115,7 +118,7 @@ Long level_of_detail(const Vista& vista, const SeenTriangle& triangle, const Lin
   return std::log2(longest * Long(vista.scene.images[0].width));
 }
 
-// Red is lost from level 1 on, green from 3, blue from 5.
+// Red stripes disappear from level 1 on, green ones from 3, blue ones from 5.
 int stripes_lost(Long level) {
   const Long nearest = std::floor(level + 0.5L);
   return nearest < 1 ? 0 : nearest < 3 ? 1 : nearest < 5 ? 2 : 3;
@@ -150,8 +153,8 @@ std::array<int, 2> texel_at(const Vista& vista, const SeenTriangle& triangle, co
           wrapped(sampler.wrap_v, at[1], image.height)};
 }
 
-// Without numbers of triangles pictures are drawn in other ways: draws of one mesh together, for one. What is seen is told by its
-// colour then, which is that of the face in its mesh.
+// Without triangle ids, pictures are drawn in other ways; for example, draws of one mesh are
+// combined. The visible face is then identified by a colour, which encodes its number in the mesh.
 Rgba8 color_of_face(std::uint32_t face) {
   return {std::uint8_t(face & 255), std::uint8_t(face >> 8), 255, 255};
 }
@@ -177,7 +180,7 @@ Scene with_numbered_faces(Scene scene) {
   return scene;
 }
 
-// Of each triangle of a scene.
+// The face number of each triangle of a scene.
 std::vector<std::uint32_t> faces_of(const Scene& scene) {
   std::vector<std::uint32_t> faces;
   for (const Instance& instance : scene.instances) {
@@ -188,7 +191,7 @@ std::vector<std::uint32_t> faces_of(const Scene& scene) {
   return faces;
 }
 
-// Whether a pixel has the colour of what is seen.
+// Whether a pixel has the colour of the surface that is visible there.
 bool shows(Vista::Texels texels, const Sight& sight, const Rgba8& color) {
   if (sight.nearest == 0 || texels == Vista::Texels::kNone) return true;
   if (texels == Vista::Texels::kLevels) return stripes_lost(color) == sight.stripes;
@@ -232,7 +235,8 @@ struct Reach {
   double left = -HUGE_VAL, right = HUGE_VAL, top = -HUGE_VAL, bottom = HUGE_VAL;
 };
 
-// What the picture shows at the distance 1 of a lens that has its eye in one place.
+// The part of the plane at distance 1 that the picture shows, for a lens whose lines of sight start
+// at the eye.
 struct Window {
   Long left = 0, right = 0, bottom = 0, top = 0;
 };
@@ -249,7 +253,8 @@ std::optional<Window> window_of(const Vista& vista) {
   return Window{-width, width, -height, height};
 }
 
-// Where on the screen a triangle before the eye may be, with a pixel to spare; everywhere, of one that reaches behind it.
+// The part of the screen where a triangle in front of the eye may be, with one pixel of margin; the
+// whole screen if the triangle extends behind the eye.
 Reach reach_of(const Vista& vista, const SeenTriangle& triangle) {
   const auto window = window_of(vista);
   if (!window) return {};
@@ -312,7 +317,7 @@ std::optional<Sight> SightDrawn::sight(std::size_t pixel) const {
 Outcome SightDrawn::judge(const Drawer& drawer) const {
   const Framebuffer shown = drawer.draw(vista_.scene, vista_.view, vista_.settings).buffers;
   RenderSettings colors = vista_.settings;
-  colors.want_id = false;  // some ways of drawing are for colours alone
+  colors.want_id = false;  // some ways of drawing are used only without ids
   const bool by_face = vista_.texels == Vista::Texels::kNone;
   const Framebuffer colored =
       drawer.draw(by_face ? numbered_ : vista_.scene, vista_.view, colors).buffers;

@@ -1,9 +1,11 @@
-// What is seen through a point of the screen, worked out along the line of sight in extended precision: no matrix, no
-// clipping, no divide, no snap and no interpolation, so that it shares nothing with what draws.
+// Computes what is visible through a point of the screen, along the line of sight in extended
+// precision: without matrices, clipping, divide, snapping or interpolation, so that it shares
+// nothing with the code that draws.
 //
-// Vertices are drawn where they are snapped to and screen coordinates are floats, so the right answer belongs to a picture
-// whose edges may be moved by some 2^-7 px (C-40 has the sum). A pixel is judged where its centre and eight points 2^-7 px
-// around it see the same.
+// Vertices are drawn at their snapped places, and screen coordinates are floats, so the right
+// answer is that of a picture whose edges may be moved by about 2^-7 px (the sum is in the case
+// C-40). A pixel is judged only if the same is visible at its centre and at eight points 2^-7 px
+// around it.
 #pragma once
 
 #include <array>
@@ -17,45 +19,47 @@
 
 namespace glassbox::study {
 
-// Through a point, in pixels.
+// What is visible through a point of the screen, given in pixels.
 struct Sight {
-  int layers = 0;   // surfaces that are hit, those that are culled apart
-  int nearest = 0;  // 1 + the number of the first; 0: none
+  int layers = 0;   // surfaces that the line hits, without the culled ones
+  int nearest = 0;  // number of the nearest triangle, counted from 1; 0: none
   std::array<int, 2> texel{};
-  int stripes = 0;         // of the three kinds, how many the level has lost
-  bool told_apart = true;  // the nearest from the next
+  int stripes = 0;         // how many of the three kinds of stripes this level no longer shows
+  bool told_apart = true;  // the nearest surface is clearly nearer than the next
   friend bool operator==(const Sight&, const Sight&) = default;
 };
-// `candidates`: numbers of the triangles that may be hit, ascending.
+// `candidates` has the numbers of the triangles that may be hit, ascending.
 Sight sight_at(const Vista& vista, std::span<const std::size_t> candidates, double x, double y);
 
-// A vista and what is seen of it, worked out once for all drawers.
+// A vista and what is visible in it, computed once for all drawers.
 class SightDrawn {
 public:
   explicit SightDrawn(Vista vista);
-  // Pixels that show another triangle or texel, with and without numbers of triangles, and those that are covered by another number of layers. Infinite where fewer
-  // than half of the pixels can be judged.
+  // Counts pixels that show another triangle or texel, drawn with and without triangle ids, and
+  // pixels that are covered by another number of layers. Infinite if fewer than half of the pixels
+  // can be judged.
   Outcome judge(const Drawer& drawer) const;
 
   const Vista& vista() const { return vista_; }
-  // Of a pixel, by rows; none where it is not to be judged.
+  // What is visible in a pixel (numbered by rows); none if the pixel cannot be judged.
   std::optional<Sight> sight(std::size_t pixel) const;
 
 private:
   bool shows_face(const Sight& sight, const Rgba8& color) const;
 
   Vista vista_;
-  Scene numbered_;  // where no texels tell triangles apart: with a colour for each face of a mesh
-  std::vector<std::uint32_t> faces_;  // by triangle
-  // Of a pixel; none: not to be judged.
+  // the scene with a colour for each face of a mesh; used if no texels identify triangles
+  Scene numbered_;
+  std::vector<std::uint32_t> faces_;  // indexed by triangle
+  // The right answer for a pixel; none: it cannot be judged.
   struct Pixel {
     std::optional<Sight> sight;
-    std::optional<int> layers;  // known beside an edge that two triangles share, too
+    std::optional<int> layers;  // also known beside an edge that two triangles share
   };
-  std::vector<Pixel> pixels_;  // by rows
+  std::vector<Pixel> pixels_;  // row by row
 };
 
-// The worst of several pictures.
+// The worst outcome of several pictures.
 Outcome worst_of(const std::vector<SightDrawn>& pictures, const Drawer& drawer);
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// Which texel of a row a coordinate means, under judgement.
+// Judges which texel of a row belongs to a coordinate.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@ namespace glassbox::study {
 
 using TexelAt = std::function<int(Wrap wrap, float t, int size)>;
 
-// The pipeline's nearest sample of a row whose texels have their own number for a colour.
+// The pipeline's nearest sample in a row of texels whose colours are their own numbers.
 inline int pipeline_texel(Wrap wrap, float t, int size) {
   Image<Rgba8> row(size, 1);
   for (int i = 0; i < size; ++i)

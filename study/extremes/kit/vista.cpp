@@ -52,7 +52,7 @@ void set_numbered_texels(Vista& vista, std::array<int, 2> texels, Wrap wrap) {
               {wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone});
 }
 
-// A point in eye space, from its place in the world less the camera's.
+// A point in eye space, computed from its place in the world minus that of the camera.
 Long3 in_eye_space(const Transform<World, Eye>& pose, const Transform<World, Object>& map,
                    const Point<Object>& p) {
   const Long3 object{Long(p.x), Long(p.y), Long(p.z)};
@@ -119,7 +119,7 @@ Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) 
   Vista vista{scene, camera.lens, make_view(camera, width, height).value(), plain_settings(), {}};
   for (Material& material : vista.scene.materials) material.unlit = true;
   for (Mesh& mesh : vista.scene.meshes) {
-    for (Corner& corner : mesh.corners) corner.color = kNone;  // layers are told by their colour
+    for (Corner& corner : mesh.corners) corner.color = kNone;  // the colours count the layers
   }
   for (const Instance& instance : scene.instances) {
     const auto& map = scene.nodes[instance.node].world_from_node;
@@ -139,7 +139,7 @@ Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) 
 
 namespace {
 
-// To 64 bits, of which a double has 53.
+// Converts to 64 bits of mantissa; a double has only 53.
 Long in_64_bits(const exact::Decimal& number) {
   const double high = double(number);
   return Long(high) + Long(double(number - exact::Decimal(high)));

@@ -1,4 +1,4 @@
-// Short names of what cases about cameras and matrices are full of.
+// Short names for types that cases about cameras and matrices often use.
 #pragma once
 
 #include <cmath>
@@ -18,18 +18,18 @@ using EyeFromWorld = Transform<Eye, World>;
 using WorldMap = Transform<World, World>;
 
 using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
-// A point of an object, carried to eye space.
+// Transforms a point of an object to eye space.
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
                              const Point<Object>&);
 
-// How the pipeline carries a point to eye space: composed in double, rounded once.
+// The pipeline's way to transform a point to eye space: composed in double, rounded once.
 inline Point<Eye> composed_in_double(const Transform<Eye, World>& view,
                                      const Transform<World, Object>& model,
                                      const Point<Object>& p) {
   return round_to_float(view * model) * p;
 }
 
-// The first three rows of a matrix against an exact one, entry by entry.
+// Compares the first three rows of a matrix with an exact one, entry by entry.
 template <class Target, class Source>
 void see_entries(Worst& worst, const Transform<Target, Source>& found,
                  const exact::Matrix4<exact::Decimal>& exact, int columns, double bound,

@@ -10,17 +10,17 @@ namespace glassbox::study {
 
 namespace s1 {
 
-constexpr double kDistance = 0.5;  // of the far plane, at 1
+constexpr double kDistance = 0.5;  // a share of the far plane's distance, which is 1
 
 struct Format {
   const char* name;
   DepthFormat format;
   DepthPath::Detour detour;
-  double step;  // of the codes, in depth; 0 for reversed float, whose steps shrink with depth
+  double step;  // step of the codes in depth; 0 for reversed float, whose steps shrink with depth
 };
 
-// The float pipeline may be off by 3 u in each of two standard depths near 1 (product, sum, quotient), reversed by 4 u
-// relative in all (C-56).
+// The float pipeline may have an error of 3 u in each of two standard depths near 1 (product, sum,
+// quotient), and with reversed depth a relative error of 4 u in all (C-56).
 double bound_of(const Format& format, double near) {
   const double u = double(unit_roundoff<float>);
   if (format.step == 0) return 4 * u;

@@ -15,7 +15,8 @@ namespace glassbox::study {
 
 namespace s2 {
 
-// An object a few units large stands `offset` from the origin of the world; the eye looks at it from five units away.
+// An object a few units large is `offset` away from the origin of the world; the eye looks at it
+// from a distance of five units.
 struct Place {
   double offset;
   Transform<World, Object> world_from_object;
@@ -29,7 +30,7 @@ Place place_at(double offset) {
 
 using LongVector = glm::vec<3, long double>;
 
-// The matrices' own numbers, in 64 bits of mantissa: relative 2^-60 of the offset.
+// Computes with the numbers of the matrices in 64 bits of mantissa: right to 2^-60 of the offset.
 LongVector exactly(const Place& place, const Point<Object>& p) {
   LongVector eye(0);
   const auto& m = place.eye_from_world;
@@ -56,15 +57,15 @@ Computed in_float(const Place& place, const Point<Object>& p) {
   const Point<World> world = world_from_object * p;
   const Point<Eye> eye = eye_from_world * world;
   const glm::dvec4 world_bound =
-      2 * u *
-      glm::abs(glm::dvec4(world.x, world.y, world.z, 0));  // of the translation and of the sum
+      // rounded: the translation and the sum
+      2 * u * glm::abs(glm::dvec4(world.x, world.y, world.z, 0));
   const glm::dvec4 bound =
       transform_bound(eye_from_world.columns, {world.x, world.y, world.z, 1}, world_bound,
                       rounding_bound(place.eye_from_world.columns));
   return {{eye.x, eye.y, eye.z}, glm::dvec3(bound)};
 }
 
-// One matrix composed in double, where the offsets cancel, and rounded once: what the pipeline does.
+// The pipeline's method: one matrix composed in double, where the offsets cancel, and rounded once.
 Computed composed(const Place& place, const Point<Object>& p) {
   const Transform<Eye, Object> exact = place.eye_from_world * place.world_from_object;
   const auto eye_from_object = round_to_float(exact);

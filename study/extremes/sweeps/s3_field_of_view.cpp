@@ -18,8 +18,8 @@ const std::vector<double>& angles() {
   return all;
 }
 
-// Measured from 180 degrees, so that both ends have room on the axis: 180/(180 - angle) - 1 is small for small angles and
-// large for large ones.
+// The axis value is 180/(180 - angle) - 1, which is small for small angles and large for angles
+// near 180 degrees, so both ends have room on the axis.
 double both_ends(double degrees) {
   return degrees / (180 - degrees);
 }
@@ -48,7 +48,8 @@ std::vector<SweepSeries> field_of_view_series() {
       {"degrees, cot from sine and cosine", true,
        [](double degrees) { return perspective_degrees(degrees, 1, kPlanes)->at(1, 1); },
        [](double) { return 8 * unit_roundoff<double>; }},
-      // Two roundings of the angle, times the condition; tangent and quotient.
+      // Two rounding errors of the angle, times the condition number; then those of tangent and
+      // quotient.
       {"double, tangent of radians", false,
        [](double degrees) { return 1 / std::tan(radians_from_degrees(degrees) / 2); },
        [](double degrees) { return (4 * condition(degrees) + 4) * unit_roundoff<double>; }},
@@ -64,7 +65,8 @@ std::vector<SweepSeries> field_of_view_series() {
     for (const double degrees : angles()) {
       const double bound = way.bound(degrees);
       series.points.push_back({both_ends(degrees), relative_error(degrees, way.scale(degrees)),
-                               // To first order, so only where it is small.
+                               // The bound is a first-order one, so it is used only where it is
+                               // small.
                                bound < 0.01 ? std::optional(bound) : std::nullopt});
     }
     all.push_back(with_limit(std::move(series), 1e-4));

@@ -12,7 +12,7 @@ namespace s5 {
 
 constexpr double kLength = 4000;
 
-// Of the pixels beside the long edge, the share that is answered wrongly.
+// The share of wrong answers among the pixels beside the long edge.
 double share_wrong(const Covers& covers, double width) {
   Random random(4);
   CoverageFaults faults;

@@ -13,7 +13,8 @@ namespace s7 {
 template <class T>
 using Matrix = Transform<Object, Object, T>;
 
-// Level i: turned about one axis after the other, larger and smaller by turns, moved a little.
+// The matrix of level i: it turns about the three axes in rotation, alternately enlarges and
+// shrinks, and moves a little.
 Matrix<double> level(int i) {
   const Vector<Object, double> axis(i % 3 == 0, i % 3 == 1, i % 3 == 2);
   const double size = i % 2 == 0 ? 1.25 : 0.8;
@@ -26,7 +27,7 @@ Matrix<T> converted(const Matrix<From>& m) {
   return Matrix<T>(glm::mat<4, 4, T>(m.columns));
 }
 
-// Frobenius norm of the linear part, and length of the translation.
+// The Frobenius norm of the linear part and the length of the translation.
 struct Sizes {
   double linear = 0, move = 0;
 };
@@ -42,10 +43,10 @@ Sizes sizes_of(const Matrix<T>& m) {
   return {std::sqrt(sizes.linear), std::sqrt(sizes.move)};
 }
 
-// Products P M of a chain, and how far P may be from the product of the doubles: with L and t its parts, s the scale and
-// |m| the move of the next level,
+// Multiplies the matrices M of a chain to a product P, and bounds how far P may be from the product
+// in exact arithmetic. With the parts L and t of P, the scale s and the move |m| of the next level,
 //   dL' = dL s + (gamma_4 + u) |L|_F |M|_F,   dt' = dt + dL |m| + (gamma_4 + u) (|L|_F |m| + |t|),
-// where u is the rounding of the level's own entries.
+// where u is the rounding error of the level's own entries.
 template <class T>
 struct Chain {
   Matrix<T> product;

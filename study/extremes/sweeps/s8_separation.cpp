@@ -22,9 +22,9 @@ constexpr double kWindow = 10;
 using ClipFromEye = Transform<Clip, Eye, float>;
 
 struct Seen {
-  double x = 0, bound = 0;  // px
+  double x = 0, bound = 0;  // in px
 };
-// `matrix_bound`: how far the matrix may be from what is meant.
+// `matrix_bound` is how far the matrix may be from the intended one.
 Seen see(const View& view, const ClipFromEye& m, const glm::dmat4& matrix_bound,
          const Point<Eye>& p) {
   const Point<Clip> clip = m * p;
@@ -36,7 +36,7 @@ Seen see(const View& view, const ClipFromEye& m, const glm::dmat4& matrix_bound,
   return {double(to_screen(ndc, view.viewport).position.x), screen.x};
 }
 
-// What the eye's matrix is, and how far from the formula's.
+// The matrix of an eye, and how far it may be from the formula's.
 struct EyeMatrix {
   ClipFromEye matrix;
   glm::dmat4 bound{0};
@@ -54,7 +54,8 @@ EyeMatrix composed_in_float(const View& centre, const StereoPair& pair, Side sid
   const Transform<Eye, Eye, float> b = round_to_float(skew);
   ClipFromEye m;
   m.columns = (a * b).columns;
-  // Entries rounded before (2 u) and gamma_4 of the product, as for a product in double, in float's units.
+  // The entries are rounded before (2 u), and the product adds gamma_4; the bound is that of a
+  // product in double, converted to the unit roundoff of float.
   const glm::dmat4 product = product_bound(glm::dmat4(a.columns), glm::dmat4(b.columns));
   return {m, product * (1.5 * double(unit_roundoff<float>) / unit_roundoff<double>)};
 }

@@ -1,4 +1,4 @@
-// The page: a table of all cases, each in full below it, a chart for each sweep.
+// The page: a table of all cases, each case in full below it, and a chart for each sweep.
 
 const errorOf = ({error, bound}) => `${digits(error)} ${number(error) <= number(bound) ? "≤" : ">"} ${digits(bound)}`;
 const ratioOf = ({error, bound}) => number(bound) > 0 ? digits(number(error) / number(bound)) : "";
@@ -26,7 +26,7 @@ function caseSection({id, name, construction, stage, right, unit, oracle, ours, 
       element("img", {src: `data:image/png;base64,${picture.png}`, alt: `${id}, ${picture.name}`}), element("figcaption", {}, picture.name)))));
 }
 
-// A sweep in the form of an experiment without times; its bound stands where the theory does.
+// A sweep in the form of an experiment without times. Its bound takes the place of the theory.
 function asExperiment(sweep) {
   const configurations = sweep.series.flatMap(({name, points, gives_up: end}) => points.map(({parameter, error, bound}) => ({series: name, scene: "",
     parameter, error, predicted_error: bound, ratio: number(bound) > 0 ? number(error) / number(bound) : 0, finding: false, times: [], gives_up: parameter === end})));

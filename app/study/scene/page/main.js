@@ -1,4 +1,4 @@
-// The page: the way that is chosen, and the lists to choose from.
+// The page: the chosen way to draw the scene, and the lists to choose from.
 
 let chosen = manifest.points[0], shownWays = "front";
 
@@ -15,7 +15,7 @@ const wayLists = {
   all: {title: "All", has: () => true},
 };
 
-// A way's options, each of which stays on one line.
+// A way's options, each without a line break.
 const optionsOf = (name) => name.split(/ (?=--)/).flatMap((option, i) => [i > 0 ? " " : "", element("span", {}, option)]);
 
 function wayTable() {

@@ -1,4 +1,5 @@
-// The pictures: the reference, what each way's picture differs from it by, and what is seen of that.
+// The pictures: the reference, the differences of each way's picture from it, and how visible these
+// are.
 
 const {width, height} = manifest;
 const unpacked = new Map(); // by the id of a block
@@ -8,7 +9,7 @@ async function bytesOf(id) {
   return unpacked.get(id);
 }
 
-// Bytes of an opaque picture from a value for each channel of each pixel.
+// The bytes of an opaque picture from a value for each channel of each pixel.
 function image(valueOf) {
   const made = new ImageData(width, height), pixels = width * height;
   for (let i = 0; i < pixels; i++) {
@@ -18,7 +19,8 @@ function image(valueOf) {
   return made;
 }
 
-// A picture's bytes, a plane a channel. It stands in the page as what it differs by, modulo 256, from another one or the reference.
+// The bytes of a picture, one plane per channel. The page stores the difference, modulo 256, from
+// another picture or the reference.
 async function planesOf(at) {
   const base = manifest.bases[at], from = base === null ? await bytesOf("reference") : await planesOf(base);
   const difference = await bytesOf(`difference${at}`);
@@ -62,7 +64,7 @@ const views = {
 
 let shownView = "picture", flickering = 0, request = 0;
 
-// The latest request wins: unpacking takes a while.
+// Only the latest request is shown, because unpacking takes a while.
 async function showPicture(name, point) {
   const mine = ++request, made = await views[name].make(point.picture);
   if (mine !== request) return;

@@ -1,4 +1,4 @@
-// The chart: a point for each way, in the colour and shape of the knob that it turns.
+// The chart: a point for each way, in the colour and shape of the setting (knob) that it changes.
 
 const knobs = {none: "as asked", samples: "samples", shading: "shading", filter: "texture filter", depth: "depth format",
   level: "level of detail", engine: "engine, same bytes", several: "several"};
@@ -14,7 +14,7 @@ const unit = timeUnit({configurations: manifest.points.map(({ns}) => ({times: [{
 const timeText = (ns) => `${digits(ns / unit.ns)} ${unit.name}`;
 const usedKnobs = Object.keys(knobs).filter((knob) => manifest.points.some((point) => point.knob === knob));
 
-// A line each, beside the point under the mouse.
+// The lines shown for the point under the mouse.
 function told(point) {
   const [lower, upper] = point.ns_quartiles;
   return [point.name, `RMS ${digits(255 * point.rms)}/255, FLIP ${digits(point.flip)}, ${digits(100 * point.wrong)} % wrong`,
@@ -29,7 +29,7 @@ function styleOf(theme, knob) {
     pointBorderColor: open ? colour : theme.text, pointBorderWidth: open ? 2.5 : 1, borderColor: colour};
 }
 
-// Bars from quartile to quartile, with a gap to the next.
+// Bars from the lower to the upper quartile, with a gap before the next.
 const bars = (points, x, y) => points.flatMap((point) =>
   [...point.ns_quartiles.map((ns) => ({x: x.place(ns / unit.ns), y: y.place(measures[shownMeasure].of(point))})), {x: NaN, y: NaN}]);
 
@@ -46,7 +46,8 @@ function errorChart(theme) {
   });
   const line = {showLine: true, pointRadius: 0, pointHitRadius: 0, order: 4};
   if (shownMeasure === "rms") {
-    // Down alone: among times that are as good as equal the slower one may be the less exact.
+    // Only steps downwards are drawn: of times that count as equal, the slower way may have the
+    // larger error.
     let least = Infinity;
     const steps = points.filter(({standing}) => standing === "front").sort((a, b) => a.ns - b.ns)
       .filter((point) => of(point) < least && (least = of(point), true));
@@ -59,7 +60,7 @@ function errorChart(theme) {
     legend: {position: "bottom", labels, onClick: () => {}}, told: ({point}) => told(point)});
   described.options.onClick = (event, hits, drawn) => {
     const hit = hits.map(({datasetIndex, index}) => drawn.data.datasets[datasetIndex].data[index].point).find(Boolean);
-    if (hit) setTimeout(() => choose(hit)); // once this chart is through with the click: choosing draws another one
+    if (hit) setTimeout(() => choose(hit)); // after this chart has handled the click, because choosing draws another chart
   };
   return described;
 }

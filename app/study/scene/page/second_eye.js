@@ -1,8 +1,10 @@
-// The right eye, drawn or warped from what the left one sees: how far off it is, what it costs, and where it differs.
+// The right eye, drawn or warped from what the left one sees: its error, its cost, and where it
+// differs.
 
 const eyes = manifest.second_eye;
 
-// Red, green and blue of the right eye's picture by each way to get it; bytes of warped ones stand in the page as what they differ from it by.
+// The red, green and blue planes of the right eye's picture for each way. For warped pictures the
+// page stores the difference from the drawn one.
 async function eyePlanes(name) {
   const drawn = await bytesOf("right-eye");
   if (name === "drawn") return drawn;

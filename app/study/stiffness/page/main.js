@@ -12,7 +12,8 @@ function overview() {
   return table(["", "condition", "bound", "on the screen", "worst at"], ["", "number", "number", "number", ""], rows, (at) => mark(manifest.numbers[at]));
 }
 
-// Bars from a millionth of a pixel to a thousand, by powers of ten; the line is one pixel.
+// A chart with bars from a millionth of a pixel to a thousand, by powers of ten. The line marks one
+// pixel.
 function bars() {
   const lowest = -6, highest = 3;
   const share = (pixels) => 100 * clamp((Math.log10(Math.max(pixels, 1e-300)) - lowest) / (highest - lowest), 0, 1);
