@@ -71,7 +71,7 @@ Point<Clip> crossing(const Plane& plane, const Point<Clip>& p, const Point<Clip>
     return float((a * at_q + b * at_p) / (at_p + at_q));
   };
   Point<Clip> cut(between(p.x, q.x), between(p.y, q.y), between(p.z, q.z), between(p.w, q.w));
-  // The plane's own coordinate follows from w: c z + d w = 0 with c = 1 or -1, and likewise x and y.
+  // The plane's own coordinate follows from w: c z + d w = 0 with c = 1 or -1; likewise x and y.
   if (plane.a != 0) cut.x = float(-plane.d / plane.a) * cut.w;
   if (plane.b != 0) cut.y = float(-plane.d / plane.b) * cut.w;
   if (plane.c != 0) cut.z = float(-plane.d / plane.c) * cut.w;

@@ -119,7 +119,7 @@ Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
 struct SceneVerdict {
   struct Group {
     std::uint64_t triangles = 0;
-    // Of the visible triangles, the one with the most visible pixels; of the others, the first.
+    // The triangle with the most visible pixels; if none is visible, the first one.
     std::uint32_t example = 0;
     std::uint32_t example_pixels = 0;
   };

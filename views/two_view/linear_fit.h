@@ -25,7 +25,7 @@ Result<Normalised> normalised(const Matches& matches);
 
 struct LinearFit {
   Eigen::Matrix3d matrix;  // not yet of rank 2; of Frobenius norm 1
-  // Of the system, descending; with fewer than nine matches the missing ones are 0.
+  // In descending order; 0 where fewer than nine matches give none.
   Eigen::Matrix<double, 9, 1> singular_values;
   Eigen::Matrix<double, 9, Eigen::Dynamic>
       kernel;  // the directions that no equation constrains, one column for each

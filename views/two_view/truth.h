@@ -17,8 +17,8 @@ namespace glassbox::views {
 struct KnownPicture {
   PinholeCamera camera;
   Image<Rgba8> color;
-  // Of the surface at a pixel's centre, along the direction of view; infinite where nothing was
-  // drawn.
+  // How far the surface at a pixel's centre is, along the direction of view; infinite where nothing
+  // was drawn.
   Image<float> distance;
 };
 

@@ -10,7 +10,7 @@ namespace glassbox::views {
 
 struct VoxelPicture {
   Image<Rgba8> color;  // background where there is no voxel
-  // Of the nearest voxel's centre, along the direction of view; infinite where there is none.
+  // How far the nearest voxel's centre is along the direction of view; infinite without a voxel.
   Image<float> distance;
 };
 
