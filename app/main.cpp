@@ -1,14 +1,19 @@
 // The glassbox program. Each executable consists of this file and of the command groups (subjects)
 // that app/CMakeLists.txt names for it.
-#include "app/subjects.h"
+#include "app/commands.h"
+#include "app/first/first_picture.h"
+#include "cli/run_program.h"
+#include "labs/commands/commands.h"
+#include "study/commands/commands.h"
+#include "views/commands/commands.h"
 
 int main(int argc, char** argv) {
-  using namespace glassbox::app;
+  using namespace glassbox;
   constexpr Subject kSubjects[] = {
-      {"bench", kBenchHelp, GLASSBOX_HAS_STUDY ? add_bench_command : nullptr},
-      {"study", kStudyHelp, GLASSBOX_HAS_STUDY ? add_study_command : nullptr},
-      {"views", kViewsHelp, GLASSBOX_HAS_VIEWS ? add_views_command : nullptr},
-      {"lab", kLabHelp, GLASSBOX_HAS_LABS ? add_lab_command : nullptr},
+      {{}, app::add_commands},
+      {study::kCommands, GLASSBOX_HAS_STUDY ? study::add_commands : nullptr},
+      {views::kCommands, GLASSBOX_HAS_VIEWS ? views::add_commands : nullptr},
+      {labs::kCommands, GLASSBOX_HAS_LABS ? labs::add_commands : nullptr},
   };
-  return run_program(kSubjects, argc, argv);
+  return run_program(kSubjects, app::draw_first_picture, argc, argv);
 }

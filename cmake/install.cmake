@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(parts base images html compare mesh pipeline raster render)
+set(parts base images html compare mesh pipeline raster render matrices)
 foreach(part ${parts})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glassbox
     FILES_MATCHING PATTERN "*.h")

@@ -1,6 +1,6 @@
 # The library that users link: all parts, each an archive of its own. raster comes with render (raster_of_program).
 add_library(glassbox INTERFACE)
 add_library(glassbox::glassbox ALIAS glassbox)
-foreach(part render pipeline mesh compare html images base)
+foreach(part matrices render pipeline mesh compare html images base)
   target_link_libraries(glassbox INTERFACE glassbox_${part})
 endforeach()

@@ -8,13 +8,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/choices.h"
-#include "app/options/output_options.h"
 #include "app/pixel/pixel_command.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/progress.h"
-#include "app/report/shell_line.h"
+#include "cli/options/choices.h"
+#include "cli/options/output_options.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/compare/pictures/approve.h>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options/cli_fwd.h"
+#include "cli/options/cli_fwd.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/compare/pictures/comparison.h>

@@ -8,8 +8,8 @@
 #include "app/explain/pair_report.h"
 #include "app/explain/planning_engine.h"
 #include "app/explain/tile_report_text.h"
-#include "app/options/builtin_help.h"
-#include "app/report/stage_report.h"
+#include "cli/options/builtin_help.h"
+#include "cli/report/stage_report.h"
 
 #include <glassbox/render/renderer.h>
 

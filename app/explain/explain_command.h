@@ -2,10 +2,10 @@
 // every stage, what came out, and how long it took.
 #pragma once
 
-#include "app/options/cli_fwd.h"
-#include "app/options/engine_options.h"
-#include "app/options/picture_question.h"
-#include "app/options/stereo_picture.h"
+#include "app/stereo/stereo_picture.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/picture_question.h"
 
 namespace glassbox::app {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/explain/tile_report_text.h"
-#include "app/report/stage_report.h"
+#include "cli/report/stage_report.h"
 
 namespace glassbox::app {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/explain/draw_groups.h"
-#include "app/report/stage_report.h"
-#include "app/report/text_layout.h"
+#include "cli/report/stage_report.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

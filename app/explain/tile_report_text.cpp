@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report/stage_report.h"
+#include "cli/report/stage_report.h"
 
 #include <glassbox/raster/lanes/tables.h>
 

@@ -3,13 +3,13 @@
 #include <exception>
 
 #include "app/first/first_picture.h"
-#include "app/report/whole_run.h"
+#include "cli/report/whole_run.h"
 
 int main() {
-  glassbox::app::begin_run();
+  glassbox::begin_run();
   try {
-    return glassbox::app::end_run(glassbox::app::draw_first_picture());
+    return glassbox::end_run(glassbox::app::draw_first_picture());
   } catch (const std::exception& error) {
-    return glassbox::app::tell(error);
+    return glassbox::tell(error);
   }
 }

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/program_name.h"
-#include "app/report/stage_report.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/program_name.h"
+#include "cli/report/stage_report.h"
 
 #include <glassbox/base/elapsed.h>
 #include <glassbox/images/recipe.h>

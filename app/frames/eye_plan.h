@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/frames/shots.h"
+#include "cli/frames/shots.h"
 
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/render/renderer.h>

@@ -9,16 +9,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/frames/eye_plan.h"
-#include "app/frames/frame_names.h"
 #include "app/frames/frames_report.h"
-#include "app/frames/path_file.h"
 #include "app/frames/plot.h"
-#include "app/frames/shots.h"
-#include "app/frames/stop_request.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/progress.h"
+#include "cli/frames/frame_names.h"
+#include "cli/frames/path_file.h"
+#include "cli/frames/shots.h"
+#include "cli/frames/stop_request.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
 
 #include <glassbox/base/elapsed.h>
 #include <glassbox/images/recipe.h>

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "app/frames/frames_options.h"
-#include "app/options/engine_options.h"
-#include "app/options/picture_options.h"
-#include "app/options/stereo_picture.h"
+#include "app/stereo/stereo_picture.h"
+#include "cli/frames/frames_options.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/picture_options.h"
 
 #include <glassbox/mesh/limits.h>
 

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report/number_json.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/number_json.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -17,8 +18,6 @@ namespace glassbox::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLongPath = 1000;
 
 template <class ValueOf>
 std::pair<double, double> range_of(const FramesReport& report, const ValueOf& value_of) {

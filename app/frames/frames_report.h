@@ -8,9 +8,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/frames/eye_plan.h"
-#include "app/frames/frame_range.h"
-#include "app/frames/shots.h"
-#include "app/options/arguments.h"
+#include "cli/frames/frame_range.h"
+#include "cli/frames/shots.h"
+#include "cli/options/arguments.h"
 
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>

@@ -11,11 +11,11 @@
 #include "app/info/info_contents.h"
 #include "app/info/info_layers.h"
 #include "app/info/info_stiffness.h"
-#include "app/options/builtin_help.h"
-#include "app/options/output_options.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/options/cli_fwd.h"
+#include "cli/options/cli_fwd.h"
 
 namespace glassbox::app {
 

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report/exit_codes.h"
+#include "cli/report/exit_codes.h"
 #include "views/layers/layer_file.h"
 
 #include <glassbox/base/counted.h>

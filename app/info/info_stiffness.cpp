@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/options/picture_options.h"
-#include "app/study/stiffness/report.h"
+#include "cli/options/picture_options.h"
+#include "study/commands/stiffness/report.h"
 
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
@@ -68,8 +68,8 @@ std::vector<std::string> stiffness_of_framed(const Scene& scene) {
   if (!chosen) return {};
   if (!(box_pixels(scene, chosen->view) <= kMostBoxPixels))
     return not_asked("how often its triangles cover each other");
-  return stiffness_warnings(
-      scene, study::stiffness_of(scene, chosen->view, usual.settings, up_of(scene, usual.camera)));
+  return study::stiffness_warnings(scene, study::stiffness_of(scene, chosen->view, usual.settings,
+                                                              study::up_of(scene, usual.camera)));
 }
 
 }  // namespace glassbox::app

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/builtin_help.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/program_name.h"
-#include "app/report/progress.h"
-#include "app/report/shell_line.h"
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/program_name.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -103,8 +103,8 @@ int InspectCommand::run() {
   page_.program = "glassbox " GLASSBOX_VERSION;
   page_.command = command_line();
   progress.phase("tracing " + scene_title(scene_));
-  const Result<PageFacts> page =
-      make_inspect_page(*scene, chosen->camera, chosen->view, picture_.settings, page_);
+  const Result<inspect::PageFacts> page =
+      inspect::make_inspect_page(*scene, chosen->camera, chosen->view, picture_.settings, page_);
   if (!page) return refuse(page.error());
   progress.phase("writing " + output_);
   if (const auto written = write_file(output_, std::as_bytes(std::span(page->html))); !written) {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "app/inspect/page.h"
-#include "app/options/cli_fwd.h"
-#include "app/options/picture_options.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/picture_options.h"
+#include "inspect/page.h"
 
 #include <glassbox/mesh/limits.h>
 
@@ -25,7 +25,7 @@ private:
   std::string scene_;
   std::string output_;
   PictureOptions picture_;
-  InspectOptions page_;
+  inspect::InspectOptions page_;
   LoadLimits limits_;
 };
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/report/value_text.h"
 #include "app/why/verdict_text.h"
+#include "cli/report/text_layout.h"
+#include "cli/report/value_text.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

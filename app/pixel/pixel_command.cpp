@@ -6,14 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/builtin_help.h"
 #include "app/pixel/history_json.h"
 #include "app/pixel/history_text.h"
-#include "app/report/exit_codes.h"
-#include "app/report/number_json.h"
-#include "app/report/shell_line.h"
 #include "app/why/verdict_text.h"
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/number_json.h"
+#include "cli/report/shell_line.h"
 
 #include <glassbox/pipeline/unproject.h>
 #include <glassbox/render/trace/numbering.h>

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "app/options/cli_fwd.h"
-#include "app/options/picture_question.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/picture_question.h"
 
 #include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/recipe.h>

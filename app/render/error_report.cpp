@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report/eye_error_json.h"
-#include "app/report/number_json.h"
-#include "app/report/shell_line.h"
-#include "app/report/stage_report.h"
-#include "app/report/text_layout.h"
-#include "app/report/value_text.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/number_json.h"
+#include "cli/report/shell_line.h"
+#include "cli/report/stage_report.h"
+#include "cli/report/text_layout.h"
+#include "cli/report/value_text.h"
+#include "views/commands/eye_error_json.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -21,8 +22,6 @@ namespace glassbox::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLongPath = 1000;
 
 // A quantity of a stage, with its error bounds in the unit that is printed.
 struct Row {

@@ -10,19 +10,19 @@
 #include <nlohmann/json.hpp>
 
 #include "app/frames/frames.h"
-#include "app/frames/stop_request.h"
-#include "app/options/builtin_help.h"
-#include "app/options/choices.h"
-#include "app/options/ignored_options.h"
-#include "app/options/output_options.h"
-#include "app/options/scene_input.h"
 #include "app/render/error_report.h"
-#include "app/report/exit_codes.h"
-#include "app/report/number_json.h"
-#include "app/report/output.h"
-#include "app/report/picture_output.h"
-#include "app/report/progress.h"
-#include "app/report/stage_report.h"
+#include "cli/frames/stop_request.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/choices.h"
+#include "cli/options/ignored_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/number_json.h"
+#include "cli/report/output.h"
+#include "cli/report/picture_output.h"
+#include "cli/report/progress.h"
+#include "cli/report/stage_report.h"
 
 #include <glassbox/base/elapsed.h>
 #include <glassbox/base/printable.h>
@@ -271,7 +271,7 @@ int RenderCommand::run_frames(const std::string& usual_output) {
 
 int RenderCommand::run() {
   const Clock::time_point start = Clock::now();
-  if (const auto legal = check_frames_options(picture_, stereo_, frames_); !legal) {
+  if (const auto legal = check_frames_options(picture_, stereo_.form.wanted, frames_); !legal) {
     return refuse(legal.error());
   }
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());

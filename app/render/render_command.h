@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/frames/frames_options.h"
-#include "app/options/cli_fwd.h"
-#include "app/options/engine_options.h"
-#include "app/options/picture_options.h"
-#include "app/options/stereo_picture.h"
-#include "app/report/picture_output.h"
+#include "app/stereo/stereo_picture.h"
+#include "cli/frames/frames_options.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/picture_options.h"
+#include "cli/report/picture_output.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/write.h>

@@ -6,17 +6,17 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/point_parts.h"
 #include "app/step/stage_parts.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

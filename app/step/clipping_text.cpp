@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
+
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -1,10 +1,11 @@
 // Stage 9 of a stepped triangle: one of its fragments.
 #include <fmt/format.h>
 
-#include "app/report/value_text.h"
-#include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
+#include "cli/report/value_text.h"
+
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/matrices/decimal.h"
+#include "cli/report/text_layout.h"
+
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/number_json.h"
-#include "app/step/matrices/projection_factors.h"
 #include "app/step/number_text.h"
 #include "app/step/point_step.h"
+#include "cli/report/number_json.h"
 
 #include <glassbox/base/trig.h>
+#include <glassbox/matrices/projection_factors.h>
 
 namespace glassbox::app {
 

@@ -1,13 +1,13 @@
 // The first part of the text about points: what the three matrices are.
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/matrices/decimal.h"
-#include "app/step/matrices/projection_factors.h"
 #include "app/step/number_text.h"
 #include "app/step/point_parts.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/trig.h>
+#include <glassbox/matrices/decimal.h>
+#include <glassbox/matrices/projection_factors.h>
 
 namespace glassbox::app {
 

@@ -10,12 +10,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/step/matrices/conventions_check.h"
-#include "app/step/matrices/findings.h"
-#include "app/step/matrices/projection_facts.h"
 #include "app/step/printed_matrix.h"
 
 #include <glassbox/base/error.h>
+#include <glassbox/matrices/conventions_check.h>
+#include <glassbox/matrices/findings.h>
+#include <glassbox/matrices/projection_facts.h>
 #include <glassbox/pipeline/vertex_chain.h>
 
 namespace glassbox::app {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/matrices/decimal.h"
 #include "app/step/point_parts.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

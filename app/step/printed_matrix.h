@@ -24,8 +24,7 @@
 #include <string_view>
 
 #include <glassbox/base/error.h>
-
-#include "app/step/matrices/matrix_facts.h"
+#include <glassbox/matrices/matrix_facts.h>
 
 namespace glassbox::app {
 

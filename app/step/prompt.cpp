@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/command_tree.h"
-#include "app/options/picture_options.h"
 #include "app/step/line_reader.h"
+#include "cli/options/arguments.h"
+#include "cli/options/command_tree.h"
+#include "cli/options/picture_options.h"
 
 namespace glassbox::app {
 

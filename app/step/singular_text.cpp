@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
+#include <glassbox/matrices/decimal.h>
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/divide.h>
 

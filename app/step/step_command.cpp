@@ -10,15 +10,15 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/choices.h"
-#include "app/options/output_options.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/progress.h"
 #include "app/step/prompt.h"
 #include "app/trace/json.h"
+#include "cli/options/arguments.h"
+#include "cli/options/choices.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

@@ -25,9 +25,9 @@
 #include <optional>
 #include <string>
 
-#include "app/options/cli_fwd.h"
-#include "app/options/picture_options.h"
 #include "app/step/point_step.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/picture_options.h"
 
 #include <glassbox/mesh/limits.h>
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/options/arguments.h"
+#include "cli/options/arguments.h"
 
 #include <glassbox/render/staged/staged.h>
 

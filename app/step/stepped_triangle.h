@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/options/picture_options.h"
+#include "cli/options/picture_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
+#include <glassbox/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options/picture_options.h"
+#include "cli/options/picture_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/stereo/anaglyph.h>

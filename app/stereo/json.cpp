@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/number_json.h"
+#include "cli/report/number_json.h"
 
 namespace glassbox::app {
 

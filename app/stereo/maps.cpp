@@ -66,13 +66,6 @@ Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudg
   return out;
 }
 
-Rgba8 heat_colour(double share) {
-  constexpr double kVisible = 0.15;
-  const double inside = std::clamp(share, 0.0, 1.0);
-  const Rgba8& colour = heat_colours()[std::size_t(1 + std::lround(inside * (kHeatHottest - 1)))];
-  return mixed({0, 0, 0, 255}, colour, std::min(inside / kVisible, 1.0));
-}
-
 Image<Rgba8> heat_of(const Image<float>& values, double limit) {
   Image<Rgba8> out(values.width, values.height);
   for (std::size_t i = 0; i < values.pixels.size(); ++i) {

@@ -19,10 +19,6 @@ Rgba8 disparity_colour(double px, double limit_px);
 // The absolute values as a heat map from 0 (black) to `limit` (white).
 Image<Rgba8> heat_of(const Image<float>& values, double limit);
 
-// The colour for a share of the limit: as heat_colours, but with black blended into the low end,
-// because here the smallest values need not be noticed.
-Rgba8 heat_colour(double share);
-
 // For each pixel, the larger absolute value of the two.
 Image<float> larger_of(const Image<float>& a, const Image<float>& b);
 

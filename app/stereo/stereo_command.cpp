@@ -8,16 +8,16 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/builtin_help.h"
-#include "app/options/output_options.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/progress.h"
-#include "app/report/shell_line.h"
 #include "app/stereo/json.h"
 #include "app/stereo/page.h"
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -163,7 +163,6 @@ int StereoCommand::run() {
   }
   progress.done();
   if (json_output_ == "-") return kSuccess;
-  constexpr std::size_t kLongPath = 1000;
   fmt::print("{}, {} x {}\n{}", printable(scene_title(scene_), kLongPath), picture_.size.width,
              picture_.size.height, stereo_text(*found, words));
   if (html_output_) fmt::print("\n{}: open it in a browser\n", printable(*html_output_, kLongPath));

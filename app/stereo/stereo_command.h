@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "app/options/cli_fwd.h"
-#include "app/options/engine_options.h"
-#include "app/options/picture_options.h"
-#include "app/options/stereo_picture.h"
 #include "app/stereo/findings.h"
+#include "app/stereo/stereo_picture.h"
 #include "app/stereo/text.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/picture_options.h"
 
 namespace glassbox::app {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
+#include "cli/report/text_layout.h"
 
 namespace glassbox::app {
 

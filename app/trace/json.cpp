@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/number_json.h"
+#include "cli/report/number_json.h"
 
 #include <glassbox/render/engine/names.h>
 #include <glassbox/render/trace/fields.h>

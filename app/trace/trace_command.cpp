@@ -8,16 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/arguments.h"
-#include "app/options/builtin_help.h"
-#include "app/options/output_options.h"
-#include "app/options/scene_input.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
-#include "app/report/progress.h"
 #include "app/trace/json.h"
 #include "app/trace/json_text.h"
 #include "app/trace/npz.h"
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/near_word.h>

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/options/picture_options.h"
+#include "cli/options/picture_options.h"
+#include "cli/report/progress.h"
 
 #include <glassbox/render/trace/arrays.h>
 #include <glassbox/render/trace/tracer.h>
@@ -16,8 +17,6 @@ class App;
 }
 
 namespace glassbox::app {
-
-class Progress;
 
 class TraceCommand {
 public:

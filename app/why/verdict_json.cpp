@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/number_json.h"
 #include "app/trace/json.h"
+#include "cli/report/number_json.h"
 
 namespace glassbox {
 

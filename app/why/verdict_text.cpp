@@ -6,8 +6,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
-
-#include "app/step/matrices/slips.h"
+#include <glassbox/matrices/slips.h>
 
 namespace glassbox {
 

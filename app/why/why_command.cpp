@@ -7,11 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/builtin_help.h"
-#include "app/report/shell_line.h"
-#include "app/report/text_layout.h"
 #include "app/why/verdict_json.h"
 #include "app/why/verdict_text.h"
+#include "cli/options/builtin_help.h"
+#include "cli/report/shell_line.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/options/cli_fwd.h"
-#include "app/options/picture_question.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/picture_question.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/render/trace/verdict.h>

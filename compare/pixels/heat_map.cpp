@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace glassbox {
 namespace {
@@ -59,6 +60,15 @@ const std::array<Rgba8, 256>& heat_colours() {
     return table;
   }();
   return colours;
+}
+
+Rgba8 heat_colour(double share) {
+  constexpr double kVisible = 0.15;
+  const double inside = std::clamp(share, 0.0, 1.0);
+  const Rgba8& colour = heat_colours()[std::size_t(1 + std::lround(inside * (kHeatHottest - 1)))];
+  const double grown = std::min(inside / kVisible, 1.0);
+  const auto part = [&](std::uint8_t full) { return std::uint8_t(std::lround(full * grown)); };
+  return {part(colour.r), part(colour.g), part(colour.b), 255};
 }
 
 std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {

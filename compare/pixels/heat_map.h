@@ -18,6 +18,10 @@ inline constexpr std::uint8_t kHeatHottest = 254;  // 1 to 254: the size of the 
 // blue-grey.
 const std::array<Rgba8, 256>& heat_colours();
 
+// The colour for a share of the limit: as heat_colours, but with black blended into the low end,
+// because here the smallest values need not be noticed.
+Rgba8 heat_colour(double share);
+
 // The level of a difference in steps, on a logarithmic scale that ends at the largest difference of
 // the format (for floats at 2^24 ulps, a factor of four).
 std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image);

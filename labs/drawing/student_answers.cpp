@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/follow.h"
 #include "labs/drawing/program.h"
-#include "labs/framework/follow.h"
 
 namespace glassbox::labs {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/process.h"
+#include "cli/process/process.h"
 #include "labs/framework/vary.h"
 
 namespace glassbox::labs {

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/process.h"
 #include "labs/framework/compiler.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/in_parallel.h"
-#include "labs/framework/process.h"
 #include "labs/framework/strip.h"
 
 namespace glassbox::labs::grading {

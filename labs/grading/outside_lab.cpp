@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/process.h"
 #include "labs/framework/compiler.h"
 #include "labs/framework/digest.h"
-#include "labs/framework/process.h"
 #include "labs/framework/students.h"
 #include "labs/grading/program_digest.h"
 

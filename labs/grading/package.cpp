@@ -14,24 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // The parts that the program is built from.
-constexpr const char* kProgram[] = {"app",
-                                    "base",
-                                    "cmake",
-                                    "compare",
-                                    "exact",
-                                    "html",
-                                    "images",
-                                    "include",
-                                    "labs",
-                                    "mesh",
-                                    "pipeline",
-                                    "raster",
-                                    "render",
-                                    "study",
-                                    "views",
-                                    "CMakeLists.txt",
-                                    "CMakePresets.json",
-                                    "LICENSE"};
+constexpr const char* kProgram[] = {
+    "app",    "base",     "cli",    "cmake",          "compare",
+    "exact",  "html",     "images", "include",        "inspect",
+    "labs",   "matrices", "mesh",   "pipeline",       "raster",
+    "render", "study",    "views",  "CMakeLists.txt", "CMakePresets.json",
+    "LICENSE"};
 // Other files that students read, try and start.
 constexpr const char* kBesides[] = {"debug", "docs", "examples", "glassbox", "README.md"};
 

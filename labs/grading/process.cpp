@@ -19,7 +19,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/follow.h"
+#include "cli/process/follow.h"
 #include "labs/grading/landlock.h"
 
 namespace glassbox::labs::grading {

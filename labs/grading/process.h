@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/process.h"
+#include "cli/process/process.h"
 #include "labs/framework/run_check.h"
 #include "labs/grading/limits.h"
 #include "labs/grading/system_calls.h"

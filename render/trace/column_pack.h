@@ -19,7 +19,7 @@ struct ColumnEntry {
 // Stores columns one after the other. Numbers of up to 32 bits are stored, by their bits, as
 // differences from the previous number, modulo 2^bits, because consecutive numbers of a run are
 // similar. First come the lowest bytes of all numbers of the column, then the next ones, and so on.
-// Doubles are only split into bytes. app/inspect/columns.js decodes them.
+// Doubles are only split into bytes. inspect/columns.js decodes them.
 class ColumnPack {
 public:
   template <class T>

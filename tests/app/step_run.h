@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/matrices/textbook.h"
 #include "tests/app/text.h"
+#include "tests/matrices/textbook.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {

@@ -54,7 +54,7 @@ std::vector<std::string> not_compiled() {
 // Whether what a source computes reaches a picture, or a file that other commands read. Experiments, extreme cases and labs compare with
 // numbers of their own, wider than a double; charts and tables of times are for people.
 bool makes_pictures(const std::string& file) {
-  for (const char* other : {"tests/", "study/", "labs/", "exact/", "app/study/", "app/bench/"}) {
+  for (const char* other : {"tests/", "study/", "labs/", "exact/"}) {
     if (file.starts_with(other)) return false;
   }
   return true;

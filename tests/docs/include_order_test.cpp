@@ -1,5 +1,6 @@
-// "Data flows down this list, and no file includes one that stands further down": README's list of folders. And no folders
-// include each other in a circle, a folder and its subfolders included.
+// "Data flows down this list, and no file includes one that stands further down": README's list of folders. The commands of a
+// room, which lie beside its library, are further down than all libraries. And no folders include each other in a circle, a
+// folder and its subfolders included.
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -42,13 +43,19 @@ std::string included_by(const std::string& file, const std::string& line) {
   return name.starts_with("..") || exists(tree() / beside) ? beside.generic_string() : name;
 }
 
+bool of_commands(const std::string& path) {
+  return path.substr(path.find('/') + 1).starts_with("commands/");
+}
+
 // Whether `file` may not include what the line includes.
 bool runs_back(const std::vector<std::string>& folders, const std::string& file,
                const std::string& line) {
   const auto place = [&](const std::string& path) {
     return std::ranges::find(folders, path.substr(0, path.find('/'))) - folders.begin();
   };
-  const auto of_included = place(included_by(file, line));
+  const std::string included = included_by(file, line);
+  if (of_commands(included) && !of_commands(file) && place(file) < place("app")) return true;
+  const auto of_included = place(included);
   return of_included < std::ptrdiff_t(folders.size()) && of_included > place(file);
 }
 
@@ -132,6 +139,21 @@ TEST_CASE("an include that runs back is found, in every way to write it") {
     CAPTURE(line);
     CHECK_FALSE(runs_back(folders, file, line));
   }
+}
+
+TEST_CASE("a library that includes commands is found, and commands may include libraries") {
+  const std::vector<std::string> folders = folders_of_readme();
+  const auto back = [&](const std::string& file, const std::string& included) {
+    return runs_back(folders, file, "#include \"" + included + "\"");
+  };
+  CHECK(back("views/klt/globe.cpp", "views/commands/klt_report.h"));
+  CHECK(back("labs/framework/judge.cpp", "study/commands/text.h"));
+  CHECK(back("views/commands/klt_report.cpp", "study/commands/text.h"));
+  CHECK(back("cli/run_program.cpp", "app/commands.h"));
+  CHECK_FALSE(back("views/commands/klt_report.cpp", "views/klt/globe.h"));
+  CHECK_FALSE(back("views/commands/klt_report.cpp", "views/commands/klt_report.h"));
+  CHECK_FALSE(back("study/commands/bench/matching.h", "views/commands/match_input.h"));
+  CHECK_FALSE(back("app/main.cpp", "views/commands/commands.h"));
 }
 
 TEST_CASE("no folders include each other in a circle") {

@@ -35,9 +35,10 @@ std::string linked(const std::string& page, std::string link) {
 
 // A path of the repository: a folder of it, then letters. (NN and NAME stand for something.)
 bool is_path(const std::string& text) {
-  const std::array folders{"base/", "compare/",  "exact/",  "html/",   "images/", "include/",
-                           "mesh/", "pipeline/", "raster/", "render/", "study/",  "labs/",
-                           "app/",  "docs/",     "tests/",  "debug/",  "cmake/",  "examples/"};
+  const std::array folders{"base/",     "compare/", "exact/",    "html/",    "images/", "include/",
+                           "matrices/", "mesh/",    "pipeline/", "raster/",  "render/", "study/",
+                           "labs/",     "app/",     "cli/",      "inspect/", "views/",  "docs/",
+                           "tests/",    "debug/",   "cmake/",    "examples/"};
   return std::ranges::any_of(folders, [&](const char* f) { return text.starts_with(f); }) &&
          text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-./") == text.npos;
 }

@@ -27,9 +27,10 @@ inline std::vector<std::string> lines_of(const std::string& file) {
 // Paths from the top of the tree, in order: what people write, not what builds, git or fuzzers leave there.
 inline std::vector<std::string> text_files() {
   namespace fs = std::filesystem;
-  const std::array folders{".vscode", "app",    "base",   "cmake",   "compare", "debug", "docs",
-                           "exact",   "html",   "images", "include", "labs",    "mesh",  "pipeline",
-                           "raster",  "render", "study",  "tests",   "views"};
+  const std::array folders{".vscode", "app",   "base",     "cli",  "cmake",    "compare",
+                           "debug",   "docs",  "exact",    "html", "images",   "include",
+                           "inspect", "labs",  "matrices", "mesh", "pipeline", "raster",
+                           "render",  "study", "tests",    "views"};
   const std::array kinds{".cmake", ".cpp", ".css", ".h",  ".html", ".in", ".js",
                          ".json",  ".md",  ".mjs", ".py", ".sh",   ".txt"};
   std::vector<std::string> files{"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CMakeLists.txt"};

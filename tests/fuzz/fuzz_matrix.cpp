@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report/text_layout.h"
 #include "app/step/point_step.h"
 #include "app/step/printed_matrix.h"
+#include "cli/report/text_layout.h"
 #include "tests/fuzz/promises.h"
 
 namespace {

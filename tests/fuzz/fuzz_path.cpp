@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "app/frames/path_file.h"
+#include "cli/frames/path_file.h"
 #include "tests/fuzz/promises.h"
 
 namespace {

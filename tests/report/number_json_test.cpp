@@ -1,5 +1,5 @@
 // Numbers of a report that JSON cannot write.
-#include "app/report/number_json.h"
+#include "cli/report/number_json.h"
 
 #include <limits>
 

@@ -285,7 +285,7 @@ TEST_CASE("CMake is told everywhere which build program to use: its own choice m
 TEST_CASE("the sources that start programs by themselves are those that are known") {
   // What each starts: itself again, or what its caller or the table names.
   const Words known{
-      "labs/framework/process.cpp",           // the compiler, the runner that it has made, gnuplot
+      "cli/process/process.cpp",              // the compiler, the runner that it has made, gnuplot
       "labs/grading/class.cpp",               // itself, for each submission
       "labs/grading/process.cpp",             // bwrap, the compiler, the runner
       "study/bench/peer_process.cpp",         // itself, as a peer

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/process.h"
 #include "labs/framework/in_parallel.h"
 #include "labs/framework/points.h"
-#include "labs/framework/process.h"
 
 namespace glassbox::labs {
 

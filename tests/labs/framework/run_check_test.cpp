@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string>
 
+#include "cli/process/process.h"
 #include "labs/framework/judge.h"
 #include "labs/framework/points.h"
-#include "labs/framework/process.h"
 #include "labs/framework/run_check.h"
 #include "tests/support/catch.h"
 

@@ -3,17 +3,17 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/lab/grade_command.h"
-#include "app/report/exit_codes.h"
+#include "cli/report/exit_codes.h"
+#include "labs/commands/grade_command.h"
 #include "tests/labs/grading/tiny_lab.h"
 
 int main(int argc, char** argv) {
   using namespace glassbox;
   CLI::App app{"The grader with a lab of the tests.", "tiny_grader"};
   CLI::App& lab = *app.add_subcommand("lab", "");
-  int exit_code = app::kSuccess;
+  int exit_code = kSuccess;
   // TINY_LABS: a folder with this lab's files and those of the framework.
-  app::LabGradeCommand grade(test::tiny_labs, [] {
+  labs::LabGradeCommand grade(test::tiny_labs, [] {
     return Result<labs::Sources>(labs::Sources{TINY_LABS, TINY_INCLUDE, {}});
   });
   grade.add_to(lab, exit_code);
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     app.exit(error);
-    return app::kBadInput;
+    return kBadInput;
   }
   return exit_code;
 }

@@ -1,0 +1,28 @@
+// The file names of the pictures of a sequence.
+#pragma once
+
+#include <string>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox {
+
+class FrameNames {
+public:
+  // `output` is the value of -o: "walk.png" gives walk-0001.png; "walk%03d.png" gives walk001.png,
+  // with %% for a per cent sign; a directory (one that exists, or with a slash at the end) gives
+  // pictures in it named after `usual`. If it is empty, `usual` is used instead. Numbers have four
+  // digits, or more if `count` needs more.
+  static Result<FrameNames> of(const std::string& output, const std::string& usual, int count);
+
+  std::string name(int number) const;
+
+  // The plot's file: "walk.svg", or "frames.svg" if the pictures' names are only numbers.
+  std::string plot() const;
+
+private:
+  std::string before_, after_;
+  int digits_ = 4;
+};
+
+}  // namespace glassbox

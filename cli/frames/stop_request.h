@@ -1,0 +1,34 @@
+// Ctrl-C stops between two pictures, so that no file is left incomplete.
+#pragma once
+
+#include <csignal>
+
+namespace glassbox {
+
+// While such an object exists, the first SIGINT or SIGTERM is only noted; a second one ends the
+// program as usual.
+class StopRequest {
+public:
+  StopRequest() {
+    asked_ = 0;
+    struct sigaction note = {};
+    note.sa_handler = [](int) { asked_ = 1; };
+    note.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(SIGINT, &note, &interrupt_before_);
+    ::sigaction(SIGTERM, &note, &terminate_before_);
+  }
+  ~StopRequest() {
+    ::sigaction(SIGINT, &interrupt_before_, nullptr);
+    ::sigaction(SIGTERM, &terminate_before_, nullptr);
+  }
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+
+  bool asked() const { return asked_ != 0; }
+
+private:
+  static inline volatile std::sig_atomic_t asked_ = 0;
+  struct sigaction interrupt_before_ = {}, terminate_before_ = {};
+};
+
+}  // namespace glassbox

@@ -1,0 +1,60 @@
+#include "cli/options/ignored_options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace glassbox {
+
+namespace {
+
+// The option as it was given, "--shade flat"; empty if it was not given.
+std::string given(const PictureOptions& picture, const std::string& name) {
+  const std::vector<std::string> words = words_given(picture);
+  const auto option = std::ranges::find(words, name);
+  if (option == words.end()) return {};
+  return name + " " + *std::next(option);
+}
+
+void tell(const std::string& words, const std::string& why) {
+  if (!words.empty()) fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", words, why);
+}
+
+// Whether the picture is made from another plane of the framebuffer after everything is drawn.
+bool is_of_a_plane(Show show) {
+  return show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
+}
+
+}  // namespace
+
+void tell_of_ignored(const PictureOptions& picture) {
+  const RenderSettings& settings = picture.settings;
+  const std::string show = given(picture, "--show");
+  if (is_of_a_plane(settings.show)) {
+    if (settings.samples > 1) {
+      tell(given(picture, "--samples"), show + " is of pixel centres, as --samples 1 draws them");
+    }
+  }
+  if (settings.show != Show::kColor) {
+    // Flat shading uses face normals, so --shade does change a picture of normals.
+    const bool flat_normals = settings.show == Show::kNormal && settings.shading == Shading::kFlat;
+    if (!flat_normals) tell(given(picture, "--shade"), show + " has no light");
+    tell(given(picture, "--transfer"), show + " stores no light");
+  }
+  if (picture.eyes.separation == 0.0) {
+    tell(given(picture, "--window"), "the eyes stand in one place, and nothing has parallax");
+  }
+}
+
+void tell_of_ignored(const CLI::App& command, const std::vector<IgnoredOptions>& all) {
+  for (const IgnoredOptions& some : all) {
+    for (const std::string& name : some.names) {
+      if (some.are_ignored && command.count(name) > 0) tell(name, some.why);
+    }
+  }
+}
+
+}  // namespace glassbox

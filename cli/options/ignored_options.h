@@ -1,0 +1,25 @@
+// Notes about options that have no effect on the picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/cli_fwd.h"
+#include "cli/options/picture_options.h"
+
+namespace glassbox {
+
+// Prints a note on standard error for each such option. They are no errors, because the same
+// options may be useful for another picture.
+void tell_of_ignored(const PictureOptions& picture);
+
+// Options of a command that have no effect, for the reason `why`.
+struct IgnoredOptions {
+  bool are_ignored = false;
+  std::vector<std::string> names;
+  std::string why;
+};
+// Prints the same note for those of the options that were given.
+void tell_of_ignored(const CLI::App& command, const std::vector<IgnoredOptions>& all);
+
+}  // namespace glassbox

@@ -1,0 +1,72 @@
+// The options that determine a picture: its size, the camera, and how it is drawn. Every subcommand
+// that makes a picture takes them, and a picture's recipe consists of them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/options/arguments.h"
+#include "cli/options/camera_options.h"
+#include "cli/options/cli_fwd.h"
+#include "cli/options/eyes_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/mesh/texture_filter.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/settings.h>
+
+namespace glassbox {
+
+class Progress;
+
+struct PictureOptions {
+  Size size;
+  CameraOptions camera;
+  EyesOptions eyes;
+  RenderSettings settings;
+  std::optional<TextureFilter> filter;      // for all textures; absent: each texture's own
+  std::vector<const CLI::Option*> options;  // the options that add_picture_options has added
+};
+
+void add_picture_options(CLI::App& command, PictureOptions& picture);
+
+// The scene as it is drawn, with the texture filter of the options.
+Scene as_asked(Scene scene, const PictureOptions& picture);
+Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
+                               Progress& progress, const LoadLimits& limits = {});
+
+// For commands that examine pixel centres only: prints a note if the picture has several samples
+// per pixel.
+void tell_of_centres(const PictureOptions& picture);
+
+// Those of the options that the user gave, as words: "--size", "640x480".
+std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
+
+// The words that draw this picture again.
+std::vector<std::string> words_given(const PictureOptions& picture);
+
+// The view of the scene that the options give, and the camera that it is computed from. With
+// --seen-by it is that eye's view.
+struct ChosenView {
+  Camera camera;
+  View view;
+};
+Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
+
+// Like choose_view(), but with other settings, and for a picture `factor` times as wide and high.
+Result<View> choose_view(const Scene& scene, const PictureOptions& picture,
+                         const RenderSettings& settings, int factor);
+
+// The camera between the eyes, and the two eyes.
+struct ChosenEyes {
+  Camera camera;
+  View centre;
+  ChosenPair eyes;
+};
+Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture);
+
+}  // namespace glassbox

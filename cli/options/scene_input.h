@@ -1,0 +1,42 @@
+// The argument SCENE of a command line: a file, a built-in scene, or "-" for standard input.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox {
+
+class Progress;
+
+// The text about SCENE in --help.
+inline constexpr const char* kSceneHelp =
+    "a file (glTF, GLB, OBJ, PLY), a built-in scene, or -: standard input";
+
+// Loads the scene. Standard input has the same limits as a file and is read once, to its end. It is
+// an error if it is a terminal.
+Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
+
+// The same, with the bytes that came from standard input; no bytes for files and built-in scenes.
+struct SceneAndBytes {
+  Scene scene;
+  std::vector<std::byte> bytes;
+};
+Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits = {});
+
+// Loads the scene as the phase "loading" of a command's progress, and prints its warnings there.
+Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
+                               const LoadLimits& limits = {});
+
+// The scene's name in a report: "standard input" for "-", else the word itself.
+std::string scene_title(const std::string& word);
+
+// The name that outputs get: "duck" for "models/duck.glb", "teapot" for "teapot:32", "stdin" for
+// "-".
+std::string scene_stem(const std::string& word);
+
+}  // namespace glassbox

@@ -1,0 +1,16 @@
+// Writes comma-separated values.
+#pragma once
+
+#include <string>
+
+namespace glassbox {
+
+// A field as in RFC 4180: in quotes if it contains a comma, a quote or a line break.
+inline std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace glassbox

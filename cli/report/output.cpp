@@ -1,0 +1,95 @@
+#include "cli/report/output.h"
+
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <span>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox {
+
+namespace {
+
+// The absolute path without links and dots, which is the same for two names of one file.
+std::filesystem::path whole_path(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+}
+
+}  // namespace
+
+Result<void> write_text(const std::string& target, const std::string& text) {
+  if (target == "-") {
+    fmt::print("{}", text);
+    return {};
+  }
+  return write_file(target, std::as_bytes(std::span(text)));
+}
+
+Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json) {
+  // Names come from files and may not be valid UTF-8: invalid bytes are replaced.
+  return write_text(
+      target, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+Result<void> check_extension(const std::string& path, const std::string& extension) {
+  std::string found = std::filesystem::path(path).extension().string();
+  for (char& c : found) c = char(std::tolower(static_cast<unsigned char>(c)));
+  if (found == extension) return {};
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return tl::unexpected(Error{path, "", "is a directory", "name a " + extension + " file in it"});
+  }
+  return tl::unexpected(
+      Error{path, "", "this output is a " + extension + " file", "end the name in " + extension});
+}
+
+Result<void> check_distinct(const std::vector<std::string>& outputs,
+                            const std::vector<std::string>& inputs) {
+  std::set<std::filesystem::path> read, written;
+  for (const std::string& path : inputs) read.insert(whole_path(path));
+  for (const std::string& path : outputs) {
+    const std::filesystem::path whole = whole_path(path);
+    if (read.contains(whole)) {
+      return tl::unexpected(
+          Error{path, "", "is an input, and would be overwritten", "name another output"});
+    }
+    if (!written.insert(whole).second) {
+      return tl::unexpected(
+          Error{path, "", "two outputs would go to this file", "give each its own name"});
+    }
+  }
+  return {};
+}
+
+Result<void> check_outputs(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+    if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
+      return tl::unexpected(Error{path, "", "its directory does not exist", "make it first"});
+    }
+    if (std::filesystem::is_directory(path, ignored)) {
+      return tl::unexpected(Error{path, "", "is a directory", "name a file"});
+    }
+  }
+  return check_distinct(paths);
+}
+
+Result<void> check_report_outputs(const std::optional<std::string>& page,
+                                  const std::optional<std::string>& data) {
+  std::vector<std::string> paths;
+  if (page) {
+    if (const auto legal = check_extension(*page, ".html"); !legal) return legal;
+    paths.push_back(*page);
+  }
+  if (data && *data != "-") paths.push_back(*data);
+  return check_outputs(paths);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,180 @@
+#include "labs/commands/check_command.h"
+
+#include <chrono>
+#include <functional>
+#include <system_error>
+#include <thread>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/choices.h"
+#include "cli/options/number_range.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "labs/commands/checker.h"
+#include "labs/commands/draw_picture.h"
+#include "labs/commands/for_students.h"
+#include "labs/commands/lab_dir.h"
+#include "labs/commands/report.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using labs::grading::Confinement;
+
+struct Outputs {
+  std::optional<std::string> json, html;
+};
+
+// Checks the folder once and reports the result. The exit code is kSuccess for full points.
+Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
+  const auto checked = checker.check();
+  if (!checked) return tl::unexpected(checked.error());
+  const LabReport report{checked->graded.result, checker.student().string(), checked->runner,
+                         checked->seconds, checked->graded.names};
+  if (outputs.json) {
+    if (const auto written = write_json(*outputs.json, lab_report_json(report)); !written)
+      return tl::unexpected(written.error());
+  }
+  if (outputs.html) {
+    const auto page = lab_report_page(report);
+    if (!page) return tl::unexpected(page.error());
+    if (const auto written = write_text(*outputs.html, *page); !written)
+      return tl::unexpected(written.error());
+  }
+  if (outputs.json != "-") fmt::print("{}", lab_report_text(report));
+  const labs::LabResult& result = checked->graded.result;
+  return result.score == result.max_score && result.not_built.empty() ? kSuccess : kFailure;
+}
+
+// When the file was last written; none if it does not exist, which can happen briefly while an
+// editor replaces it.
+std::optional<fs::file_time_type> written_at(const fs::path& file) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  return error ? std::nullopt : std::optional(time);
+}
+
+void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
+  add_lab_dir(command, asked.lab_dir)->excludes(add_lab_name(command, asked.lab));
+  command.add_flag(
+      "--sanitize", options.sanitize,
+      "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
+  command.add_option("--time-limit", options.seconds, "seconds that a check may take")
+      ->check(number_between(0.1, 3600))
+      ->capture_default_str();
+  command.add_option("--memory-limit", options.memory_mib, "MiB that a check may use")
+      ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20))
+      ->capture_default_str();
+  add_choice(command, "--sandbox", options.confinement,
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+             "this one or none; the strongest that works here");
+}
+
+// Calls `act` at once and after every save of the file, until the program is ended.
+[[noreturn]] void after_every_save(const fs::path& file, const std::function<void()>& act) {
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  std::optional<fs::file_time_type> seen;
+  while (true) {
+    const auto now = written_at(file);
+    if (now && now != seen) {
+      seen = now;
+      if (terminal) fmt::print("\x1b[H\x1b[2J\x1b[3J");
+      act();
+      fmt::print("\nSave {} to do it again; Ctrl-C ends.\n", file.string());
+      std::fflush(stdout);
+    }
+    // Looking at a file's time is cheap, and works where change notifications do not (shared
+    // folders, containers).
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+}
+
+}  // namespace
+
+void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand(
+      "check", "builds and runs a lab: the points, and where it first goes wrong");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab check ~/lab5\n"
+      "  glassbox lab check ~/lab5 --html report.html\n"
+      "  glassbox lab check labs/05-clipping\n\n"
+      "The code runs in a sandbox, as a grader runs it. The exit code is 0 for full marks and 1 "
+      "for less.");
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
+  add_json_output(command, json_output_, "the report");
+  add_html_output(command, html_output_, "the report as a page with pictures");
+  if (!kForStudents) command.add_flag("--hidden", options_.hidden, "hidden checks too");
+  add_options(command, options_, asked_);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabCheckCommand::run() const {
+  const Outputs outputs{json_output_, html_output_};
+  if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
+    return refuse(good.error());
+  const auto folder = open_lab_folder(asked_);
+  if (!folder) return refuse(folder.error());
+  auto checker = LabChecker::open(*folder, options_);
+  if (!checker) return refuse(checker.error());
+  const auto code = check_once(**checker, outputs);
+  return code ? *code : refuse(code.error());
+}
+
+void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command =
+      *lab.add_subcommand("watch", "checks a lab, or draws a scene with it, after every save");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab watch ~/lab5\n"
+      "  glassbox lab watch ~/lab5 teapot --size 640x360 -o teapot.png --html teapot.html\n\n"
+      "With a scene it draws, as glassbox lab render does, and a picture or page is replaced as a\n"
+      "whole. Ctrl-C ends it.");
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
+  command.add_option("SCENE", scene_, "draw this in place of the checks");
+  command.add_option("-o,--output", output_, "of a scene: the pictures [SCENE.png]")
+      ->type_name("FILE");
+  add_html_output(command, html_output_, "the last report, or run, as a page");
+  add_options(command, options_, asked_);
+  add_picture_options(command, picture_);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabWatchCommand::run() const {
+  if (!scene_.empty()) return watch_picture();
+  const Outputs outputs{std::nullopt, html_output_};
+  if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
+    return refuse(good.error());
+  const auto folder = open_lab_folder(asked_);
+  if (!folder) return refuse(folder.error());
+  auto checker = LabChecker::open(*folder, options_);
+  if (!checker) return refuse(checker.error());
+  after_every_save(folder->student, [&] {
+    const auto code = check_once(**checker, outputs);
+    if (!code) fmt::print("{}\n", code.error().message());
+  });
+}
+
+int LabWatchCommand::watch_picture() const {
+  if (!asked_.lab_dir.empty())
+    return refuse({"--lab-dir", "", "a lab of your own draws no scene", "leave SCENE out"});
+  const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
+  const LabPicture asked{asked_, scene_, output, picture_, {}, html_output_};
+  if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
+  const auto folder = open_lab_folder(asked_);
+  if (!folder) return refuse(folder.error());
+  after_every_save(folder->student, [&] { draw_lab_picture(asked); });
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,133 @@
+#include "labs/commands/draw_picture.h"
+
+#include <chrono>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/picture_output.h"
+#include "cli/report/progress.h"
+#include "labs/commands/drawing_page.h"
+#include "labs/commands/drawing_report.h"
+#include "labs/commands/student_stages.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// The view that is drawn. For labs about stereo pairs (9 to 12) it is the view from the centre,
+// with the two eyes as `pair`.
+Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
+                           Camera& camera) {
+  constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;
+  labs::Drawn drawn{scene, camera, {}, at_centres(picture.settings), picture.camera.formulation,
+                    {}};
+  if (lab.number >= kFirstOfPairs && lab.number <= kLastOfPairs) {
+    const auto eyes = choose_eyes(scene, picture);
+    if (!eyes) return tl::unexpected(eyes.error());
+    camera = eyes->camera;
+    drawn.view = eyes->centre;
+    drawn.pair = eyes->eyes.pair;
+    return drawn;
+  }
+  const auto view = choose_view(scene, picture);
+  if (!view) return tl::unexpected(view.error());
+  camera = view->camera;
+  drawn.view = view->view;
+  return drawn;
+}
+
+}  // namespace
+
+Result<void> check_lab_picture(const LabPicture& asked) {
+  if (const auto good = check_picture_output(asked.output, {}, asked.output); !good) return good;
+  if (const auto good = check_report_outputs(asked.html, asked.json); !good) return good;
+  std::vector<std::string> files;
+  for (const std::optional<std::string>& file :
+       {std::optional(asked.output), asked.html, asked.json}) {
+    if (file && *file != "-") files.push_back(*file);
+  }
+  if (const auto good = check_outputs(files); !good) return good;
+  if (!asked.picture.settings.wireframe) return {};
+  return fail("--wireframe", "the labs' functions are of triangles, not of lines", "leave it out");
+}
+
+int draw_lab_picture(const LabPicture& asked) {
+  const auto folder = open_lab_folder(asked.lab);
+  if (!folder) return refuse(folder.error());
+  const auto drawing = labs::drawing_of(folder->lab->number);
+  if (!drawing)
+    return refuse(
+        {asked.lab.folder, "", "this lab draws nothing", "name the folder of another lab"});
+  Progress progress;
+  const auto scene = load_asked_scene(asked.scene, asked.picture, progress);
+  if (!scene) return refuse(scene.error());
+  Camera camera;
+  const auto drawn = chosen(*folder->lab, *scene, asked.picture, camera);
+  if (!drawn) return refuse(drawn.error());
+
+  const auto sources = labs::find_sources();
+  if (!sources) return refuse(sources.error());
+  StudentStages stages;
+  if (const auto built = stages.build(*sources, *folder, progress); !built)
+    return refuse(built.error());
+  if (stages.program().program.empty()) {
+    progress.done();
+    fmt::print("{}", stages.program().messages);
+    return kFailure;
+  }
+
+  progress.phase("drawing " + scene_title(asked.scene));
+  const Clock::time_point start = Clock::now();
+  labs::StudentAnswers answers(stages.sandbox(), stages.program().program, asked.seconds);
+  const auto both = labs::draw_both(*drawing, *drawn, answers);
+  if (!both && answers.broke()) {
+    progress.done();
+    fmt::print("{}: {}\n", folder->student.string(), *answers.broke());
+    const std::string which = asked.lab.lab.empty() ? "" : " --lab " + asked.lab.lab;
+    fmt::print("There is no picture. glassbox lab check {}{} says more.\n", asked.lab.folder,
+               which);
+    return kFailure;
+  }
+  if (!both) return refuse(both.error());
+  std::string words;
+  for (const std::string& word : words_given(asked.picture)) words += " " + word;
+  const DrawingReport report{*folder->lab,
+                             *drawing,
+                             both->result,
+                             asked.scene,
+                             words,
+                             answers.said(),
+                             std::chrono::duration<double>(Clock::now() - start).count(),
+                             answers.seconds()};
+  progress.phase("writing " + asked.output);
+  const auto written = write_picture(asked.output, {}, side_by_side(both->result), {});
+  if (!written) return refuse(written.error());
+  if (asked.json) {
+    if (const auto made = write_json(*asked.json, drawing_json(report)); !made)
+      return refuse(made.error());
+  }
+  if (asked.html) {
+    const auto page = lab_drawing_page(report, *drawn, *both, words_given(asked.picture));
+    if (!page) return refuse(page.error());
+    if (const auto made = write_text(*asked.html, *page); !made) return refuse(made.error());
+  }
+  progress.done();
+  if (asked.json != "-")
+    fmt::print("{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
+               printable(asked.output, kLongestMessage),
+               both->result.truth ? "beside it, and what is really there" : "on the right",
+               report.seconds);
+  return both->result.right() ? kSuccess : kFailure;
+}
+
+}  // namespace glassbox::labs

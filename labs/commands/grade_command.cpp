@@ -1,0 +1,346 @@
+#include "labs/commands/grade_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <thread>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/choices.h"
+#include "cli/options/number_range.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/scratch.h"
+#include "labs/commands/grade_files.h"
+#include "labs/commands/lab_dir.h"
+#include "labs/framework/digest.h"
+#include "labs/framework/points.h"
+#include "labs/framework/vary.h"
+#include "labs/grading/class.h"
+#include "labs/grading/grade.h"
+#include "labs/grading/outside_lab.h"
+#include "labs/grading/overview.h"
+#include "labs/grading/program_digest.h"
+#include "labs/grading/results.h"
+#include "labs/grading/submission.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace labs::grading;
+
+}  // namespace
+
+void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand("grade", "points for a class, or for one submission");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab grade submissions/ --lab 5 -o results/\n"
+      "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
+      "  glassbox lab grade submissions/ --lab-dir ~/labs/40-fog -o results/\n\n"
+      "A class is a folder of folders, one a submission, with student.cpp in each. Every "
+      "submission and every\n"
+      "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "
+      "the limits,\n"
+      "the files that are written, Gradescope, GitHub Classroom, Slurm and GNU parallel.");
+  command
+      .add_option("SUBMISSIONS", submissions_, "the folder of a class; with --one, of a submission")
+      ->required();
+  command
+      .add_option("-o,--output", files_.output,
+                  "the folder of the results; with --one, the file results.json")
+      ->type_name("DIR|FILE")
+      ->required();
+  command.add_option(
+      "--lab", lab_,
+      "the number of the lab; not needed where a submission is a folder of `lab start`");
+  add_lab_dir(command, lab_dir_)->excludes("--lab");
+  command.add_flag("--one", one_,
+                   "SUBMISSIONS is one submission: nothing is shared with other gradings");
+  auto* vary = command.add_flag(
+      "--vary", vary_, "hidden checks with inputs of each submission's own, which follow its name");
+  command
+      .add_option("--name", name_,
+                  "with --one and --vary: the submission's name; that of its folder or file")
+      ->needs(vary);
+  command.add_flag("--resume", resume_,
+                   "grades only what has no result of this submission, lab and glassbox");
+  command.add_option("--classroom", files_.classroom, "with --one: GitHub Classroom's JSON too")
+      ->type_name("FILE");
+  command.add_option("--junit", files_.junit, "with --one: JUnit's XML too, of the visible checks")
+      ->type_name("FILE");
+  command
+      .add_option("--vpl", files_.vpl,
+                  "with --one: what Moodle's Virtual Programming Lab reads, of the visible checks")
+      ->type_name("FILE");
+  command.add_option("--jobs", jobs_, "submissions at a time; as many as there are processors")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--time-limit", seconds_, "seconds for each check; 10")
+      ->check(number_between(0.1, 3600));
+  command
+      .add_option("--total-time", total_seconds_,
+                  "seconds for all checks of a submission together; 300")
+      ->check(number_between(1, 86400));
+  command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
+      ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
+  add_choice(command, "--sandbox", confinement_,
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+             "this one or none; the strongest that works here");
+  command
+      .add_option("--kit", kit_,
+                  "with --one: a directory for what all submissions of a lab are compiled with")
+      ->type_name("DIR");
+  command.callback([this, &exit_code] { exit_code = run(); });
+
+  CLI::App& collect = *lab.add_subcommand(
+      "collect", "class.csv and index.html of results that were made one by one");
+  collect.footer("Example:\n  glassbox lab collect results/");
+  collect
+      .add_option("RESULTS", collected_,
+                  "a folder with one folder a submission, results.json in each")
+      ->required();
+  collect.callback([this, &exit_code] { exit_code = run_collect(collected_); });
+}
+
+Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
+                                                   const Scratch& scratch) const {
+  if (!sources.outside.empty()) {
+    // The judge (the checks of an outside lab, compiled) is kept next to the kit, so that runs that
+    // share the kit share it too.
+    const auto place = kit_.empty() ? scratch.own("judge") : fs::path(kit_ + ".judge");
+    return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
+  }
+  for (const labs::Lab& lab : labs_()) {
+    if (lab_ == lab.number) return &lab;
+  }
+  std::string there;
+  for (const labs::Lab& lab : labs_())
+    there += fmt::format("{}{}", there.empty() ? "" : ", ", lab.number);
+  if (lab_) return fail("--lab", fmt::format("there is no lab {}", *lab_), "the labs are " + there);
+  std::vector<Submission> submissions{{"", submissions_}};
+  if (!one_) {
+    auto listed = list_submissions(submissions_);
+    if (!listed) return tl::unexpected(listed.error());
+    submissions = std::move(listed->submissions);
+  }
+  for (const Submission& each : submissions) {
+    if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
+  }
+  return fail("--lab", "which lab this is cannot be seen from student.h in the submissions",
+              "give the lab's number: " + there);
+}
+
+int LabGradeCommand::run() {
+  const auto sources = with_lab_dir(find_sources_(), lab_dir_);
+  if (!sources) return refuse(sources.error());
+  const Scratch scratch;
+  if (!one_) {
+    const auto place = scratch.path();
+    if (!place) return refuse(place.error());
+    kit_ = (*place / "kit").string();
+  }
+  const auto lab = find_lab(*sources, scratch);
+  if (!lab) return refuse(lab.error());
+  return one_ ? run_one(**lab, *sources, scratch) : run_class(**lab, *sources, scratch);
+}
+
+std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& name) {
+  return std::max<std::uint64_t>(1, labs::Digest().add(lab.folder).add(name).number());
+}
+
+Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
+                                               const fs::path& submission,
+                                               const std::string& name) const {
+  const auto kit = kit_fingerprint(sources, lab.folder);
+  if (!kit) return kit;
+  const auto text = read_submission(submission);
+  labs::Digest digest;
+  digest.add(program_digest()).add(lab.folder).add(*kit);
+  digest.add(text ? *text : text.error().message());
+  if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
+    digest.add(*points);
+  if (!sources.outside.empty()) {
+    const auto judge = judge_digest(sources);
+    if (!judge) return judge;
+    digest.add(*judge);
+  }
+  digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
+  if (vary_) digest.add(std::to_string(seed_of(lab, name)));
+  return digest.text();
+}
+
+int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
+                             const Scratch& scratch) {
+  if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
+  // Written first, so that a result exists whatever fails from here on.
+  if (const auto begun = begin_results(files_, unfinished_json()); !begun)
+    return refuse(begun.error());
+  if (!fs::exists(fs::symlink_status(submissions_)))
+    return refuse({submissions_, "", "is not there", "name the folder that holds student.cpp"});
+  if (name_.empty()) name_ = submission_name(submissions_);
+  if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
+  const auto digest = digest_of(lab, sources, submissions_, name_);
+  if (!digest) return refuse(digest.error());
+  if (resume_ && is_up_to_date(files_.output, *digest)) {
+    fmt::print("{} is the result of this submission already\n", files_.output);
+    return kSuccess;
+  }
+  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!shares) return refuse(shares.error());
+  const auto unfinished = gradescope_json(nothing_yet(shares->lab, kUnfinished), "", *digest);
+  if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
+  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
+  return grade_one(shares->lab, sources, *digest, scratch);
+}
+
+int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
+                               const std::string& digest, const Scratch& scratch) {
+  const auto place = scratch.path();
+  if (!place) return refuse(place.error());
+  const auto sandbox = Sandbox::choose(*place, confinement_);
+  if (!sandbox) return refuse(sandbox.error());
+  fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
+  auto kit = make_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::absolute(kit_));
+  if (kit && !kit_.empty()) kit = copy_kit(*kit, *place / "kit");
+  if (!kit) return refuse(kit.error());
+  const auto build = scratch.own("build");
+  if (!build) return refuse(build.error());
+  Limits limits;
+  limits.seconds = seconds_;
+  limits.memory_bytes = memory_mib_ * kMiB;
+  const Graded graded = grade({.lab = lab,
+                               .sandbox = *sandbox,
+                               .kit = *kit,
+                               .build = *build,
+                               .limits = limits,
+                               .total_seconds = total_seconds_},
+                              read_submission(submissions_));
+  const auto results = gradescope_json(graded, sandbox->in_force(), digest);
+  // an earlier result is kept, which is better than an unfinished one
+  if (graded.outcome == kUnfinished) {
+    fmt::print(stderr, "{}\n", results.at("output").get<std::string>());
+    return kFailure;
+  }
+  if (const auto written = write_results(files_, results); !written) return refuse(written.error());
+  fmt::print("{:.6g} of {:.6g} points\n{}", graded.result.score, graded.result.max_score,
+             results.at("output").get<std::string>());
+  return kSuccess;
+}
+
+std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
+                                                          const Sandbox& sandbox,
+                                                          const Submission& submission) const {
+  const fs::path results = fs::path(files_.output) / submission.name;
+  std::vector<std::string> words{"/proc/self/exe",
+                                 "lab",
+                                 "grade",
+                                 "--one",
+                                 lab_dir_.empty() ? fmt::format("--lab={}", lab.number)
+                                                  : "--lab-dir=" + fs::absolute(lab_dir_).string(),
+                                 "--output=" + (results / "results.json").string(),
+                                 "--classroom=" + (results / "classroom.json").string(),
+                                 "--junit=" + (results / "junit.xml").string(),
+                                 "--time-limit",
+                                 fmt::format("{}", seconds_),
+                                 "--total-time",
+                                 fmt::format("{}", total_seconds_),
+                                 "--memory-limit",
+                                 std::to_string(memory_mib_),
+                                 "--sandbox",
+                                 std::string(name_of(sandbox.confinement())),
+                                 "--kit=" + kit_};
+  if (vary_) words.insert(words.end(), {"--vary", "--name=" + submission.name});
+  words.insert(words.end(), {"--", submission.path.string()});
+  return words;
+}
+
+int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources,
+                               const Scratch& scratch) {
+  const auto listed = list_submissions(submissions_);
+  if (!listed) return refuse(listed.error());
+  for (const std::string& skipped : listed->skipped)
+    fmt::print(stderr, "skipped: {}\n", printable(skipped));
+  const std::vector<Submission>& all = listed->submissions;
+  std::map<std::string, Submission> chosen;
+  for (const Submission& each : all) {
+    const fs::path results = fs::path(files_.output) / each.name;
+    std::error_code error;
+    fs::create_directories(results, error);
+    if (error) return refuse({results.string(), "", error.message(), "choose another -o"});
+    const std::string file = (results / "results.json").string();
+    const auto digest = digest_of(lab, sources, each.path, each.name);
+    if (!digest) return refuse(digest.error());
+    if (resume_ && is_up_to_date(file, *digest)) continue;
+    chosen.emplace(each.name, each);
+    const auto begun = begin_results(
+        {file, (results / "classroom.json").string(), (results / "junit.xml").string()},
+        unfinished_json());
+    if (!begun) return refuse(begun.error());
+  }
+  if (chosen.size() < all.size())
+    fmt::print(stderr, "{} of {} have their results already\n", all.size() - chosen.size(),
+               all.size());
+  const auto place = scratch.path();
+  if (!place) return refuse(place.error());
+  const auto sandbox = Sandbox::choose(*place, confinement_);
+  if (!sandbox) return refuse(sandbox.error());
+  fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
+  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!shares) return refuse(shares.error());
+  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
+  if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
+  // The temporary files of the graded submissions are put here and are removed together with it.
+  ::setenv("TMPDIR", place->c_str(), 1);
+
+  ClassRequest request;
+  for (const auto& [name, submission] : chosen) request.names.push_back(name);
+  request.jobs =
+      jobs_ > 0 ? jobs_ : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  request.command = [&](const std::string& name) {
+    return command_for_one(lab, *sandbox, chosen.at(name));
+  };
+  std::size_t done = 0;
+  request.ended = [&](const std::string& name, bool fine, const std::string& said) {
+    fmt::print(stderr, "{} of {}: {}{}\n", ++done, chosen.size(), printable(name),
+               fine ? "" : ": grading did not finish");
+    if (!fine) fmt::print(stderr, "{}\n", printable(said, 2000));
+  };
+  grade_class(request);
+  return run_collect(files_.output);
+}
+
+int LabGradeCommand::run_collect(const fs::path& results) const {
+  const auto rows = read_results(results);
+  if (!rows) return refuse(rows.error());
+  for (const auto& [file, text] :
+       {std::pair{kTableOfClass, class_csv(*rows)}, {kPageOfClass, class_html(*rows)}}) {
+    if (const auto written = write_text((results / file).string(), text); !written)
+      return refuse(written.error());
+  }
+  std::size_t width = 10;
+  for (const Row& row : *rows) width = std::max(width, std::min<std::size_t>(40, row.name.size()));
+  std::size_t unfinished = 0;
+  for (const Row& row : *rows) {
+    fmt::print("{:<{}}  {:>7.6g} / {:<7.6g}  {}\n", printable(row.name, 40), width,
+               total_of(row.results), row.results.at("extra_data").value("max_score", 0.0),
+               outcome_of(row));
+    if (!row.finished) ++unfinished;
+  }
+  fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
+             (results / kPageOfClass).string());
+  if (unfinished == 0) return kSuccess;
+  fmt::print(stderr, "{} of {} did not finish; lab grade --resume goes on with them\n", unfinished,
+             rows->size());
+  return kFailure;
+}
+
+}  // namespace glassbox::labs

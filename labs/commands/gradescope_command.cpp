@@ -1,0 +1,51 @@
+#include "labs/commands/gradescope_command.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/options/number_range.h"
+#include "cli/report/exit_codes.h"
+#include "labs/grading/autograder.h"
+
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::labs {
+
+void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand("gradescope", "the archive for Gradescope's autograder");
+  command.footer(
+      "Example:\n"
+      "  glassbox lab gradescope 5 -o autograder.zip\n\n"
+      "Upload it as it is. docs/grading.md says what Gradescope makes of it.");
+  command.add_option("LAB", lab_, "the number of the lab")->required();
+  command.add_option("-o,--output", output_, "the archive; autograder.zip")->type_name("FILE");
+  command.add_option("--time-limit", seconds_, "seconds for each check; 10")
+      ->check(number_between(0.1, 3600));
+  command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
+      ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabGradescopeCommand::run() const {
+  const auto sources = find_sources_();
+  if (!sources) return refuse(sources.error());
+  for (const labs::Lab& lab : labs_()) {
+    if (lab.number != lab_) continue;
+    const auto entries = labs::grading::autograder_files(
+        lab, sources->labs.parent_path(),
+        {fmt::format("--time-limit {}", seconds_), fmt::format("--memory-limit {}", memory_mib_)});
+    if (!entries) return refuse(entries.error());
+    const auto bytes = labs::make_zip(*entries);
+    if (!bytes) return refuse(bytes.error());
+    if (const auto written = write_file(output_, *bytes); !written) return refuse(written.error());
+    fmt::print("{}: {} files, {} KiB; upload it to Gradescope as it is\n", output_, entries->size(),
+               bytes->size() >> 10);
+    return kSuccess;
+  }
+  return refuse(
+      {"", "LAB", fmt::format("there is no lab {}", lab_), "`glassbox lab list` names them"});
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,189 @@
+#include "labs/commands/measure_command.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/number_range.h"
+#include "cli/options/output_options.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
+#include "labs/commands/lab_dir.h"
+#include "labs/commands/measure_report.h"
+#include "labs/commands/student_stages.h"
+#include "labs/framework/digest.h"
+#include "labs/grading/submission.h"
+#include "labs/measuring/claim.h"
+#include "study/commands/build_id.h"
+#include "study/commands/page.h"
+#include "study/experiment/runner.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/images/read.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+using study::ExperimentResult;
+
+std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>& yours) {
+  std::vector<std::string> series;
+  for (const auto& each : yours) {
+    if (std::find(series.begin(), series.end(), each.series) == series.end())
+      series.push_back(each.series);
+  }
+  return series;
+}
+
+Result<labs::Claim> claim_in(const std::string& path) {
+  // enough for one or two thousand points
+  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;
+  const auto bytes = read_file(path, kMostBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return labs::read_claim(path,
+                          std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+}
+
+// The measurement without the series whose functions the student has not written yet.
+labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::string>& untouched) {
+  labs::LabMeasure rest = whole;
+  rest.places = [places = whole.places(), untouched] {
+    auto written = places;
+    std::erase_if(written, [&](const labs::MeasuredPlace& each) {
+      return std::find(untouched.begin(), untouched.end(), each.series) != untouched.end();
+    });
+    return written;
+  };
+  return rest;
+}
+
+// Whether the claimed results agree with the measured ones. Prints to `out` where they do not.
+// Returns the exit code.
+int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
+          std::FILE* out) {
+  const auto found = labs::contradictions(claimed, measured);
+  if (found.empty()) {
+    fmt::print(out, "{}: as measured here: {}, and no order of times the other way\n",
+               printable(path), counted(measured.points.size(), "error"));
+    return kSuccess;
+  }
+  for (const std::string& each : found)
+    fmt::print(out, "{}: {}\n", printable(path), printable(each));
+  return kFailure;
+}
+
+}  // namespace
+
+void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand(
+      "measure", "error and time of your functions, as points in an experiment's chart");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab measure ~/lab6 --html chart.html\n"
+      "  glassbox lab measure ~/lab6 --json measured.json       # to be handed in\n"
+      "  glassbox lab measure class/ann --lab 6 --against class/ann/measured.json\n\n"
+      "The experiment that the handout names is run as study run --quick runs it, and your\n"
+      "functions in a process of their own. Exit code 1: nothing is written yet, the code does\n"
+      "not compile or end, or --against names what is not so.");
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "made by glassbox lab start, or with a student.cpp in it")
+      ->required();
+  add_lab_name(command, asked_.lab);
+  add_json_output(command, json_output_, "your points, small, to be handed in");
+  add_html_output(command, html_output_, "the experiment's charts, with your points");
+  command.add_option("--against", against_, "compare with what was handed in")->type_name("FILE");
+  command.add_option("--time-limit", seconds_, "seconds that a process of your functions may take")
+      ->check(number_between(0.1, 3600))
+      ->capture_default_str();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabMeasureCommand::run() const {
+  if (const auto good = check_report_outputs(html_output_, json_output_); !good)
+    return refuse(good.error());
+  const auto folder = open_lab_folder(asked_);
+  if (!folder) return refuse(folder.error());
+  const auto measured = labs::measure_of(folder->lab->number);
+  if (!measured)
+    return refuse({asked_.folder, "",
+                   fmt::format("no function of lab {} is measured", folder->lab->number),
+                   "run the experiments that its handout names under \"Error against time\""});
+  std::optional<labs::Claim> claimed;
+  if (against_) {
+    auto claim = claim_in(*against_);
+    if (!claim) return refuse(claim.error());
+    claimed = std::move(*claim);
+  }
+  const auto sources = labs::find_sources();
+  if (!sources) return refuse(sources.error());
+  Progress progress;
+  StudentStages stages;
+  if (const auto built = stages.build(*sources, *folder, progress, true); !built)
+    return refuse(built.error());
+  if (stages.program().program.empty()) {
+    progress.done();
+    fmt::print("{}", stages.program().messages);
+    return kFailure;
+  }
+  const auto starter = stages.build_starter(*sources, *folder, true);
+  if (!starter) return refuse(starter.error());
+  labs::StudentAnswers student(stages.sandbox(), stages.program().program, seconds_),
+      untouched(stages.sandbox(), starter->program, seconds_);
+  const auto tell = [&](const std::string& what) { progress.phase(what); };
+  // Reports an error of the student's code, or what prevented the code from being run.
+  const auto broken = [&](const Error& error) {
+    if (!student.broke()) return refuse(error);
+    progress.done();
+    fmt::print("{}: {}\n", folder->student.string(), *student.broke());
+    return kFailure;
+  };
+  const auto not_written = labs::untouched_series(*measured, student, untouched, tell);
+  if (!not_written) return broken(not_written.error());
+  const labs::LabMeasure written = without(*measured, *not_written);
+  if (written.places().empty()) {
+    progress.done();
+    fmt::print("{}", unwritten_text(*folder->lab, *measured));
+    return kFailure;
+  }
+  const auto yours = labs::measure_places(written, student, study::kLeastRepetitions, tell);
+  if (!yours) return broken(yours.error());
+
+  study::RunOptions options;
+  options.phase = tell;
+  ExperimentResult result = study::run_experiment(
+      *study::find_experiment(study::experiments(), measured->experiment), options);
+  result.configurations.insert(result.configurations.end(), yours->begin(), yours->end());
+  progress.done();
+  const study::Origin origin =
+      study::origin_here(study::version_and_build(), study::Effort::kQuick, 1);
+  const std::vector<std::string> series = series_of(*yours);
+  const auto text = labs::grading::read_source(folder->student);
+  if (!text) return refuse(text.error());
+  const labs::Claim claim =
+      labs::claim_of(folder->lab->folder, labs::Digest().add(*text).text(), origin, result, series);
+  if (json_output_) {
+    if (const auto made = write_json(*json_output_, labs::claim_json(claim)); !made)
+      return refuse(made.error());
+  }
+  if (html_output_) {
+    const std::string command =
+        shell_line({{"lab", "measure", asked_.folder, "--html", *html_output_}});
+    const auto made = write_text(*html_output_, study::study_page({origin, {result}}, command));
+    if (!made) return refuse(made.error());
+  }
+  if (json_output_ != "-")
+    fmt::print("{}", measure_text(*folder->lab, *measured, result, series, *not_written));
+  // If JSON goes to standard output, nothing else may be written there.
+  return claimed ? judge(*against_, *claimed, claim, json_output_ == "-" ? stderr : stdout)
+                 : kSuccess;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,44 @@
+#include "labs/commands/package_command.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "labs/framework/sources.h"
+#include "labs/grading/package.h"
+
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::labs {
+
+void LabPackageCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand("package", "a glassbox for students, as an archive");
+  command.footer(
+      "Example:\n"
+      "  glassbox lab package --students -o glassbox-students.zip\n\n"
+      "The sources without solutions, hidden checks, planted faults, tests and grading. Unpacked, "
+      "./glassbox builds\n"
+      "them as it does here.");
+  command.add_flag("--students", students_, "for students")->required();
+  command.add_option("-o,--output", output_, "the archive: a .zip file")
+      ->type_name("FILE")
+      ->required();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabPackageCommand::run() const {
+  if (const auto good = check_extension(output_, ".zip"); !good) return refuse(good.error());
+  const auto sources = labs::find_sources();
+  if (!sources) return refuse(sources.error());
+  const auto entries = labs::grading::students_files(sources->labs.parent_path());
+  if (!entries) return refuse(entries.error());
+  const auto bytes = labs::make_zip(*entries);
+  if (!bytes) return refuse(bytes.error());
+  if (const auto written = write_file(output_, *bytes); !written) return refuse(written.error());
+  fmt::print("{}: {} files, {} KiB, without solutions and hidden checks\n", output_,
+             entries->size(), bytes->size() >> 10);
+  return kSuccess;
+}
+
+}  // namespace glassbox::labs

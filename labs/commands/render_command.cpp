@@ -1,0 +1,52 @@
+#include "labs/commands/render_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/builtin_help.h"
+#include "cli/options/number_range.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "labs/commands/draw_picture.h"
+#include "labs/commands/lab_dir.h"
+
+namespace glassbox::labs {
+
+void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand(
+      "render",
+      "draws a scene with your functions in the pipeline, beside the reference's picture");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab render ~/lab5 teapot -o teapot.png\n"
+      "  glassbox lab render ~/lab6 room --size 320x180 --html room.html\n"
+      "  glassbox lab render labs/04-projection cube --fov 70\n\n"
+      "Your code runs in a process of its own, in the grader's sandbox. The exit code is 0 where\n"
+      "every number is within its bound, 1 where one is not, or where the code does not compile\n"
+      "or does not end.\n\n" +
+      builtin_help());
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command
+      .add_option("-o,--output", output_,
+                  "your picture and the reference's, .png or .ppm [SCENE.png]")
+      ->type_name("FILE");
+  add_lab_name(command, asked_.lab);
+  add_picture_options(command, picture_);
+  add_json_output(command, json_output_, "the report");
+  add_html_output(command, html_output_, "the run, with your records beside the reference's");
+  command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
+      ->check(number_between(0.1, 3600))
+      ->capture_default_str();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabRenderCommand::run() const {
+  const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
+  const LabPicture asked{asked_, scene_, output, picture_, json_output_, html_output_, seconds_};
+  if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
+  return draw_lab_picture(asked);
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,51 @@
+// The report that a student gets on a lab, as text, JSON and a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "labs/framework/judge.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::labs {
+
+// A result, with what the report says about it besides.
+struct LabReport {
+  const labs::LabResult& result;
+  std::string student;  // the student's file
+  std::string runner;   // the program that runs the cases, for a debugger
+  double seconds = 0;   // time to build and run
+  // The outcome of each check in a grader's words: "passed", "crash (stack overflow)".
+  std::vector<std::string> names = {};
+};
+
+std::string lab_report_text(const LabReport& report);
+
+// {"score", "max_score", "tests": [{"name", "task", "stage", "score", "max_score", "status",
+// "first_divergence"}]}. Numbers that JSON cannot represent are "nan", "inf" and "-inf".
+nlohmann::ordered_json lab_report_json(const LabReport& report);
+
+// The same as a page that needs no other file, with pictures of the expected result, the actual
+// one, and where they differ.
+Result<std::string> lab_report_page(const LabReport& report);
+
+// Points in words: "2.5 of 3".
+std::string points_text(double score, double max_score);
+
+// The lines of a restated case, sorted into statements (facts) and commands that show them.
+struct Restated {
+  std::vector<std::string> facts, commands;
+};
+Restated restated_lines(const std::string& restated);
+
+// The outcome of the check in a grader's words if there are any; otherwise the verdict on its first
+// wrong case.
+std::string outcome_text(const LabReport& report, const labs::CheckResult& check);
+
+// The command that runs the failing case in a debugger; empty if there is no runner.
+std::string debugger_command(const LabReport& report, const labs::CheckResult& check);
+
+}  // namespace glassbox::labs

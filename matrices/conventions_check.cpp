@@ -1,0 +1,279 @@
+#include <glassbox/matrices/conventions_check.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/matrices/projection_factors.h>
+
+namespace glassbox {
+namespace {
+
+// ---- where the points go ----
+
+struct Landing {
+  int visible = 0, behind = 0, in_front = 0;
+  std::optional<glm::dvec2> window;  // of the first visible point
+};
+
+Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const CheckedPoint> points) {
+  const glm::dmat4 clip_from_object = s.projection.m * s.view.m * s.model.m;
+  Landing landing;
+  for (const CheckedPoint& point : points) {
+    const glm::dvec4 c = clip_from_object * point.object;
+    landing.behind += c.w < 0;
+    landing.in_front += c.w > 0;
+    const double low = s.dialect.z_from_minus_w ? -c.w : 0;
+    const bool inside = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= low &&
+                        c.z <= c.w;  // false if one of them is NaN
+    if (!inside) continue;
+    const glm::dvec2 window{c.x / c.w * (double(viewport.right) - double(viewport.left)) / 2 +
+                                (double(viewport.right) + double(viewport.left)) / 2,
+                            c.y / c.w * (double(viewport.top) - double(viewport.bottom)) / 2 +
+                                (double(viewport.top) + double(viewport.bottom)) / 2};
+    if (point.expected && !(std::abs(window.x - point.expected->x) <= kExpectedWithinPx &&
+                            std::abs(window.y - point.expected->y) <= kExpectedWithinPx)) {
+      continue;
+    }
+    ++landing.visible;
+    if (!landing.window) landing.window = window;
+  }
+  return landing;
+}
+
+// ---- evidence for a change ----
+
+struct Judged {
+  MatrixFacts model, view;
+  ProjectionFacts projection;
+  bool projection_sound = false;
+  std::optional<Eyepoint> eye;
+
+  explicit Judged(const MatrixSetup& s)
+      : model(facts_of(s.model.m)),
+        view(facts_of(s.view.m)),
+        projection(projection_facts(projection_part(s.projection), s.dialect.depth)),
+        projection_sound(projection.kind != ProjectionKind::kNone && !projection.depth_lost &&
+                         !projection.looks_transposed && facts_of(s.projection.m).rank == 4),
+        eye(view.affine ? eyepoint_of(s.view) : std::nullopt) {}
+
+  // How sound the view matrix is: 2 rigid, 1 affine with an inverse, 0 no view matrix.
+  int soundness_of_view() const { return view.rigid() ? 2 : view.invertible() ? 1 : 0; }
+  int soundness() const {
+    return int(model.invertible()) + soundness_of_view() + int(projection_sound);
+  }
+  bool spoils(const Judged& before) const {
+    return int(model.invertible()) < int(before.model.invertible()) ||
+           soundness_of_view() < before.soundness_of_view() ||
+           projection_sound < before.projection_sound;
+  }
+};
+
+// Adds evidence for a change (positive weight) or against it (negative), with a sentence for the
+// report if there is one.
+void add_reason(Alternative& found, double weight, std::string reason = "") {
+  found.score += weight;
+  if (!reason.empty()) found.reasons.push_back(std::move(reason));
+}
+
+void weigh_soundness(const Judged& before, const Judged& after, Alternative& found) {
+  if (after.model.invertible() && !before.model.invertible()) {
+    add_reason(found, 8, "then the model matrix is affine, as given it is not");
+  }
+  if (after.soundness_of_view() > before.soundness_of_view()) {
+    add_reason(found, 8,
+               after.view.rigid() ? "then the view is rigid, as given it is not"
+                                  : "then the view is affine, as given it is not");
+  }
+  if (after.projection_sound && !before.projection_sound) {
+    add_reason(found, 8,
+               std::string("then the projection is ") +
+                   (after.projection.kind == ProjectionKind::kPerspective ? "a perspective one"
+                                                                          : "a parallel one") +
+                   ", as given it is none");
+  }
+}
+
+void weigh_eyepoint(const Judged& before, const Judged& after, Alternative& found) {
+  if (!before.eye || !after.eye) return;
+  if (after.eye->level != before.eye->level) {
+    add_reason(found, after.eye->level ? 4 : -4,
+               after.eye->level ? "then the camera stands upright, as given it is rolled" : "");
+  }
+  const int saved = before.eye->digits - after.eye->digits;
+  if (saved >= 3) {
+    add_reason(found, 2,
+               "then the eye stands at " + position_text(*after.eye) + ", rounder numbers than " +
+                   position_text(*before.eye));
+  } else if (saved <= -3) {
+    add_reason(found, -2);
+  }
+}
+
+void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing& after,
+                Alternative& found) {
+  const int points = before.behind + before.in_front;
+  if (before.behind == points && after.in_front == points) {
+    add_reason(found, 3,
+               points == 1 ? "as given w is negative: the projection looks the other way"
+                           : "as given every w is negative (" + std::to_string(points) + " of " +
+                                 std::to_string(points) + "): the projection looks the other way");
+  }
+  const auto drawn = world_drawn(changed);
+  if (!drawn) return;
+  if (changed.world) {
+    add_reason(found, *changed.world == *drawn ? 4 : -4,
+               *changed.world == *drawn ? "then your world's handedness fits" : "");
+  } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
+    add_reason(found, *drawn == Hand::kRight ? 1 : -1);
+  }
+}
+
+void weigh_range(const Judged& before, const MatrixSetup& changed, Alternative& found) {
+  const DepthReading* likely = before.projection.likely_range();
+  if (likely == nullptr || likely->from_minus_one != changed.dialect.z_from_minus_w) return;
+  add_reason(found, 4,
+             "for depth " + std::string(likely->from_minus_one ? "-1" : "0") + " .. 1 it has " +
+                 planes_text(*likely) + ", round numbers");
+}
+
+void weigh(Change change, const MatrixSetup& changed, const Judged& judged, const Landing& before,
+           const Landing& after, Alternative& found) {
+  switch (change) {
+    case Change::kEyeHand:
+    case Change::kTurnRound:
+      return weigh_hand(changed, before, after, found);
+    case Change::kDepthRange:
+      return weigh_range(judged, changed, found);
+    case Change::kDegrees:
+      return add_reason(found, 6,
+                        "[1][1] is the cotangent of half of " +
+                            std::to_string(*judged.projection.degrees_taken_as_radians) +
+                            " radians");
+    case Change::kRadians:
+      if (!judged.projection.radians_taken_as_degrees) return;
+      return add_reason(found, 6,
+                        "the angle of view is " +
+                            std::to_string(*judged.projection.radians_taken_as_degrees) +
+                            " degrees in radians");
+    case Change::kClearCorner:
+      return add_reason(found, 6, "[3][3] is 1, as in the identity");
+    default:
+      return;
+  }
+}
+
+// The map of a setup from points to clip space. Different setups can have the same one.
+struct Map {
+  glm::dmat4 clip_from_object;
+  bool z_from_minus_w;
+
+  explicit Map(const MatrixSetup& s)
+      : clip_from_object(s.projection.m * s.view.m * s.model.m),
+        z_from_minus_w(s.dialect.z_from_minus_w) {}
+  friend bool operator==(const Map&, const Map&) = default;
+};
+
+class Search {
+public:
+  Search(const MatrixSetup& setup, const Viewport& viewport, std::span<const CheckedPoint> points)
+      : setup_(setup),
+        viewport_(viewport),
+        points_(points),
+        judged_(setup),
+        before_(send(setup, viewport, points)),
+        tried_{Map(setup)} {
+    for (const CheckedPoint& point : points) expects_ = expects_ || point.expected;
+  }
+
+  ConventionsReport run() {
+    report_.points = int(points_.size());
+    report_.visible = before_.visible;
+    report_.behind_eye = before_.behind;
+    if (before_.visible == report_.points) return report_;
+    for (const Slip& slip : slips()) {
+      if (is_tried(slip)) try_changes(slip, nullptr);
+    }
+    for (const Alternative& one : report_.alternatives) most_ = std::max(most_, one.points);
+    if (before_.visible == 0 && most_ < report_.points) try_pairs();
+    std::stable_sort(report_.alternatives.begin(), report_.alternatives.end(),
+                     [](const Alternative& a, const Alternative& b) {
+                       return a.points != b.points ? a.points > b.points : a.score > b.score;
+                     });
+    return report_;
+  }
+
+private:
+  bool is_tried(const Slip& slip) const {
+    return expects_ || (slip.change != Change::kFlipX && slip.change != Change::kFlipY);
+  }
+
+  void try_pairs() {
+    for (std::size_t i = 0; i < slips().size(); ++i) {
+      for (std::size_t j = i + 1; j < slips().size(); ++j) {
+        if (is_tried(slips()[i]) && is_tried(slips()[j])) try_changes(slips()[i], &slips()[j]);
+      }
+    }
+  }
+
+  // With two changes a single point can be moved nearly anywhere. So a pair of changes is reported
+  // only if the matrices show evidence for it, or if it shows all of at least three points.
+  bool is_credible(const Alternative& pair) const {
+    constexpr double kSomethingInTheMatrices = 4;
+    return pair.score >= kSomethingInTheMatrices ||
+           (pair.points >= 3 && pair.points == report_.points);
+  }
+
+  void try_changes(const Slip& slip, const Slip* second) {
+    MatrixSetup changed = setup_;
+    if (!slip.undo(changed)) return;
+    if (second != nullptr && !second->undo(changed)) return;
+    const Map map(changed);
+    if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
+    tried_.push_back(map);
+    const Landing after = send(changed, viewport_, points_);
+    if (after.visible <= (second == nullptr ? before_.visible : most_)) return;
+    const Judged judged(changed);
+    if (judged.spoils(judged_)) {
+      ++report_.spoiling;
+      return;
+    }
+    Alternative found;
+    found.change = slip.change;
+    found.id = slip.id;
+    found.what = slip.what;
+    found.remedy = slip.remedy;
+    if (second != nullptr) {
+      found.second = second->change;
+      found.second_id = second->id;
+      found.what += std::string(", and ") + second->what;
+      found.remedy += std::string("; ") + second->remedy;
+    }
+    found.points = after.visible;
+    found.window = after.window;
+    weigh_soundness(judged_, judged, found);
+    weigh_eyepoint(judged_, judged, found);
+    weigh(slip.change, changed, judged_, before_, after, found);
+    if (second != nullptr) weigh(second->change, changed, judged_, before_, after, found);
+    if (second != nullptr && !is_credible(found)) return;
+    report_.alternatives.push_back(std::move(found));
+  }
+
+  const MatrixSetup& setup_;
+  const Viewport& viewport_;
+  const std::span<const CheckedPoint> points_;
+  const Judged judged_;
+  const Landing before_;
+  bool expects_ = false;
+  int most_ = 0;  // the largest number of points that a single change makes visible
+  std::vector<Map> tried_;
+  ConventionsReport report_;
+};
+
+}  // namespace
+
+ConventionsReport check_conventions(const MatrixSetup& setup, const Viewport& viewport,
+                                    std::span<const CheckedPoint> points) {
+  return Search(setup, viewport, points).run();
+}
+
+}  // namespace glassbox

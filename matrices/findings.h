@@ -1,0 +1,48 @@
+// Finds what is wrong with three matrices that are given as model, view and projection: each on its
+// own, and together. A finding is an alarm only if no correct set of matrices for the dialect looks
+// like this.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glassbox/matrices/matrix_setup.h>
+
+namespace glassbox {
+
+// kNote: worth knowing. kHint: legal, but often a slip. kAlarm: contradicts what the matrix is
+// given as.
+enum class Severity { kNote, kHint, kAlarm };
+
+struct Finding {
+  Severity severity = Severity::kNote;
+  const char* id = "";      // does not change between versions: "transposed", "depth-lost"
+  const char* matrix = "";  // "model", "view", "projection", or empty if it concerns all
+  std::string cause, remedy;
+};
+
+class Findings {
+public:
+  void note(const char* id, const char* matrix, std::string cause, std::string remedy) {
+    list_.push_back({Severity::kNote, id, matrix, std::move(cause), std::move(remedy)});
+  }
+  void hint(const char* id, const char* matrix, std::string cause, std::string remedy) {
+    list_.push_back({Severity::kHint, id, matrix, std::move(cause), std::move(remedy)});
+  }
+  void alarm(const char* id, const char* matrix, std::string cause, std::string remedy) {
+    list_.push_back({Severity::kAlarm, id, matrix, std::move(cause), std::move(remedy)});
+  }
+  const std::vector<Finding>& list() const { return list_; }
+
+private:
+  std::vector<Finding> list_;
+};
+
+std::vector<Finding> check_matrices(const MatrixSetup& setup);
+
+// The checks of the single matrices, whose entries must be finite.
+void check_model(const MatrixSetup& setup, Findings& found);
+void check_view(const MatrixSetup& setup, Findings& found);
+void check_projection(const MatrixSetup& setup, Findings& found);
+
+}  // namespace glassbox

@@ -1,0 +1,63 @@
+#include <glassbox/matrices/matrix_setup.h>
+
+#include <utility>
+
+#include <glassbox/matrices/projection_factors.h>
+
+namespace glassbox {
+namespace {
+
+ProjectionFacts likely_facts(const GivenMatrix& projection) {
+  if (is_transposed_projection(projection)) {
+    return projection_facts(projection_part(transposed(projection)));
+  }
+  return projection_facts(projection_part(projection));
+}
+
+}  // namespace
+
+std::optional<Hand> world_drawn(const MatrixSetup& setup) {
+  const MatrixFacts view = facts_of(setup.view.m);
+  const ProjectionFacts lens =
+      projection_facts(projection_part(setup.projection), setup.dialect.depth);
+  if (!view.invertible() || lens.kind == ProjectionKind::kNone || !setup.projection.given) {
+    return std::nullopt;
+  }
+  bool right = lens.looks_down_minus_z;
+  if (view.mirror()) right = !right;
+  // Only x flipped against y mirrors the picture left to right. A picture that is upside down, or
+  // turned by 180 degrees, is not mirrored.
+  const bool y_flipped = (lens.scale.y < 0) != setup.dialect.ndc_y_down;
+  if (lens.scale.x < 0 && !y_flipped) right = !right;
+  return right ? Hand::kRight : Hand::kLeft;
+}
+
+GuessedDialect guess_dialect(const GivenMatrix& projection) {
+  const auto guess = [](const char* name, std::string reason) {
+    return GuessedDialect{find_dialect(name), std::move(reason)};
+  };
+  if (!projection.given) return guess("opengl", "there is no projection to tell");
+  const ProjectionFacts facts = likely_facts(projection);
+  if (facts.kind == ProjectionKind::kNone || facts.depth_lost) {
+    return guess("opengl", "nothing tells; say --dialect for another");
+  }
+  const DepthReading* likely = facts.likely_range(1);
+  if (facts.kind == ProjectionKind::kPerspective && facts.zero_to_one.possible &&
+      facts.zero_to_one.reversed && (likely == nullptr || !likely->from_minus_one)) {
+    return guess("reversed", "the projection's depth falls with distance");
+  }
+  if (likely == nullptr) {
+    return guess("opengl", "the projection may be for either range of depth; say --dialect");
+  }
+  const std::string planes = planes_text(*likely);
+  if (likely->from_minus_one) {
+    return guess("opengl", "with depth -1 .. 1 the projection has " + planes);
+  }
+  if (facts.scale.y < 0) {
+    return guess("vulkan",
+                 "with depth 0 .. 1 the projection has " + planes + ", and y points down");
+  }
+  return guess("d3d", "with depth 0 .. 1 the projection has " + planes);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,43 @@
+#include "study/commands/agree_command.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/report/exit_codes.h"
+#include "cli/report/text_layout.h"
+#include "study/experiment/agreement.h"
+#include "study/experiment/result_file.h"
+
+#include <glassbox/base/counted.h>
+
+namespace glassbox::study {
+
+void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
+  CLI::App& command = *study.add_subcommand("agree", "whether two runs find the same ones faster");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study run --quick --json one.json\n"
+      "  glassbox study run --quick --json other.json\n"
+      "  glassbox study agree one.json other.json\n\n"
+      "A run states an order where the middle three quarters of two times do not overlap.\n"
+      "Exit code 1: one run states the opposite of what the other states.");
+  command.add_option("ONE", one_, "results of study run")->required();
+  command.add_option("OTHER", other_, "results of another run")->required();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int StudyAgreeCommand::run() const {
+  const auto one = study::read_results(one_), other = study::read_results(other_);
+  for (const auto* results : {&one, &other}) {
+    if (!*results) return refuse(results->error());
+  }
+  const auto found = study::agreement(*one, *other);
+  if (!found) return refuse(found.error());
+  fmt::print("{}: {} stated by both runs, {} of them the other way round; {} by one alone\n",
+             counted(found->compared, "pair"), counted(found->by_both, "order"),
+             found->contradictions.size(), found->by_one);
+  for (const std::string& each : found->contradictions) fmt::print("{}", wrapped("  ", each));
+  return found->contradictions.empty() ? kSuccess : kFailure;
+}
+
+}  // namespace glassbox::study

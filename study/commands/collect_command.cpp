@@ -1,0 +1,88 @@
+#include "study/commands/collect_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "study/experiment/collect.h"
+#include "study/experiment/result_file.h"
+#include "study/experiment/theory.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+
+namespace glassbox::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Reads every .json file in the directory, in the order of the names.
+Result<std::vector<study::PartFile>> read_parts(const std::string& directory) {
+  std::error_code error;
+  std::vector<std::string> paths;
+  for (fs::directory_iterator at(directory, error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() == ".json") paths.push_back(at->path().string());
+  }
+  if (error) {
+    return tl::unexpected(
+        Error{directory, "", "cannot be read: " + error.message(), "name the parts' directory"});
+  }
+  if (paths.empty()) {
+    return tl::unexpected(Error{directory, "", "has no .json file",
+                                "name the directory of what study run --part K/N --json wrote"});
+  }
+  std::ranges::sort(paths);
+  std::vector<study::PartFile> parts;
+  for (const std::string& path : paths) {
+    Result<study::StudyResults> results = study::read_results(path);
+    if (!results) return tl::unexpected(results.error());
+    parts.push_back({path, std::move(*results)});
+  }
+  return parts;
+}
+
+}  // namespace
+
+void StudyCollectCommand::add_to(CLI::App& study, int& exit_code) {
+  CLI::App& command =
+      *study.add_subcommand("collect", "join the parts of a run, measured by study run --part");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study run --part 1/4 --json parts/1.json\n"
+      "  glassbox study collect parts -o results.json\n"
+      "  glassbox study report --from results.json -o report.html\n\n"
+      "All parts must be there, of one build, and measured on machines of one kind.");
+  command.add_option("DIRECTORY", directory_, "its .json files are the parts")->required();
+  command.add_option("-o,--output", output_, "the results, as of one run")
+      ->type_name("FILE")
+      ->required();
+  command.add_flag("--any-machine", any_machine_,
+                   "join what was measured on machines that differ: errors are comparable, times "
+                   "are not");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int StudyCollectCommand::run() const {
+  if (const auto legal = check_outputs({output_}); !legal) return refuse(legal.error());
+  const auto parts = read_parts(directory_);
+  if (!parts) return refuse(parts.error());
+  const auto joined = study::join_parts(*parts, any_machine_);
+  if (!joined) return refuse(joined.error());
+  if (const auto written = study::write_results(output_, *joined); !written) {
+    return refuse(written.error());
+  }
+  fmt::print("{}: {} of {}\n", printable(output_),
+             counted(joined->experiments.size(), "experiment"), counted(parts->size(), "part"));
+  const auto unexplained = [](const study::ExperimentResult& each) {
+    return study::count_unexplained(each) > 0;
+  };
+  return std::ranges::any_of(joined->experiments, unexplained) ? kFailure : kSuccess;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,41 @@
+// The results of the extreme cases and sweeps, and their reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "study/extremes/run.h"
+#include "study/extremes/sweep.h"
+
+namespace glassbox::study {
+
+struct SweepResult {
+  const study::Sweep& what;
+  std::vector<study::SweepSeries> series;
+
+  bool holds() const;  // whether every bound holds
+};
+
+struct ExtremesReport {
+  std::vector<study::CaseResult> cases;
+  std::vector<SweepResult> sweeps;
+
+  bool holds() const;
+};
+
+// A line for each case, a table for each sweep, and the number of those that hold.
+std::string extremes_text(const ExtremesReport& report);
+// The full text about one case.
+std::string case_text(const study::CaseResult& result);
+
+nlohmann::ordered_json extremes_json(const ExtremesReport& report);
+
+// A page that needs no other file, with the table, the curves and the pictures. `command` is the
+// command line that makes it.
+std::string extremes_page(const ExtremesReport& report, const std::string& command);
+
+const char* oracle_name(study::Oracle oracle);
+
+}  // namespace glassbox::study

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/report/text_layout.h"
+#include "study/commands/extremes/report.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using study::CaseResult;
+using study::Outcome;
+using study::SweepSeries;
+
+std::string number_text(double value) {
+  if (std::isinf(value)) return "inf";
+  return value == 0 ? "0" : fmt::format("{:.3g}", value);
+}
+
+std::string ratio(const Outcome& outcome) {
+  return outcome.bound > 0 ? number_text(outcome.error / outcome.bound) : "";
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  return text.size() <= most ? text : text.substr(0, most - 2) + "..";
+}
+
+const char* verdict(const CaseResult& result) {
+  if (!result.ours_passes()) return "FAILS";
+  if (!result.naive_fails()) return "NAIVE PASSES";
+  if (result.mutants_caught() != int(result.mutants.size())) return "MUTANT LIVES";
+  return result.holds() ? "pass" : "DRAWN WRONG";
+}
+
+// Whether the case is drawn right. The text is the same on every machine, even if processors
+// support different targets.
+std::string drawn(const CaseResult& r) {
+  if (r.drawn.empty()) return "-";
+  if (r.drawn_right() == int(r.drawn.size())) return "right";
+  return fmt::format("{} of {}", r.drawn_right(), r.drawn.size());
+}
+
+std::string row(const CaseResult& r) {
+  return fmt::format(
+      "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n", r.what.id,
+      shortened(r.what.name, 36), number_text(r.naive.error), number_text(r.ours.error),
+      number_text(r.ours.bound), ratio(r.ours),
+      r.ours.condition ? number_text(*r.ours.condition) : "",
+      r.mutants.empty() ? "-" : fmt::format("{} of {}", r.mutants_caught(), r.mutants.size()),
+      drawn(r), verdict(r), r.what.unit);
+}
+
+std::string judged(const char* kind, const std::string& name, const Outcome& outcome,
+                   const std::string& unit) {
+  std::string text =
+      fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number_text(outcome.error),
+                  outcome.passes() ? "<=" : ">", number_text(outcome.bound), unit,
+                  outcome.passes() ? "within the bound" : "beyond it");
+  if (!outcome.seen.empty()) text += wrapped("        ", outcome.seen);
+  return text;
+}
+
+std::string sweep_text(const SweepResult& result) {
+  std::string text = fmt::format("\n{}: {}\n", result.what.name, result.what.title);
+  text += wrapped("  ", result.what.question);
+  text += wrapped("  bound  ", result.what.bound);
+  text += wrapped("  gives up at  ", result.what.tolerance);
+  for (const SweepSeries& series : result.series) {
+    const bool within = study::within_bounds(series);
+    text += fmt::format(
+        "\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
+        series.gives_up ? "gives up at " + number_text(*series.gives_up) : "never gives up",
+        within ? "" : "; BEYOND ITS BOUND");
+    text += fmt::format("    {:>12} {:>12} {:>12}\n", "at", "error", "bound");
+    for (const study::SweepPoint& point : series.points) {
+      text += fmt::format("    {:>12.6g} {:>12} {:>12}\n", point.parameter,
+                          number_text(point.error), point.bound ? number_text(*point.bound) : "-");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+bool SweepResult::holds() const {
+  return std::ranges::all_of(series, study::within_bounds);
+}
+
+bool ExtremesReport::holds() const {
+  return std::ranges::all_of(cases, &CaseResult::holds) &&
+         std::ranges::all_of(sweeps, &SweepResult::holds);
+}
+
+const char* oracle_name(study::Oracle oracle) {
+  switch (oracle) {
+    case study::Oracle::kRational:
+      return "exact rationals";
+    case study::Oracle::kInteger:
+      return "exact integers";
+    case study::Oracle::kExtended:
+      return "extended precision";
+    case study::Oracle::kAnalytic:
+      return "a formula";
+    case study::Oracle::kProperty:
+      return "a property";
+  }
+  return "";
+}
+
+std::string extremes_text(const ExtremesReport& report) {
+  std::string text;
+  if (!report.cases.empty()) {
+    text += fmt::format("{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n",
+                        "case", "", "naive", "ours", "bound", "ratio", "condition", "mutants",
+                        "drawn", "", "unit");
+    for (const CaseResult& each : report.cases) text += row(each);
+    const auto hold = std::ranges::count_if(report.cases, &CaseResult::holds);
+    int mutants = 0, caught = 0, in_pictures = 0;
+    for (const CaseResult& each : report.cases) {
+      mutants += int(each.mutants.size());
+      caught += each.mutants_caught();
+      in_pictures += !each.drawn.empty();
+    }
+    text += fmt::format(
+        "\n{} of {} cases hold: ours within its bound, naive code beyond it; {} of {} "
+        "mutants caught. {} are drawn as well, by both engines and for every target.\n"
+        "study extremes --case ID shows one in full.\n",
+        hold, report.cases.size(), caught, mutants, in_pictures);
+  }
+  for (const SweepResult& each : report.sweeps) text += sweep_text(each);
+  return text;
+}
+
+std::string case_text(const CaseResult& r) {
+  std::string text = fmt::format("{} {}\n\n", r.what.id, r.what.name);
+  text += wrapped("built   ", r.what.construction);
+  text += wrapped("stage   ", r.what.stage);
+  text += wrapped("right   ", r.what.right);
+  text += wrapped("oracle  ", oracle_name(r.what.oracle));
+  if (r.ours.condition)
+    text += fmt::format("        condition number {}\n", number_text(*r.ours.condition));
+  text += "\n" + judged("ours", r.what.ours.name, r.ours, r.what.unit);
+  text += judged("naive", r.what.naive.name, r.naive, r.what.unit);
+  for (std::size_t i = 0; i < r.mutants.size(); ++i) {
+    text += judged("mutant", r.what.mutants[i].name, r.mutants[i], r.what.unit);
+  }
+  for (std::size_t i = 0; i < r.drawn.size(); ++i) {
+    text += wrapped("drawn   ", fmt::format("{}: {}{}", study::drawers()[i].name,
+                                            r.drawn[i].passes() ? "" : "WRONG: ", r.drawn[i].seen));
+  }
+  if (!r.what.not_drawn.empty()) text += wrapped("no picture  ", r.what.not_drawn);
+  return text + fmt::format("\n{}\n", verdict(r));
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,117 @@
+#include "study/commands/measuring.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/options/engine_options.h"
+#include "cli/report/progress.h"
+#include "study/bench/machine.h"
+#include "study/commands/build_id.h"
+#include "study/experiment/result_file.h"
+#include "study/experiment/study.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::study {
+
+namespace {
+
+using study::Experiment;
+
+// More rounds give steadier quartiles. The quick run uses the least number that the protocol
+// allows.
+constexpr int kFullRepetitions = 21;
+
+Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& ids) {
+  const std::vector<Experiment>& all = study::experiments();
+  for (const std::string& id : ids) {
+    if (study::find_experiment(all, id) == nullptr) {
+      return fail("", "there is no experiment " + printable(id, 100),
+                  "glassbox study list shows them");
+    }
+  }
+  std::vector<const Experiment*> chosen;
+  for (const Experiment& each : all) {
+    bool asked = ids.empty();
+    for (const std::string& id : ids) asked = asked || study::find_experiment(all, id) == &each;
+    if (asked) chosen.push_back(&each);
+  }
+  return chosen;
+}
+
+// Parses "2/4". Throws CLI::ValidationError if that fails.
+void parse_part(const std::string& text, MeasuringOptions& options) {
+  int part = 0, parts = 0, end = 0;
+  const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) == 2 &&
+                    std::size_t(end) == text.size();
+  if (!read || part < 1 || part > parts || parts > study::kMostParts) {
+    throw CLI::ValidationError("--part",
+                               fmt::format("needs K/N, part K of N, 1 <= K <= N <= {}, not {}",
+                                           study::kMostParts, in_quotes(text)));
+  }
+  options.part = part;
+  options.parts = parts;
+}
+
+}  // namespace
+
+void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
+  command.add_option("ID", options.ids, "of experiments, such as D-4 [all]");
+  command.add_flag("--quick", options.quick,
+                   "fewer and smaller measurements, of everything in two minutes");
+  command.add_option("--threads", options.threads, "the most, for experiments that use them [all]")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("N");
+  command
+      .add_option(
+          "--resume", options.file,
+          "keep results in this file after each experiment, and do not measure again what it has")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--part", [&options](const std::string& text) { parse_part(text, options); },
+          "measure every N-th of them, from the K-th on: for study collect")
+      ->type_name("K/N");
+}
+
+Result<study::StudyResults> measure(const MeasuringOptions& options) {
+  auto chosen = choose(options.ids);
+  if (!chosen) return tl::unexpected(chosen.error());
+  std::vector<const Experiment*> of_part;
+  for (auto i = std::size_t(options.part - 1); i < chosen->size();
+       i += std::size_t(options.parts)) {
+    of_part.push_back((*chosen)[i]);
+  }
+  const study::Effort effort = options.quick ? study::Effort::kQuick : study::Effort::kFull;
+  const int threads = options.threads.value_or(study::processor_count());
+  Progress progress;
+  study::RunOptions run;
+  run.effort = effort;
+  run.repetitions = options.quick ? study::kLeastRepetitions : kFullRepetitions;
+  run.threads = threads;
+  run.phase = [&](const std::string& what) { progress.phase(what); };
+  study::Origin origin = study::origin_here(version_and_build(), effort, threads);
+  origin.part = options.part;
+  origin.parts = options.parts;
+  return study::run_study(of_part, origin, run, options.file);
+}
+
+Result<study::StudyResults> chosen_of(const study::StudyResults& results,
+                                      const std::vector<std::string>& ids) {
+  const auto chosen = choose(ids);
+  if (!chosen) return tl::unexpected(chosen.error());
+  study::StudyResults some{results.origin, {}};
+  for (const Experiment* experiment : *chosen) {
+    const study::ExperimentResult* found = study::find_result(results, experiment->id);
+    if (found == nullptr) {
+      return fail("", "the results do not have " + experiment->id,
+                  "measure it with the same --resume");
+    }
+    some.experiments.push_back(*found);
+  }
+  return some;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/report/table.h"
+#include "cli/report/text_layout.h"
+#include "study/commands/bench/text.h"
+#include "study/commands/recommendation.h"
+#include "study/experiment/results_json.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using study::Candidate;
+using study::Comparison;
+
+std::string table_of(const Judged& judged) {
+  const Comparison& comparison = judged.comparison;
+  double fastest = std::numeric_limits<double>::infinity();
+  for (const Candidate& each : comparison.candidates) {
+    if (each.ns) fastest = std::min(fastest, each.ns->median);
+  }
+  const TimeUnit unit = glassbox::time_unit(fastest);
+  std::vector<Row> rows{
+      {"", "error", comparison.item.empty() ? "" : fmt::format("{}/{}", unit.name, comparison.item),
+       comparison.item.empty() ? "" : "quartiles", ""}};
+  for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
+    const Candidate& each = comparison.candidates[i];
+    const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
+    rows.push_back({each.name, fmt::format("{:.3g}", each.error),
+                    each.ns ? time(each.ns->median) : "",
+                    each.ns ? time(each.ns->lower) + " .. " + time(each.ns->upper) : "",
+                    judged.chosen == i                 ? "recommended"
+                    : each.error < judged.budget.limit ? "fits"
+                                                       : "fails"});
+  }
+  return table(rows, 1);
+}
+
+// The recommendation in one sentence.
+std::string verdict(const Judged& judged) {
+  const auto& candidates = judged.comparison.candidates;
+  if (!judged.chosen) {
+    const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
+    return fmt::format("No candidate fits: the most accurate, {}, has an error of {:.3g}.",
+                       best->name, best->error);
+  }
+  const Candidate& chosen = candidates[*judged.chosen];
+  if (!chosen.in_render) return chosen.name + " fits, which glassbox render does not have.";
+  if (chosen.options.empty()) return chosen.name + " fits, which is what glassbox render does.";
+  return chosen.name + " fits.";
+}
+
+std::string together_text(const Together& together) {
+  const TimeUnit unit = glassbox::time_unit(together.ns.median);
+  const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
+  std::string text =
+      fmt::format("measured so: {} {} a frame with one thread ({} .. {})", time(together.ns.median),
+                  unit.name, time(together.ns.lower), time(together.ns.upper));
+  if (together.color_error) text += fmt::format(", colour off by {:.3g}", *together.color_error);
+  return text;
+}
+
+}  // namespace
+
+std::string recommendation_text(const Recommendation& recommendation) {
+  std::string text =
+      wrapped("", fmt::format("{}, {} x {}; {}; {}; times with one thread", recommendation.scene,
+                              recommendation.size.width, recommendation.size.height,
+                              recommendation.machine, recommendation.compiler));
+  for (const Judged& each : recommendation.judged) {
+    const std::string limit =
+        fmt::format("{} below {:.4g}{}", name_of(each.budget.quantity), each.budget.limit,
+                    unit_of(each.budget.quantity).empty() ? "" : " px");
+    text += "\n" + wrapped("", fmt::format("{}: {}, against {}", limit, each.comparison.error,
+                                           each.comparison.reference));
+    text += table_of(each) + wrapped("  ", verdict(each));
+  }
+  text += recommendation.meets_all() ? "\n" : "\nNot every budget can be met; the nearest to it:\n";
+  return text + "  " + recommendation.command + "\n" +
+         wrapped("  ", together_text(recommendation.together));
+}
+
+nlohmann::ordered_json recommendation_json(const Recommendation& recommendation) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"scene", recommendation.scene},        {"width", recommendation.size.width},
+            {"height", recommendation.size.height}, {"machine", recommendation.machine},
+            {"compiler", recommendation.compiler},  {"meets_all", recommendation.meets_all()},
+            {"command", recommendation.command},    {"budgets", Json::array()}};
+  const Together& together = recommendation.together;
+  json["together"] = {{"options", together.options},
+                      {"ns", together.ns.median},
+                      {"ns_quartiles", {together.ns.lower, together.ns.upper}},
+                      {"colour_error", nullptr}};
+  if (together.color_error) json["together"]["colour_error"] = *together.color_error;
+  for (const Judged& each : recommendation.judged) {
+    Json budget{{"quantity", name_of(each.budget.quantity)},
+                {"limit", each.budget.limit},
+                {"unit", unit_of(each.budget.quantity)},
+                {"error", each.comparison.error},
+                {"reference", each.comparison.reference},
+                {"item", each.comparison.item},
+                {"recommended", nullptr},
+                {"candidates", Json::array()}};
+    if (each.chosen) budget["recommended"] = each.comparison.candidates[*each.chosen].name;
+    for (const Candidate& candidate : each.comparison.candidates) {
+      Json entry{{"name", candidate.name},
+                 {"options", candidate.options},
+                 {"in_render", candidate.in_render},
+                 {"error", study::number_json(candidate.error)},
+                 {"fits", candidate.error < each.budget.limit},
+                 {"ns", nullptr},
+                 {"ns_quartiles", nullptr}};
+      if (candidate.ns) {
+        entry["ns"] = candidate.ns->median;
+        entry["ns_quartiles"] = {candidate.ns->lower, candidate.ns->upper};
+      }
+      budget["candidates"].push_back(std::move(entry));
+    }
+    json["budgets"].push_back(std::move(budget));
+  }
+  return json;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,92 @@
+#include "study/commands/report_command.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/shell_line.h"
+#include "study/commands/page.h"
+#include "study/commands/svg.h"
+#include "study/experiment/result_file.h"
+
+namespace glassbox::study {
+
+void StudyReportCommand::add_to(CLI::App& study, int& exit_code) {
+  CLI::App& command =
+      *study.add_subcommand("report", "charts and tables of experiments as one HTML page");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study report --quick -o report.html\n"
+      "  glassbox study run --resume results.json\n"
+      "  glassbox study report --from results.json -o report.html --svg charts\n\n"
+      "The page needs no other file and no network.");
+  add_measuring_options(command, measuring_);
+  command.add_option("--from", from_, "show these results of study run, and measure nothing")
+      ->type_name("FILE");
+  command.add_option("-o,--output", page_, "the page")->type_name("FILE");
+  command
+      .add_option("--svg", svg_directory_,
+                  "each chart as an SVG file in this directory, by gnuplot")
+      ->type_name("DIRECTORY");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> StudyReportCommand::check_options() const {
+  if (!page_ && !svg_directory_) {
+    return fail("", "there is nothing to write", "give -o report.html, --svg DIRECTORY, or both");
+  }
+  if (from_ && (measuring_.quick || measuring_.threads || measuring_.file)) {
+    return fail("--from", "shows what has been measured already",
+                "leave --quick, --threads and --resume out");
+  }
+  if (svg_directory_ && !std::filesystem::is_directory(*svg_directory_)) {
+    return fail("--svg", *svg_directory_ + " is no directory", "make it first");
+  }
+  return check_report_outputs(page_, measuring_.file);
+}
+
+Result<study::StudyResults> StudyReportCommand::results() const {
+  if (!from_) return measure(measuring_);
+  auto kept = study::read_results(*from_);
+  return kept && !measuring_.ids.empty() ? chosen_of(*kept, measuring_.ids) : kept;
+}
+
+// The command line that makes the page again, from stored results or by measuring.
+std::string StudyReportCommand::command() const {
+  std::vector<std::string> words{"study", "report"};
+  words.insert(words.end(), measuring_.ids.begin(), measuring_.ids.end());
+  if (measuring_.quick) words.emplace_back("--quick");
+  const auto add = [&](const char* option, const std::optional<std::string>& value) {
+    if (value) words.insert(words.end(), {option, *value});
+  };
+  if (measuring_.threads) add("--threads", fmt::to_string(*measuring_.threads));
+  add("--resume", measuring_.file);
+  add("--from", from_);
+  add("-o", page_);
+  return shell_line({words});
+}
+
+int StudyReportCommand::run() const {
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  if (svg_directory_) {
+    if (const auto here = check_gnuplot(); !here) return refuse(here.error());
+  }
+  const auto measured = results();
+  if (!measured) return refuse(measured.error());
+  if (page_) {
+    const auto written = write_text(*page_, study_page(*measured, command()));
+    if (!written) return refuse(written.error());
+    fmt::print("{}: open it in a browser\n", *page_);
+  }
+  if (svg_directory_) {
+    const auto written = write_svg_charts(*measured, *svg_directory_);
+    if (!written) return refuse(written.error());
+    fmt::print("{}: {} charts\n", *svg_directory_, *written);
+  }
+  return kSuccess;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,225 @@
+#include "study/commands/scene_command.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/builtin_help.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
+#include "study/bench/memory.h"
+#include "study/commands/build_id.h"
+#include "study/commands/measuring.h"
+#include "study/commands/scene/pinned_camera.h"
+#include "study/experiment/runner.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/builtin/scenes.h>
+
+namespace glassbox::study {
+
+namespace {
+
+using study::Knob;
+
+bool is_given(const std::vector<std::string>& words, const char* option) {
+  return std::ranges::find(words, option) != words.end();
+}
+
+// Settings that the user has given are held fixed.
+std::set<Knob> held_by(const std::vector<std::string>& words) {
+  std::set<Knob> held;
+  for (const auto& [option, knob] : {std::pair{"--shade", Knob::kShading},
+                                     {"--filter", Knob::kFilter},
+                                     {"--samples", Knob::kSamples},
+                                     {"--depth", Knob::kDepth}}) {
+    if (is_given(words, option)) held.insert(knob);
+  }
+  return held;
+}
+
+// The levels of detail of a built-in scene; empty for files, and for scenes without levels.
+struct Levels {
+  int asked = 0;
+  std::map<int, Scene> others;  // by level; these are powers of two
+};
+
+Result<Levels> levels_of(const std::string& word) {
+  const BuiltinScene* const builtin = find_builtin(word);
+  if (builtin == nullptr || !builtin->levels) return Levels{};
+  const auto& [low, usual, high] = *builtin->levels;
+  const auto colon = word.find(':');
+  Levels levels{colon == std::string::npos ? usual : std::stoi(word.substr(colon + 1)), {}};
+  for (int level = low; level <= high; level *= 2) {
+    if (level == levels.asked) continue;
+    auto scene = make_builtin(fmt::format("{}:{}", builtin->name, level));
+    if (!scene) return tl::unexpected(scene.error());
+    levels.others.emplace(level, std::move(*scene));
+  }
+  return levels;
+}
+
+}  // namespace
+
+void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
+  CLI::App& command =
+      *study.add_subcommand("scene", "error against time for every way to draw a scene");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study scene room\n"
+      "  glassbox study scene model.glb --eye 0,1,4 --size 1920x1080 --html curve.html\n"
+      "  glassbox study scene teapot --quick --csv -\n"
+      "  glassbox study scene checker --filter nearest --json curve.json\n\n"
+      "Turned are --shade, --filter, --samples and --depth where you do not give them, the level "
+      "of\n"
+      "a built-in scene, and what the engine has; docs/study.md says how they are measured.\n"
+      "Exit code 1: an option of the engine changed a byte.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  add_picture_options(command, picture_);
+  command.add_flag("--quick", quick_, "each knob alone; shading, filter and samples not combined");
+  command.add_option("--threads", threads_, "the most that are tried [all]")
+      ->check(CLI::Range(1, kMostThreads));
+  add_json_output(command, json_output_, "the measurements");
+  command.add_option("--csv", csv_output_, "the measurements as comma-separated values")
+      ->type_name("FILE|-");
+  add_html_output(command, page_, "chart, pictures and differences as one page");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> StudySceneCommand::check_options() const {
+  if (picture_.settings.show != Show::kColor) {
+    return fail("--show", "errors are those of colours", "leave it out");
+  }
+  if (json_output_ == "-" && csv_output_ == "-") {
+    return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
+  }
+  if (page_) {
+    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
+  }
+  std::vector<std::string> paths;
+  for (const auto& output : {json_output_, csv_output_, page_}) {
+    if (output && *output != "-") paths.push_back(*output);
+  }
+  return check_outputs(paths);
+}
+
+// The command line that makes the page again.
+std::string StudySceneCommand::command() const {
+  std::vector<std::string> own;
+  if (quick_) own.emplace_back("--quick");
+  if (threads_ > 0) own.insert(own.end(), {"--threads", fmt::to_string(threads_)});
+  if (page_) own.insert(own.end(), {"--html", *page_});
+  return shell_line({{"study", "scene", scene_}, words_given(picture_), own});
+}
+
+SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& progress) const {
+  SecondEyes eyes;
+  if (picture_.eyes.seen_by) {
+    eyes.left_out = "--seen-by asks for one";
+    return eyes;
+  }
+  const auto chosen = choose_eyes(scene, picture_);
+  if (!chosen || chosen->eyes.pair.half_separation == 0) {
+    eyes.left_out = chosen ? "the eyes stand in one place" : chosen.error().message();
+    return eyes;
+  }
+  eyes.pair = chosen->eyes.pair;
+  const RenderSettings& settings = picture_.settings;
+  constexpr int kThreads = 1;  // like the other ways
+  Renderer renderer(scene, settings.transfer, EngineKind::kTile, {.threads = kThreads});
+  for (const int layers : {1, 2}) {
+    const auto legal = views::check_second_eye(scene, settings, layers);
+    if (!legal) {
+      if (eyes.warped.empty()) eyes.left_out = legal.error().message();
+      break;
+    }
+    progress.phase(fmt::format("warping a second eye from {}", counted(layers, "layer")));
+    eyes.warped.push_back(views::second_eye_error(renderer, chosen->centre, eyes.pair, settings,
+                                                  {.layers = layers, .threads = kThreads}));
+  }
+  return eyes;
+}
+
+Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& progress) const {
+  const auto chosen = choose_view(scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  auto levels = levels_of(scene_);
+  if (!levels) return tl::unexpected(levels.error());
+  // Each level would be framed slightly differently, so the camera of the asked level is used for
+  // all.
+  const bool pin = !levels->others.empty() && !picture_.eyes.seen_by;
+  const PictureOptions picture = pin ? pinned(picture_, chosen->camera) : picture_;
+
+  study::CurveRequest request;
+  request.scene = &scene;
+  request.level = levels->asked;
+  if (pin) request.at_levels = std::move(levels->others);
+  request.view = [&](const RenderSettings& settings, int factor) {
+    return choose_view(scene, picture, settings, factor);
+  };
+  const int threads = threads_ > 0 ? threads_ : default_threads();
+  const std::vector<std::string> given = words_given(picture_);
+  request.ways.settings = picture_.settings;
+  request.ways.filter = picture_.filter;
+  request.ways.held = held_by(given);
+  request.ways.cull_stage_held = is_given(given, "--cull-stage");
+  request.ways.threads = threads;
+  for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
+  request.combine = !quick_;
+  request.repetitions = study::kLeastRepetitions;
+  request.keep_pictures = page_.has_value();
+  if (const double free = study::available_bytes(); free > 0) request.most_bytes = free / 2;
+  request.phase = [&](const std::string& what) { progress.phase(what); };
+  return study::measure_curve(request).map([&](study::Curve curve) {
+    const auto effort = quick_ ? study::Effort::kQuick : study::Effort::kFull;
+    return CurveReport{scene_,
+                       picture.size,
+                       pin ? pinned_words(picture_, picture) : words_given(picture_),
+                       study::origin_here(version_and_build(), effort, threads),
+                       command(),
+                       std::move(curve),
+                       measure_second_eyes(scene, progress)};
+  });
+}
+
+Result<void> StudySceneCommand::write_outputs(const CurveReport& report) const {
+  if (csv_output_) {
+    if (const auto written = write_text(*csv_output_, curve_csv(report)); !written) return written;
+  }
+  if (json_output_) {
+    if (const auto written = write_json(*json_output_, curve_json(report)); !written)
+      return written;
+  }
+  if (!page_) return {};
+  const auto page = curve_page(report);
+  return page ? write_text(*page_, *page) : tl::unexpected(page.error());
+}
+
+int StudySceneCommand::run() const {
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  Progress progress;
+  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  if (!scene) return refuse(scene.error());
+  const auto report = measure(*scene, progress);
+  progress.done();
+  if (!report) return refuse(report.error());
+  if (const auto written = write_outputs(*report); !written) return refuse(written.error());
+  if (json_output_ != "-" && csv_output_ != "-") {
+    fmt::print("{}", curve_text(*report));
+    if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
+  }
+  return report->curve.faults.empty() ? kSuccess : kFailure;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,329 @@
+#include "views/commands/geometry_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/choices.h"
+#include "cli/options/output_options.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/shell_line.h"
+#include "views/commands/geometry_json.h"
+#include "views/commands/geometry_page.h"
+#include "views/commands/geometry_text.h"
+#include "views/files/match_file.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::views {
+
+namespace {
+
+// The least sigma. Exact matches differ from the geometry only by the rounding of their positions
+// to float, some thousand pixels; with a sigma of 0 they would count as outliers.
+constexpr double kLeastSigma = 0.05;
+
+using PairOfNames = std::pair<std::string, std::string>;
+
+CLI::Option* add_pair_of_files(CLI::App& command, const std::string& name, PairOfNames& names,
+                               const std::string& help) {
+  return command.add_option(name, names, help)->type_name("FILE FILE");
+}
+
+CLI::Option* add_real(CLI::App& command, const std::string& name, const std::string& type,
+                      const std::function<void(double)>& set, const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          name, [name, set](const std::string& text) { set(parse_number(name, text)); }, help)
+      ->type_name(type);
+}
+
+}  // namespace
+
+void ViewsGeometryCommand::add_question_options(CLI::App& command) {
+  const std::string group = "Estimation";
+  using views::Estimator;
+  add_choice<std::optional<Estimator>>(
+      command, "--estimator", question_.estimator,
+      {{"8", Estimator::kEightPoint}, {"7", Estimator::kSevenPoint}, {"5", Estimator::kFivePoint}},
+      "matches of a sample [5 where K is known, else 8]")
+      ->group(group);
+  add_real(
+      command, "--sigma", "PX",
+      [this](double value) {
+        question_.sigma = value;
+        sigma_given_ = true;
+      },
+      fmt::format("what a coordinate of a match may be off (px) [{:g}; of a scene --noise, and at "
+                  "least {:g}]",
+                  question_.sigma, kLeastSigma))
+      ->group(group);
+  add_real(
+      command, "--threshold", "PX", [this](double value) { question_.threshold = value; },
+      "Sampson's distance of an inlier, at most (px) [2 sigma]")
+      ->group(group);
+  add_real(
+      command, "--confidence", "P", [this](double value) { question_.confidence = value; },
+      fmt::format("of having drawn one sample without outliers, 0 < P < 1 [{:g}]",
+                  question_.confidence))
+      ->group(group);
+  command
+      .add_option("--seed", question_.seed,
+                  fmt::format("of the samples, and of noise and outliers [{}]", question_.seed))
+      ->type_name("N")
+      ->group(group);
+}
+
+void ViewsGeometryCommand::add_output_options(CLI::App& command) {
+  const std::string outputs = "Other outputs";
+  command
+      .add_option(
+          "--draw", page_,
+          "a page: both pictures, each point's epipolar line in the other, matches coloured "
+          "by residual")
+      ->type_name("FILE")
+      ->group(outputs);
+  add_pair_of_files(
+      command, "--rectified-out", rectified_output_,
+      "both pictures turned until their epipolar lines are scan lines, by the cameras "
+      "that were found: .png, transparent where they show nothing")
+      ->group(outputs);
+  add_json_output(command, json_output_)->group(outputs);
+  const std::string of_scene = "Outputs of a scene";
+  command
+      .add_option("--matches-out", matches_output_,
+                  "the matches, as --matches reads them; - is standard output")
+      ->type_name("FILE|-")
+      ->group(of_scene);
+  command.add_option("--cameras-out", cameras_output_, "both cameras, as --cameras reads them")
+      ->type_name("FILE")
+      ->group(of_scene);
+  add_pair_of_files(command, "--pair-out", pair_output_, "both pictures, .png or .ppm")
+      ->group(of_scene);
+}
+
+void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command = *views.add_subcommand(
+      "geometry", "the cameras from the matches of two pictures: F, E, R, T, epipolar lines");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views geometry --scene room --eye-separation 0.3\n"
+      "  glassbox views geometry --scene room --move 0.5,0,0.2 --turn -10,0,0 --noise 0.5 "
+      "--outliers 0.3\n"
+      "  glassbox views geometry --pair left.png right.png --matches m.csv --cameras c.txt\n"
+      "  glassbox views geometry --scene room --move 0.5,0,0 --turn -10,0,0 --rectified-out l.png "
+      "r.png\n\n"
+      "Matches are lines of x and y in the left picture, then in the right one, in pixels from "
+      "the\ntop left corner. Cameras are those of vision.middlebury.edu/mview: their number, then "
+      "lines of\na picture's name, K, R and t by rows, a point X being at the pixel K (R X + t). "
+      "Without them F\nalone is found.\n\n" +
+      builtin_help());
+  const std::string group = "Pair from files";
+  add_pair_of_files(command, "--pair", files_.pair, "the pictures")->group(group);
+  options_.push_back(command.add_option("--matches", files_.matches, "their matches")
+                         ->type_name("FILE")
+                         ->group(group));
+  options_.push_back(
+      command.add_option("--cameras", files_.cameras, "their cameras: K, and the truth of R and T")
+          ->type_name("FILE")
+          ->group(group));
+  add_geometry_scene_options(command, scene_);
+  const std::size_t before = command.get_options().size();
+  add_question_options(command);
+  const auto all = command.get_options();
+  options_.insert(options_.end(), all.begin() + std::ptrdiff_t(before), all.end());
+  add_output_options(command);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> ViewsGeometryCommand::check_sources() const {
+  const bool from_files = files_.matches || files_.cameras || files_.has_pair();
+  if (scene_.scene && from_files) {
+    return fail("--scene", "the pair is drawn, and files have one as well",
+                "leave out --pair, --matches and --cameras, or --scene");
+  }
+  if (scene_.scene) return check_geometry_scene(scene_);
+  if (!files_.matches) {
+    return fail("--matches", "nobody has said which points of the pictures are the same",
+                "give it, or draw a pair with --scene");
+  }
+  std::vector<std::string> words = words_of(scene_.options);
+  std::ranges::copy(words_given(scene_.picture), std::back_inserter(words));
+  for (const auto& [word, is_given] : {std::pair{"--matches-out", matches_output_.has_value()},
+                                       std::pair{"--cameras-out", cameras_output_.has_value()},
+                                       std::pair{"--pair-out", !pair_output_.first.empty()}}) {
+    if (is_given) words.emplace_back(word);
+  }
+  if (!words.empty())
+    return fail(words.front(), "this is of a pair that is drawn", "add --scene, or leave it out");
+  return {};
+}
+
+Result<void> ViewsGeometryCommand::check_question() const {
+  constexpr double kMost = 1000;
+  if (!(question_.sigma > 0 && question_.sigma <= kMost)) {
+    return fail("--sigma", fmt::format("{:g} px is no standard deviation", question_.sigma),
+                fmt::format("give more than 0, and at most {:g}", kMost));
+  }
+  if (const double threshold = question_.threshold.value_or(1);
+      !(threshold > 0 && threshold <= kMost)) {
+    return fail("--threshold", fmt::format("{:g} px is no distance of an inlier", threshold),
+                fmt::format("give more than 0, and at most {:g}", kMost));
+  }
+  if (!(question_.confidence > 0 && question_.confidence < 1)) {
+    return fail("--confidence", fmt::format("{:g} is no such probability", question_.confidence),
+                "give 0 < P < 1, such as 0.99");
+  }
+  return {};
+}
+
+Result<void> ViewsGeometryCommand::check_outputs() const {
+  std::vector<std::string> files;
+  for (const auto& target : {matches_output_, cameras_output_, json_output_}) {
+    if (target && *target != "-") files.push_back(*target);
+  }
+  if (matches_output_ == "-" && json_output_ == "-") {
+    return fail("--matches-out", "--json goes to standard output already", "give one a file");
+  }
+  if (page_) {
+    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
+    if (!scene_.scene && !files_.has_pair())
+      return fail("--draw", "there are no pictures to draw on", "add --pair");
+    files.push_back(*page_);
+  }
+  if (!rectified_output_.first.empty() && !scene_.scene && !files_.has_pair()) {
+    return fail("--rectified-out", "there are no pictures to turn", "add --pair");
+  }
+  for (const PairOfNames* names : {&pair_output_, &rectified_output_}) {
+    if (names->first.empty()) continue;
+    for (const std::string& path : {names->first, names->second}) {
+      const auto legal =
+          names == &pair_output_ ? check_image_path(path) : check_extension(path, ".png");
+      if (!legal) return legal;
+      files.push_back(path);
+    }
+  }
+  return glassbox::check_outputs(files);
+}
+
+Result<void> ViewsGeometryCommand::write_scene(const SceneGeometry& made) const {
+  Result<void> written;
+  if (matches_output_)
+    written = write_text(*matches_output_, views::matches_text(made.input.matches));
+  if (written && cameras_output_) {
+    const auto name = [](const std::string& path, const char* otherwise) {
+      return path.empty() ? otherwise : std::filesystem::path(path).filename().string();
+    };
+    written =
+        write_text(*cameras_output_,
+                   views::cameras_text({{name(pair_output_.first, "left"), made.cameras[0]},
+                                        {name(pair_output_.second, "right"), made.cameras[1]}}));
+  }
+  if (written && !pair_output_.first.empty()) {
+    written = write_image(pair_output_.first, (*made.input.pictures)[0]);
+    if (written) written = write_image(pair_output_.second, (*made.input.pictures)[1]);
+  }
+  return written;
+}
+
+Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
+  if (!scene_.scene) {
+    progress.phase("reading the pair");
+    return read_geometry_files(files_);
+  }
+  if (!sigma_given_) question_.sigma = std::max(scene_.sampling.noise, kLeastSigma);
+  scene_.sampling.seed = question_.seed;
+  auto made = draw_geometry_scene(scene_, progress);
+  if (!made) return tl::unexpected(made.error());
+  if (const auto written = write_scene(*made); !written) return tl::unexpected(written.error());
+  return std::move(made->input);
+}
+
+// The command line that makes this report again.
+std::string ViewsGeometryCommand::command_line() const {
+  std::vector<std::string> files, page;
+  if (files_.has_pair()) files = {"--pair", files_.pair.first, files_.pair.second};
+  if (page_) page = {"--draw", *page_};
+  return shell_line({{"views", "geometry"},
+                     files,
+                     words_of(options_),
+                     words_of(scene_.options),
+                     words_given(scene_.picture),
+                     page});
+}
+
+// Rectifies the pair by the pose that was found, whose translation T has length 1.
+Result<std::optional<RectifiedPair>> ViewsGeometryCommand::rectified_pair(
+    const GeometryInput& input, const GeometryReport& report) const {
+  if (rectified_output_.first.empty()) return std::nullopt;
+  const auto& pose = report.analysis.pose;
+  if (!pose || !input.intrinsics) {
+    return fail("--rectified-out", "the cameras were not found, and nothing says how to turn them",
+                input.intrinsics ? "leave it out: the report says what the pair is"
+                                 : "give --cameras, or leave it out");
+  }
+  const auto& pictures = *input.pictures;
+  auto pair =
+      rectify(pictures[0], pictures[1], {(*input.intrinsics)[0], (*input.intrinsics)[1], *pose});
+  if (!pair) return tl::unexpected(pair.error());
+  return std::move(*pair);
+}
+
+Result<void> ViewsGeometryCommand::write_report(
+    const GeometryInput& input, const GeometryReport& report,
+    const std::optional<RectifiedPair>& rectified) const {
+  nlohmann::ordered_json json = geometry_json(input, report);
+  if (rectified) {
+    json["rectification"] = rectification_json(rectified->how);
+    if (const auto written = write_rectified(rectified_output_, *rectified); !written) {
+      return written;
+    }
+  }
+  if (page_) {
+    const Result<std::string> page =
+        make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()});
+    if (!page) return tl::unexpected(page.error());
+    const auto written = write_file(*page_, std::as_bytes(std::span(*page)));
+    if (!written) return written;
+  }
+  return json_output_ ? write_json(*json_output_, json) : Result<void>();
+}
+
+int ViewsGeometryCommand::run() {
+  for (const auto& legal : {check_sources(), check_question(), check_outputs()}) {
+    if (!legal) return refuse(legal.error());
+  }
+  Progress progress;
+  const Result<GeometryInput> pair = input(progress);
+  if (!pair) return refuse(pair.error());
+  progress.phase("estimating the cameras");
+  const Result<GeometryReport> report = report_geometry(*pair, question_);
+  if (!report) {
+    Error error = report.error();
+    if (files_.matches && error.place == "the matches") error.file = *files_.matches;
+    return refuse(error);
+  }
+  const auto rectified = rectified_pair(*pair, *report);
+  if (!rectified) return refuse(rectified.error());
+  if (const auto written = write_report(*pair, *report, *rectified); !written) {
+    return refuse(written.error());
+  }
+  progress.done();
+  if (json_output_ == "-" || matches_output_ == "-") return kSuccess;
+  fmt::print("{}", geometry_text(*pair, *report));
+  if (*rectified) fmt::print("\n{}", rectification_text((*rectified)->how));
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,226 @@
+#include "views/commands/geometry_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "views/two_view/constraint.h"
+#include "views/two_view/pose.h"
+#include "views/two_view/residual.h"
+#include "views/two_view/rotation.h"
+
+#include <glassbox/base/trig.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using views::Estimator;
+using views::PairKind;
+
+constexpr int kFewest = 8;
+
+Result<void> check_matches(const views::Matches& matches) {
+  if (int(matches.size()) < kFewest) {
+    return fail("the matches",
+                fmt::format("there are {}, and {} are needed", matches.size(), kFewest),
+                "give more");
+  }
+  std::set<std::array<double, 4>> different;
+  for (const views::Match& m : matches)
+    different.insert({m.left.x(), m.left.y(), m.right.x(), m.right.y()});
+  if (int(different.size()) < kFewest) {
+    return fail("the matches",
+                fmt::format("only {} of the {} are different, and {} are needed", different.size(),
+                            matches.size(), kFewest),
+                "leave out the repeated ones, and give more");
+  }
+  return {};
+}
+
+Result<views::PairQuestion> question_of(const GeometryInput& input,
+                                        const GeometryQuestion& question) {
+  if (question.estimator == Estimator::kFivePoint && !input.intrinsics) {
+    return fail("--estimator", "five matches decide the cameras only where K is known",
+                "give --cameras, or --estimator 8 or 7");
+  }
+  const Estimator usual = input.intrinsics ? Estimator::kFivePoint : Estimator::kEightPoint;
+  views::PairQuestion asked{
+      input.matches, input.intrinsics, question.estimator.value_or(usual), question.sigma, {}};
+  asked.ransac.threshold = question.threshold.value_or(2 * question.sigma);
+  asked.ransac.confidence = question.confidence;
+  asked.ransac.seed = question.seed;
+  return asked;
+}
+
+ResidualFacts facts_of(const std::vector<double>& residuals, const std::vector<bool>& is_inlier) {
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (is_inlier[i]) kept.push_back(residuals[i]);
+  }
+  if (kept.empty()) return {};
+  std::ranges::sort(kept);
+  double squares = 0;
+  for (const double residual : kept) squares += residual * residual;
+  return {std::sqrt(squares / double(kept.size())), kept[kept.size() / 2], kept.back()};
+}
+
+// The four poses of an E differ by half a turn or by opposite directions, so the one close to the
+// chosen pose is the chosen one.
+std::vector<PoseCandidate> candidates_of(const GeometryReport& report) {
+  const views::RelativePose& chosen = *report.analysis.pose;
+  const auto& [left, right] = *report.question.intrinsics;
+  const views::Matches inliers = views::calibrated(
+      views::inliers_of(report.question.matches, report.analysis.is_inlier), left, right);
+  std::vector<PoseCandidate> candidates;
+  for (const views::RelativePose& pose : views::poses_of(*report.essential)) {
+    const bool is_chosen = (pose.rotation - chosen.rotation).norm() < 1 &&
+                           pose.translation.dot(chosen.translation) > 0;
+    candidates.push_back({pose, views::in_front_of_both(pose, inliers), is_chosen});
+  }
+  return candidates;
+}
+
+void add_geometry(GeometryReport& report) {
+  const views::Matrix3d& f = *report.analysis.fundamental;
+  report.epipoles = {views::epipole_left(f), views::epipole_right(f)};
+  for (const views::Match& match : report.question.matches)
+    report.epipolar_distances.push_back(views::epipolar_distance(f, match));
+  report.sampson = facts_of(report.analysis.residuals, report.analysis.is_inlier);
+  report.epipolar = facts_of(report.epipolar_distances, report.analysis.is_inlier);
+  if (!report.analysis.pose) return;
+  const auto& [rotation, translation] = *report.analysis.pose;
+  report.essential = views::essential<double>(rotation, translation);
+  report.essential_of_shift = views::essential_of_shift<double>(rotation, -rotation * translation);
+  report.candidates = candidates_of(report);
+}
+
+PoseErrors errors_of(const views::RelativePose& found, const views::RelativePose& truth) {
+  PoseErrors errors{degrees_from_radians(views::rotation_error(found.rotation, truth.rotation)),
+                    {}};
+  if (truth.translation.norm() > 0) {
+    errors.direction_degrees =
+        degrees_from_radians(views::direction_error(found.translation, truth.translation));
+  }
+  return errors;
+}
+
+OutlierFacts outlier_facts(const std::vector<bool>& is_outlier,
+                           const std::vector<bool>& is_inlier) {
+  OutlierFacts facts;
+  for (std::size_t i = 0; i < is_outlier.size(); ++i) {
+    facts.planted += is_outlier[i];
+    facts.kept += is_outlier[i] && is_inlier[i];
+    facts.lost += !is_outlier[i] && !is_inlier[i];
+  }
+  return facts;
+}
+
+// ---- what is left out ----
+
+void leave_out_geometry(const GeometryReport& report, std::vector<LeftOut>& out) {
+  switch (report.analysis.judgement.kind) {
+    case PairKind::kTurned:
+      out.push_back({"F, E, T, epipoles",
+                     "one point of view: a rotation alone explains the matches, E is 0, and any "
+                     "direction of T would fit (C-101)"});
+      break;
+    case PairKind::kPlane:
+      out.push_back({"F, E, R, T, epipoles",
+                     "a plane: one homography explains the matches, and a family of F with two "
+                     "parameters fits them (C-102); --estimator 5 with known cameras decides"});
+      break;
+    case PairKind::kCritical:
+      out.push_back({"F, E, R, T, epipoles",
+                     "a critical surface: a second constraint fits as well, as for points and "
+                     "centres on a ruled quadric (C-103)"});
+      break;
+    case PairKind::kGeneral:
+      break;
+  }
+}
+
+void leave_out_pose(const GeometryInput& input, std::vector<LeftOut>& out) {
+  if (!input.intrinsics) {
+    out.push_back({"E, R, T",
+                   "no K: without --cameras nobody knows what the pixels look along, and F is all "
+                   "that the matches decide"});
+  }
+}
+
+void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report,
+                        std::vector<LeftOut>& out) {
+  if (!report.analysis.pose) return;
+  out.push_back({"|T|", "pictures do not tell how far apart cameras are: T is of length 1"});
+  const int behind = report.analysis.inliers - report.analysis.in_front;
+  if (behind > 0) {
+    out.push_back({fmt::format("{} inliers in front", behind),
+                   "their rays meet behind a camera or nowhere: too far away for their noise"});
+  }
+  if (input.truth && !report.errors->direction_degrees) {
+    out.push_back({"the direction's error", "the cameras stand in one place"});
+  }
+}
+
+int outside(const GeometryInput& input) {
+  if (!input.pictures) return 0;
+  const auto is_outside = [](const views::Vector2d& at, const Image<Rgba8>& picture) {
+    return at.x() < 0 || at.y() < 0 || at.x() > picture.width || at.y() > picture.height;
+  };
+  return int(std::ranges::count_if(input.matches, [&](const views::Match& match) {
+    return is_outside(match.left, (*input.pictures)[0]) ||
+           is_outside(match.right, (*input.pictures)[1]);
+  }));
+}
+
+std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryReport& report) {
+  std::vector<LeftOut> out;
+  if (!report.has_geometry()) leave_out_geometry(report, out);
+  leave_out_pose(input, out);
+  leave_out_of_truth(input, report, out);
+  if (report.samples_wanted > report.question.ransac.most_samples) {
+    out.push_back({"certainty",
+                   fmt::format("the law asks for {:.3g} samples, and {} were drawn: so few inliers "
+                               "may agree by chance",
+                               report.samples_wanted, report.analysis.samples)});
+  }
+  const int off = int(input.matches.size()) - report.analysis.inliers;
+  if (off > 0) {
+    out.push_back({fmt::format("{} matches", off),
+                   fmt::format("further than {:g} px from what the others agree on",
+                               report.question.ransac.threshold)});
+  }
+  if (const int count = outside(input); count > 0) {
+    out.push_back(
+        {"no match for its place",
+         fmt::format("{} have a point outside of its picture, as noise may move it", count)});
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<GeometryReport> report_geometry(const GeometryInput& input,
+                                       const GeometryQuestion& question) {
+  if (const auto legal = check_matches(input.matches); !legal) return tl::unexpected(legal.error());
+  const auto asked = question_of(input, question);
+  if (!asked) return tl::unexpected(asked.error());
+  const auto analysis = views::analyse(*asked);
+  if (!analysis) return tl::unexpected(analysis.error());
+  GeometryReport report;
+  report.question = *asked;
+  report.analysis = *analysis;
+  report.samples_wanted =
+      views::samples_needed(double(analysis->inliers) / double(input.matches.size()),
+                            views::sample_size(asked->estimator), asked->ransac.confidence);
+  if (report.has_geometry()) add_geometry(report);
+  if (input.truth && analysis->pose) report.errors = errors_of(*analysis->pose, *input.truth);
+  if (!input.is_outlier.empty())
+    report.outliers = outlier_facts(input.is_outlier, analysis->is_inlier);
+  report.left_out = left_out_of(input, report);
+  return report;
+}
+
+}  // namespace glassbox::views

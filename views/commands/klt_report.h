@@ -1,0 +1,46 @@
+// The results of `glassbox views klt`, and their reports.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "views/klt/transform.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox::views {
+
+struct KltInput {
+  std::string source;
+  views::Bands bands;
+  // Only for the generated planet: a picture of its ground, and the true opacity of its clouds.
+  std::optional<Image<Rgba8>> ground;
+  std::vector<double> opacity;
+};
+
+struct KltReport {
+  views::Klt klt;
+  int kept = 0;
+  views::Bands components;  // the kept components
+  views::Bands again;       // the bands reconstructed from the kept components
+  // for each eigenvalue, the first of those that rounding could exchange with it
+  std::vector<int> groups;
+  double error = 0;        // mean square distance between the pixels and the reconstructed ones
+  double bound = 0;        // of |error - the sum of the dropped eigenvalues|
+  double correlation = 0;  // the largest between two components, as a share of the trace
+  std::optional<double> truth,
+      truth_of_band;  // |correlation| with the clouds: of component 1; the largest of a band
+
+  bool holds() const;
+};
+
+Result<KltReport> report_klt(const KltInput& input, int kept);
+
+std::string klt_text(const KltInput& input, const KltReport& report);
+nlohmann::ordered_json klt_json(const KltInput& input, const KltReport& report);
+
+}  // namespace glassbox::views

@@ -1,0 +1,361 @@
+#include "views/commands/layers_build_command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/number_range.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "views/layers/depth_peeling.h"
+#include "views/layers/layer_builder.h"
+#include "views/layers/layer_sources.h"
+#include "views/layers/ray_surfaces.h"
+#include "views/layers/triangle_normals.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kMostLayers = 255, kUsualLayers = 10;
+
+// Parses "32,16" or "32". Throws CLI::ValidationError if that is no number of rays, or too many.
+views::RaySampling parse_rays(const std::string& text) {
+  constexpr int kMostStrata = 90;  // the largest number whose fourth power is below kMostRays
+  views::RaySampling sampling;
+  const auto read = [&](const std::string& part, int most, int& number) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+    if (error != std::errc() || end != part.data() + part.size() || number < 1 || number > most)
+      throw CLI::ValidationError(
+          "--rays", fmt::format("\"{}\" is not N or N,M: N from 1 to {}, M from 1 to {}",
+                                printable(text, kLongestMessage), kMostStrata, views::kMostRays));
+  };
+  const std::vector<std::string> parts = split(text, ',');
+  read(parts.size() > 2 ? text : parts[0], kMostStrata, sampling.strata);
+  if (parts.size() > 1) read(parts[1], int(views::kMostRays), sampling.rays);
+  if (sampling.count() > views::kMostRays)
+    throw CLI::ValidationError(
+        "--rays", fmt::format("{} rays are more than {}, N^4 M: ask for fewer", sampling.count(),
+                              views::kMostRays));
+  return sampling;
+}
+
+}  // namespace
+
+void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
+  CLI::App& command = *layers.add_subcommand(
+      "build", "peel a scene's surfaces, or take pictures with distances, into a file");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views layers build room --size 300x300 -o room.ldi\n"
+      "  glassbox views layers build forest --layers 4 -o forest.ldi --json -\n"
+      "  glassbox views layers build room --views cameras.txt --layers 1 -o room.ldi\n"
+      "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n"
+      "  glassbox views layers build room --size 300x300 --rays 16 --threads 2 -o rays.ldi\n\n"
+      "Each pass draws what is behind what the passes before have shown. Colours are those of the "
+      "view\nthat is peeled: a highlight stays where it is seen from there. A file of cameras has "
+      "the form of the\nMiddlebury multi-view pictures: their number, then for each a name, K, R "
+      "and t. --pictures reads\neach line's picture and, beside it, its distances along the gaze, "
+      "NAME.pfm; the first one's camera\nis that of the layers.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp);
+  command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
+  command
+      .add_option("--layers", layers_,
+                  fmt::format("passes, 1 .. {} at most [{}]", kMostLayers, kUsualLayers))
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostLayers));
+  command
+      .add_option("--views", views_,
+                  "cameras to peel the scene from as well; their pixels are those of --size")
+      ->type_name("FILE");
+  command.add_option("--pictures", pictures_, "cameras whose pictures and distances are files")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--epsilon", epsilon_,
+          "samples of several views whose depths differ by less, relative, are one [1/1024]")
+      ->type_name("E")
+      ->check(number_between(0, 0.5));
+  command.add_flag("--normals", normals_,
+                   "store surfaces' normals, by which draw knows how large a sample is there");
+  command.add_flag("--ids", ids_, "store the numbers of triangles, as --id-out has them");
+  command.add_flag("--ends", ends_, "keep two samples of a pixel: the nearest and the farthest");
+  command
+      .add_option_function<std::string>(
+          "--rays", [this](const std::string& text) { rays_ = parse_rays(text); },
+          "cast M rays [16] in each of N x N x N x N strata")
+      ->type_name("N[,M]");
+  command
+      .add_option("--cube", cube_,
+                  "how wide the cube is that they start from, in world units [twice --near]")
+      ->type_name("SIDE");
+  command
+      .add_option("--threads", threads_,
+                  fmt::format("of --rays, 1 .. {}; same bytes [1]", kMostThreads))
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  add_picture_options(command, picture_);
+  add_json_output(command, json_output_);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> LayersBuildCommand::check_sources() const {
+  if (!scene_ && !pictures_)
+    return fail("SCENE", "there is nothing to make layers of", "name a scene, or give --pictures");
+  if (scene_ && pictures_)
+    return fail("--pictures", "the layers are those of a scene", "leave one of them out");
+  if (const auto good = check_rays(); !good) return good;
+  if (!pictures_) {
+    if (epsilon_ && !views_ && !rays_)
+      return fail("--epsilon", "the surfaces of one view are not merged",
+                  "give --views, or leave it out");
+    return {};
+  }
+  if (views_)
+    return fail("--views", "these cameras look at a scene", "name a scene, or leave it out");
+  if (layers_) return fail("--layers", "a picture has one distance for each pixel", "leave it out");
+  if (normals_ || ids_)
+    return fail(normals_ ? "--normals" : "--ids", "a picture does not say what is in it",
+                "name a scene, or leave it out");
+  if (const auto words = words_given(picture_); !words.empty())
+    return fail(words.front(), "it is about a scene that is drawn", "leave it out");
+  return {};
+}
+
+Result<void> LayersBuildCommand::check_rays() const {
+  if (!rays_) {
+    if (cube_ || threads_)
+      return fail(cube_ ? "--cube" : "--threads", "no rays are cast",
+                  "give --rays, or leave it out");
+    return {};
+  }
+  if (pictures_) return fail("--rays", "they meet a scene's surfaces", "name a scene");
+  if (views_ || layers_)
+    return fail(views_ ? "--views" : "--layers", "rays are cast, and nothing is peeled",
+                "leave it or --rays out");
+  if (cube_ && !(*cube_ > 0 && std::isfinite(*cube_)))
+    return fail("--cube", fmt::format("{:g} is no width", *cube_), "give one above 0");
+  if (const Shading shading = picture_.settings.shading;
+      shading == Shading::kFlat || shading == Shading::kGouraud)
+    return fail("--shade", "where a ray hits is lit by itself", "give phong or unlit");
+  return {};
+}
+
+Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
+  const RenderSettings& settings = picture_.settings;
+  if (settings.wireframe)
+    return fail("--wireframe", "layers are of surfaces, not of lines", "leave it out");
+  if (settings.samples > 1)
+    return fail("--samples", "a sample of a layer has one depth", "leave it out");
+  if (settings.show != Show::kColor)
+    return fail("--show", "layers are drawn in colours", "leave it out");
+  if (const Material* glass = views::seen_through(scene))
+    return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is seen through",
+                "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
+  return {};
+}
+
+double LayersBuildCommand::cube_side(const View& view) const {
+  return cube_.value_or(2 * view.near);
+}
+
+double LayersBuildCommand::epsilon() const {
+  return epsilon_.value_or(views::kMergedDepths);
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress& progress) const {
+  const auto scene = load_asked_scene(*scene_, picture_, progress);
+  if (!scene) return tl::unexpected(scene.error());
+  if (const auto good = check_asked(*scene); !good) return tl::unexpected(good.error());
+  const auto chosen = choose_view(*scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  if (rays_) {
+    if (!chosen->view.perspective)
+      return fail("--rays", "a parallel view has no eye to put a cube around",
+                  "choose a perspective one, or leave it out");
+    if (const double side = cube_side(chosen->view); !(side / 2 <= views::kFarthest))
+      return fail(cube_ ? "--cube" : "--near",
+                  fmt::format("rays would start {:g} world units from the eye", side / 2),
+                  fmt::format("{:g} is the most", views::kFarthest));
+    progress.phase("casting rays into " + scene_title(*scene_));
+    return build_by_rays(*scene, chosen->camera, chosen->view);
+  }
+  const Size& size = picture_.size;
+  std::vector<View> others;
+  if (views_) {
+    const auto cameras = views::read_cameras(*views_);
+    if (!cameras) return tl::unexpected(cameras.error());
+    const double near = chosen->view.near, far = chosen->view.far;
+    if (!(near > 0))
+      return fail("--views",
+                  "their planes are those of the camera, whose near one is not before it",
+                  "give --near");
+    for (const views::NamedCamera& named : *cameras) {
+      const auto view =
+          views::camera_of_pinhole(named.camera, size.width, size.height, near,
+                                   std::isinf(far) ? std::nullopt : std::optional(far))
+              .and_then(
+                  [&](const Camera& camera) { return make_view(camera, size.width, size.height); });
+      if (!view)
+        return tl::unexpected(
+            Error{*views_, printable(named.picture), view.error().cause, view.error().remedy});
+      others.push_back(*view);
+    }
+  }
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = true;
+  settings.want_id = normals_ || ids_;
+  const std::vector<views::SampleNormal> normals =
+      normals_ ? views::triangle_normals(*scene) : std::vector<views::SampleNormal>();
+  const int layers = layers_.value_or(kUsualLayers);
+  views::LayerBuilder builder(views::layer_camera(chosen->view), others.empty() ? 0 : epsilon(),
+                              wishes());
+  Built built;
+  built.views = 1 + others.size();
+  std::uint32_t rank = 0;
+  bool is_cut = false;  // the last allowed layer of a view was not empty, so there may be more
+  const auto add = [&](const View& view) {
+    progress.phase(others.empty() ? "peeling " + scene_title(*scene_)
+                                  : fmt::format("peeling {}, view {} of {}", scene_title(*scene_),
+                                                rank + 1, built.views));
+    const std::vector<views::Layer> peeled = views::peel(*scene, view, settings, layers);
+    for (const views::Layer& layer : peeled)
+      built.beside += builder.add_layer(view, layer, normals, rank);
+    is_cut = is_cut || (peeled.size() == std::size_t(layers) && !views::is_empty(peeled.back()));
+    ++rank;
+  };
+  add(chosen->view);
+  for (const View& view : others) add(view);
+  built.layers = {chosen->camera, settings.background, builder.pack()};
+  if (is_cut)
+    built.left_out.push_back(
+        fmt::format("what lies behind {}, if anything (--layers)", counted(layers, "surface")));
+  return built;
+}
+
+LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
+                                                            const Camera& camera,
+                                                            const View& view) const {
+  views::RaySampling sampling = *rays_;
+  sampling.half_side = cube_side(view) / 2;
+  sampling.threads = threads_.value_or(1);
+  Built built;
+  built.rays.emplace();
+  built.layers = {
+      camera, picture_.settings.background,
+      views::build_layers_by_rays(scene, view, picture_.settings, sampling,
+                                  epsilon_.value_or(views::kMergedHits), *built.rays, wishes())};
+  built.left_out.emplace_back(
+      "where in a pixel a ray has hit, up to half a pixel, and all but one of the hits that "
+      "share a\n    pixel and a depth (--epsilon)");
+  built.left_out.emplace_back("what no ray has met, and lines and points, which none can");
+  if (sampling.half_side > view.near)
+    built.left_out.emplace_back("what lies before the cube's front face (--cube)");
+  return built;
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_pictures() const {
+  const auto pictures = views::read_source_pictures(*pictures_);
+  if (!pictures) return tl::unexpected(pictures.error());
+  const views::SourcePicture& first = pictures->front();
+  views::LayerBuilder builder(views::layer_camera(first.view),
+                              pictures->size() == 1 ? 0 : epsilon());
+  Built built;
+  built.views = pictures->size();
+  std::uint32_t rank = 0;
+  for (const views::SourcePicture& picture : *pictures) {
+    built.beside += builder.add_picture(picture.view, picture.color, picture.distance, rank++);
+  }
+  built.layers = {first.camera, picture_.settings.background, builder.pack()};
+  built.left_out.emplace_back("pixels without a distance");
+  return built;
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build(Progress& progress) const {
+  auto built = pictures_ ? build_from_pictures() : build_from_scene(progress);
+  if (built && ends_) {
+    const std::size_t before = built->layers.image.samples();
+    built->layers.image = views::ends_of(built->layers.image);
+    built->left_out.push_back(
+        fmt::format("{} between the nearest and the farthest of their pixels (--ends)",
+                    counted(before - built->layers.image.samples(), "sample")));
+  }
+  if (!built || built->views == 1) return built;
+  built->left_out.emplace_back(
+      "where in a pixel the other views' samples lie, up to half a pixel, and the second of two "
+      "that\n    share a pixel and a depth (--epsilon)");
+  return built;
+}
+
+int LayersBuildCommand::run() {
+  if (const auto good = check_sources(); !good) return refuse(good.error());
+  if (const auto good = check_extension(output_, ".ldi"); !good) return refuse(good.error());
+  std::vector<std::string> outputs{output_};
+  if (json_output_ && *json_output_ != "-") outputs.push_back(*json_output_);
+  if (const auto good = check_outputs(outputs); !good) return refuse(good.error());
+  Progress progress;
+  const Clock::time_point start = Clock::now();
+  const auto built = build(progress);
+  if (!built) return refuse(built.error());
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const std::vector<std::byte> bytes = views::encode_layers(built->layers);
+  if (const auto written = write_file(output_, bytes); !written) return refuse(written.error());
+  progress.done();
+
+  const views::LayeredImage& image = built->layers.image;
+  const views::LayerCounts counts = views::count_layers(image);
+  if (json_output_) {
+    nlohmann::ordered_json json{{"layers", output_},
+                                {"width", image.camera.width},
+                                {"height", image.camera.height},
+                                {"views", built->views},
+                                {"samples", counts.samples},
+                                {"covered_pixels", counts.covered},
+                                {"most_samples_of_a_pixel", counts.most},
+                                {"depth_complexity", counts.complexity()},
+                                {"beside", built->beside},
+                                {"bytes", bytes.size()},
+                                {"left_out", built->left_out},
+                                {"seconds", seconds}};
+    if (built->rays)
+      json["rays"] = {{"cast", rays_->count()},
+                      {"strata", rays_->strata},
+                      {"rays_of_stratum", rays_->rays},
+                      {"followed", built->rays->followed},
+                      {"hits", built->rays->hits}};
+    if (const auto written = write_json(*json_output_, json); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}: {} x {} pixels, {} samples, {} bytes\n", printable(output_, kLongestMessage),
+             image.camera.width, image.camera.height, counts.samples, bytes.size());
+  fmt::print("  depth complexity {:.2f} over {} covered pixels, at most {}; made in {:.2f} s\n",
+             counts.complexity(), counts.covered, counts.most, seconds);
+  if (built->views > 1)
+    fmt::print("  of {} views; {} lie beside this one's picture\n", built->views,
+               counted(built->beside, "sample"));
+  if (built->rays)
+    fmt::print("  {} rays: {} through what the picture shows, {} of these meet a surface there\n",
+               rays_->count(), built->rays->followed, built->rays->hits);
+  for (const std::string& what : built->left_out) fmt::print("  Left out: {}.\n", what);
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

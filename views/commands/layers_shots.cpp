@@ -1,0 +1,141 @@
+#include "views/commands/layers_shots.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "cli/frames/frame_names.h"
+#include "cli/frames/path_file.h"
+#include "cli/frames/shots.h"
+#include "cli/frames/stop_request.h"
+#include "cli/report/output.h"
+
+#include <glassbox/base/elapsed.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::views {
+
+namespace {
+
+// Calls visit with the world position of each sample.
+template <class Visit>
+void for_each_place(const views::LayeredImage& image, const Visit& visit) {
+  const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
+  for (int y = 0; y < image.camera.height; ++y) {
+    for (int x = 0; x < image.camera.width; ++x) {
+      const std::size_t place = image.place(x, y);
+      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+        const Eigen::Vector4d at =
+            world_from_screen * Eigen::Vector4d(x + 0.5, y + 0.5, double(image.depth[i]), 1);
+        visit(Eigen::Vector3f(at.hnormalized().cast<float>()));
+      }
+    }
+  }
+}
+
+bool has_to_be_framed(const CameraOptions& camera) {
+  return !camera.eye && (camera.look_at || camera.up || camera.camera == "none");
+}
+
+// The samples as a scene of points, with the layers' camera, for functions that need a scene to
+// choose a view. It has all samples, or (if not `all`) the two corners of the box around them.
+Scene scene_of(const views::StoredLayers& layers, bool all) {
+  Mesh mesh;
+  const auto add = [&](const Eigen::Vector3f& p) {
+    mesh.points.push_back({.position = std::uint32_t(mesh.positions.size())});
+    mesh.positions.emplace_back(p.x(), p.y(), p.z());
+  };
+  if (all) {
+    for_each_place(layers.image, add);
+  } else if (layers.image.samples() > 0) {
+    Eigen::AlignedBox3f box;
+    for_each_place(layers.image, [&](const Eigen::Vector3f& p) { box.extend(p); });
+    add(box.min());
+    add(box.max());
+  }
+  Scene scene;
+  scene.cameras = {layers.camera};
+  if (mesh.points.empty()) return scene;
+  scene.materials.emplace_back();
+  scene.nodes.push_back({"", kNone, {}, {}});
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({0, 0});
+  return scene;
+}
+
+Result<std::vector<Shot>> shots_of(const LayersFrames& asked, const LayersShots& shots) {
+  PictureOptions picture;
+  picture.camera = asked.camera;
+  picture.size = shots.size();
+  const FrameRange& range = *asked.frames.range;
+  if (asked.frames.turntable) {
+    const double aspect = double(picture.size.width) / double(picture.size.height);
+    const auto turntable = make_turntable(shots.scene(), asked.camera, aspect);
+    if (!turntable) return tl::unexpected(turntable.error());
+    return make_shots(shots.scene(), picture, {}, *turntable, range, false);
+  }
+  const auto path = read_camera_path(*asked.frames.path);
+  if (!path) return tl::unexpected(path.error());
+  if (const auto legal = check_path_options(picture, *path); !legal)
+    return tl::unexpected(legal.error());
+  return make_shots(shots.scene(), picture, *path, {}, range, false);
+}
+
+}  // namespace
+
+LayersShots::LayersShots(const views::StoredLayers& layers, const CameraOptions& camera,
+                         std::optional<Size> size, bool turntable)
+    : scene_(scene_of(layers, turntable || has_to_be_framed(camera))),
+      camera_(camera),
+      size_(size.value_or(Size{layers.image.camera.width, layers.image.camera.height})) {}
+
+Result<View> LayersShots::view() const {
+  const double aspect = double(size_.width) / double(size_.height);
+  return choose_camera(scene_, camera_, aspect).and_then([&](const Camera& camera) {
+    return make_view(camera, size_.width, size_.height);
+  });
+}
+
+Result<std::vector<LayersFrame>> draw_layer_frames(const LayersFrames& asked,
+                                                   const views::StoredLayers& layers,
+                                                   Progress& progress) {
+  const FrameRange& range = *asked.frames.range;
+  const auto names = FrameNames::of(asked.output, "layers.png", range.count);
+  if (!names) return tl::unexpected(names.error());
+  if (const auto legal = check_image_path(names->name(1)); !legal)
+    return tl::unexpected(legal.error());
+  std::vector<std::string> paths;
+  for (int number = range.first; number <= range.last; ++number) {
+    paths.push_back(names->name(number));
+  }
+  if (const auto legal = check_outputs(paths); !legal) return tl::unexpected(legal.error());
+  const auto shots =
+      shots_of(asked, LayersShots(layers, asked.camera, asked.size, asked.frames.turntable));
+  if (!shots) return tl::unexpected(shots.error());
+
+  const StopRequest stop;
+  views::LayerDrawer drawer(layers.image);
+  views::LayerPicture picture;
+  std::vector<LayersFrame> frames;
+  for (const Shot& shot : *shots) {
+    if (stop.asked()) {
+      return fail("stopped",
+                  fmt::format("{} of {} frames are written", frames.size(), shots->size()), "");
+    }
+    progress.phase(fmt::format("drawing frame {} of {}", shot.number, range.count));
+    const auto start = std::chrono::steady_clock::now();
+    drawer.draw(views::layer_camera(shot.centre), asked.drawing, picture);
+    const double took_ms = elapsed_ms(start);
+    const std::string name = names->name(shot.number);
+    if (const auto written = write_image(name, picture.color, {}); !written)
+      return tl::unexpected(written.error());
+    frames.push_back(
+        {shot.number, name, std::size_t(std::ranges::count(picture.depth.pixels, 0.0f)), took_ms});
+  }
+  return frames;
+}
+
+}  // namespace glassbox::views

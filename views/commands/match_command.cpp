@@ -1,0 +1,407 @@
+#include "views/commands/match_command.h"
+
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/builtin_help.h"
+#include "cli/options/choices.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
+#include "views/commands/match_page.h"
+#include "views/commands/match_report.h"
+#include "views/commands/rectified_pair.h"
+#include "views/matching/surface.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using views::MatchingCost;
+
+template <class Value>
+void add_value(CLI::App& command, const std::string& name, Value& value, const std::string& type,
+               const std::string& group, const std::string& help) {
+  command.add_option(name, value, help)->type_name(type)->group(group);
+}
+
+views::DisparityRange parse_range(const std::string& text) {
+  const auto [first, last] = parse_numbers<2>("--range", text);
+  constexpr double kFarthest = 1e6;
+  if (!(first == double(std::int64_t(std::clamp(first, -kFarthest, kFarthest))) &&
+        last == double(std::int64_t(std::clamp(last, -kFarthest, kFarthest))))) {
+    throw CLI::ValidationError(
+        "--range",
+        "needs two whole numbers of pixels from -1000000 to 1000000, not '" + text + "'");
+  }
+  return {int(first), int(last)};
+}
+
+std::optional<std::string> name_of_file(const std::string& path) {
+  return path.empty() ? std::nullopt : std::optional(path);
+}
+
+// The command line that draws the surface from the left picture's camera.
+std::string drawn_by(const std::string& path, const views::SurfaceView& view, int width,
+                     int height) {
+  return shell_line({{"render", path, "--size", fmt::format("{}x{}", width, height), "--eye",
+                      "0,0,0", "--look-at", "0,0,-1", "--near", fmt::format("{:.6g}", view.near),
+                      "--far", fmt::format("{:.6g}", view.far),
+                      fmt::format("--frustum={:.6g},{:.6g},{:.6g},{:.6g}", view.left, view.right,
+                                  view.bottom, view.top),
+                      "--shade", "unlit", "-o", "again.png"}});
+}
+
+}  // namespace
+
+void ViewsMatchCommand::add_settings_options(CLI::App& command) {
+  const std::string group = "Matching";
+  add_choice<std::string>(command, "--method", method_,
+                          {{"default", "default"}, {"fast", "fast"}, {"winner", "winner"}},
+                          "the settings to begin with; winner: each pixel for itself [default]")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--range", [this](const std::string& text) { range_ = parse_range(text); },
+          "disparities to look at, px, both included [0,63; of a scene, those it has]")
+      ->type_name("A,B")
+      ->group(group);
+  add_choice<std::optional<MatchingCost>>(
+      command, "--cost", cost_,
+      choices_of({MatchingCost::kSad, MatchingCost::kSsd, MatchingCost::kNcc, MatchingCost::kZncc,
+                  MatchingCost::kCensus, MatchingCost::kAdCensus}),
+      "what makes two pixels unlike [ad-census; fast: census; winner: sad]")
+      ->group(group);
+  add_value(command, "--cost-window", window_, "N", group,
+            "side of the square that costs are averaged over, odd, 1 to 15 [1; winner: 11; ncc, "
+            "zncc: 7]");
+  add_value(command, "--adaptive", adaptive_, "N", group,
+            "averages over crosses that stop where the colour changes, 0 to 4 [0]");
+  add_value(command, "--paths", paths_, "N", group,
+            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4, of which it "
+            "leaves out those from below; winner: 0]");
+  add_value(command, "--planes", planes_, "N", group,
+            "rounds of planes that slant, for parts of a pixel, 0 to 8 [0]");
+  add_value(command, "--left-right", left_right_, "PX", group,
+            "how far the right picture's disparity may be off the left one's [1]");
+  add_value(command, "--confidence", confidence_, "RATIO", group,
+            "least (second - best) / second of the costs, 0 to 1 [0]");
+  add_value(command, "--speckle", speckle_, "N", group, "pieces of fewer pixels are taken out [0]");
+  command.add_flag("--no-check", no_check_, "leave out the left-right check")->group(group);
+  command.add_flag("--no-subpixel", no_subpixel_, "whole disparities")->group(group);
+  command.add_flag("--no-median", no_median_, "leave out the median")->group(group);
+  command.add_flag("--no-smooth", no_smooth_, "leave out the averages of parts of a pixel")
+      ->group(group);
+  command.add_flag("--no-fill", no_fill_, "leave out what is in doubt: +inf in the file")
+      ->group(group);
+  add_target_option(command, target_)->group(group);
+  add_value(command, "--threads", threads_, "N", group, "threads; no byte depends on it [all]");
+  add_value(command, "--max-mb", max_megabytes_, "N", group,
+            fmt::format("refuse volumes of more megabytes [{}]", max_megabytes_));
+}
+
+void ViewsMatchCommand::add_output_options(CLI::App& command) {
+  const std::string group = "Outputs";
+  command
+      .add_option("-o,--output", output_, "disparities, px: a .pfm file, +inf where there is none")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--calibration",
+          [this](const std::string& text) {
+            const auto [focal, baseline, offset] = parse_numbers<3>("--calibration", text);
+            calibration_ = {focal, baseline, offset};
+          },
+          "focal length (px), baseline, and what is added to disparities (px) [the scene's own]")
+      ->type_name("F,B,OFFSET")
+      ->group(group);
+  command
+      .add_option("--ply", surface_output_,
+                  "the points in space with the left picture's colours, neighbours joined: a .ply "
+                  "file, which render draws")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--rectified-out", rectified_output_,
+                  "both pictures as --cameras has turned them: .png, transparent where they show "
+                  "nothing")
+      ->type_name("FILE FILE")
+      ->group(group);
+  add_html_output(command, page_,
+                  "a page: pictures, maps of disparity and error, each pixel's costs, and the "
+                  "points in space")
+      ->group(group);
+  command
+      .add_option("--depth-out", depth_output_,
+                  "F B / (disparity + OFFSET), in the baseline's unit: a .pfm file")
+      ->type_name("FILE")
+      ->group(group);
+  add_json_output(command, json_output_)->group(group);
+}
+
+void ViewsMatchCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command = *views.add_subcommand(
+      "match", "the disparity of every pixel of two pictures, and how far it is off the truth");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
+      "  glassbox views match --scene forest --size 640x480 --method fast --json -\n"
+      "  glassbox views match left.png right.png --range 0,63 -o disparity.pfm\n"
+      "  glassbox views match im2.ppm im6.ppm --truth disp2.pgm --truth-scale 4\n"
+      "  glassbox views match left.png right.png --cameras cameras.txt --range -20,60 --html "
+      "page.html\n"
+      "  glassbox views match --scene room --eye-separation 0.2 --ply room.ply\n\n"
+      "The pictures are rectified: the point at (x, y) of LEFT is at (x - disparity, y) of RIGHT. "
+      "Grey\nand 16-bit pictures are read as 8-bit colours.\n\n" +
+      builtin_help());
+  command.add_option("LEFT", sources_.left, "the left picture, a file");
+  command.add_option("RIGHT", sources_.right, "the right picture, a file");
+  const std::string group = "What is known";
+  add_value(command, "--truth", sources_.truth, "FILE", group,
+            "the left picture's disparities, grey or .pfm; 0 and +inf: unknown");
+  add_value(command, "--truth-right", sources_.truth_right, "FILE", group,
+            "the right picture's, which tell what it does not show of the left one");
+  add_value(command, "--truth-scale", sources_.truth_scale, "S", group,
+            "what the truth stores for a pixel of disparity [1]");
+  command
+      .add_option("--cameras", sources_.cameras,
+                  "of pictures that are not rectified: their cameras, as views geometry reads "
+                  "them; both are turned until their epipolar lines are rows")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_option("--scene", sources_.scene, "draw the pair: " + std::string(kSceneHelp))
+      ->type_name("SCENE")
+      ->group(group);
+  const std::size_t before = command.get_options().size();
+  add_settings_options(command);
+  const auto all = command.get_options();
+  options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
+  add_output_options(command);
+  add_picture_options(command, sources_.picture);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> ViewsMatchCommand::check_sources() const {
+  const MatchSources& given = sources_;
+  if (given.scene &&
+      (given.left || given.truth || given.truth_right || given.truth_scale || given.cameras)) {
+    return fail("--scene", "the pair is drawn, and its truth is known",
+                "leave out the files, --truth and --cameras, or --scene");
+  }
+  if (given.scene && given.picture.eyes.seen_by) {
+    return fail("--seen-by", "both eyes' pictures are matched", "leave it out");
+  }
+  if (given.scene) return {};
+  if (!given.left || !given.right) {
+    return fail("LEFT RIGHT", "two pictures are needed", "name their files, or give --scene");
+  }
+  if (const auto words = words_given(given.picture); !words.empty()) {
+    return fail(words.front(), "this is of a pair that is drawn", "add --scene, or leave it out");
+  }
+  if (!given.truth && (given.truth_right || given.truth_scale)) {
+    return fail(given.truth_right ? "--truth-right" : "--truth-scale",
+                "there is no truth of the left picture", "give --truth as well");
+  }
+  if (given.truth_scale && !(*given.truth_scale > 0 && std::isfinite(*given.truth_scale))) {
+    return fail("--truth-scale", fmt::format("{:g} is no scale", *given.truth_scale),
+                "give a number above 0, such as 4");
+  }
+  for (const auto& [name, output] :
+       {std::pair{"--depth-out", &depth_output_}, std::pair{"--ply", &surface_output_}}) {
+    if (*output && !calibration_ && !given.cameras) {
+      return fail(name, "disparities have no depth without a focal length and a baseline",
+                  "give --calibration F,B,OFFSET");
+    }
+  }
+  return {};
+}
+
+Result<void> ViewsMatchCommand::check_rectified() const {
+  const bool is_asked = !rectified_output_.first.empty();
+  if (!sources_.cameras) {
+    return is_asked ? fail("--rectified-out", "pictures are turned by their cameras",
+                           "give --cameras, or leave it out")
+                    : Result<void>();
+  }
+  if (sources_.truth) {
+    return fail("--truth", "it is of the pictures as they are, and --cameras turns them",
+                "leave one of the two out");
+  }
+  if (calibration_) {
+    return fail("--calibration", "--cameras says what the turned pictures have",
+                "leave one of the two out");
+  }
+  return {};
+}
+
+Result<void> ViewsMatchCommand::check_outputs() const {
+  std::vector<std::string> files;
+  for (const auto& path : {output_, depth_output_}) {
+    if (!path) continue;
+    if (const auto legal = check_extension(*path, ".pfm"); !legal) return legal;
+    files.push_back(*path);
+  }
+  for (const auto& [path, extension] :
+       {std::pair{surface_output_, ".ply"}, std::pair{page_, ".html"},
+        std::pair{name_of_file(rectified_output_.first), ".png"},
+        std::pair{name_of_file(rectified_output_.second), ".png"}}) {
+    if (!path) continue;
+    if (const auto legal = check_extension(*path, extension); !legal) return legal;
+    files.push_back(*path);
+  }
+  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
+  return glassbox::check_outputs(files);
+}
+
+Result<void> ViewsMatchCommand::check_depth(const MatchInput& input) const {
+  if (input.calibration || (!depth_output_ && !surface_output_)) return {};
+  return fail("--eye-separation", "both eyes are in one place, and nothing has a depth",
+              "let them stand apart");
+}
+
+views::MatchSettings ViewsMatchCommand::settings(const MatchInput& input) const {
+  views::MatchSettings settings = *views::settings_named(method_);
+  if (input.is_textured) settings.range = range_of(*input.truth);
+  if (range_) settings.range = *range_;
+  settings.cost = cost_.value_or(settings.cost);
+  const bool correlation =
+      settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
+  settings.window = window_.value_or(correlation ? 7 : settings.window);
+  settings.adaptive = adaptive_.value_or(settings.adaptive);
+  settings.paths = paths_.value_or(settings.paths);
+  settings.planes = planes_.value_or(settings.planes);
+  if (left_right_) settings.left_right = left_right_;
+  if (no_check_) settings.left_right.reset();
+  settings.confidence = confidence_.value_or(settings.confidence);
+  settings.speckle = speckle_.value_or(settings.speckle);
+  settings.subpixel = settings.subpixel && !no_subpixel_;
+  settings.median = settings.median && !no_median_;
+  settings.smooth = settings.smooth && !no_smooth_;
+  settings.fill = settings.fill && !no_fill_;
+  settings.target = target_;
+  settings.threads = threads_;
+  settings.keep_sums = page_ && has_room_for_sums(input, settings.range);
+  return settings;
+}
+
+Result<void> ViewsMatchCommand::write_maps(const MatchInput& input,
+                                           const views::DenseMatch& match) const {
+  if (output_) {
+    if (const auto written = write_file(*output_, encode_pfm(match.disparity)); !written) {
+      return written;
+    }
+  }
+  if (!rectified_output_.first.empty()) {
+    const auto written =
+        write_rectified(rectified_output_, {*input.rectification, input.left, input.right});
+    if (!written) return written;
+  }
+  if (!depth_output_) return {};
+  return write_file(*depth_output_,
+                    encode_pfm(views::depths_of(match.disparity, *input.calibration)));
+}
+
+// Writes the surface. Returns a line about it for the report.
+Result<std::string> ViewsMatchCommand::write_surface(const MatchInput& input,
+                                                     const views::DenseMatch& match) const {
+  if (!surface_output_) return std::string();
+  const views::Surface surface = views::surface_of(input.left, match.disparity, *input.calibration);
+  const int width = input.left.width, height = input.left.height;
+  const auto view = views::view_of(surface, *input.calibration, width, height);
+  if (!view) return tl::unexpected(view.error());
+  const auto written =
+      write_file(*surface_output_, views::encode_ply(surface, "left camera at 0, gaze -z, y up"));
+  if (!written) return tl::unexpected(written.error());
+  return fmt::format("\n{}: {} points, {} triangles; from the left camera\n  {}\n",
+                     printable(*surface_output_, kLongPath), surface.vertices.size(),
+                     surface.triangles.size(), drawn_by(*surface_output_, *view, width, height));
+}
+
+// The command line that makes this page again.
+std::string ViewsMatchCommand::command_line() const {
+  const MatchSources& given = sources_;
+  std::vector<std::string> files;
+  if (given.left) files = {*given.left, *given.right};
+  const auto add = [&](const char* name, const std::optional<std::string>& value) {
+    if (value) files.insert(files.end(), {name, *value});
+  };
+  add("--truth", given.truth);
+  add("--truth-right", given.truth_right);
+  if (given.truth_scale) add("--truth-scale", fmt::format("{:g}", *given.truth_scale));
+  add("--cameras", given.cameras);
+  add("--scene", given.scene);
+  if (calibration_) {
+    add("--calibration", fmt::format("{},{},{}", calibration_->focal_px, calibration_->baseline,
+                                     calibration_->offset_px));
+  }
+  return shell_line({{"views", "match"},
+                     files,
+                     words_of(options_),
+                     words_given(given.picture),
+                     {"--html", *page_}});
+}
+
+Result<void> ViewsMatchCommand::write_page(const MatchInput& input, const views::DenseMatch& match,
+                                           const nlohmann::ordered_json& json) const {
+  if (!page_) return {};
+  const Result<std::string> page =
+      make_match_page(input, match, json, {"glassbox " GLASSBOX_VERSION, command_line()});
+  if (!page) return tl::unexpected(page.error());
+  return write_file(*page_, std::as_bytes(std::span(*page)));
+}
+
+int ViewsMatchCommand::run() {
+  for (const auto& legal : {check_sources(), check_rectified(), check_outputs(),
+                            calibration_ ? views::check_calibration(*calibration_) : Result<void>(),
+                            threads_ < 0 || threads_ > kMostThreads
+                                ? Result<void>(fail("--threads", "this is no number of threads",
+                                                    "give 1 or more, or leave it out"))
+                                : Result<void>()}) {
+    if (!legal) return refuse(legal.error());
+  }
+  Progress progress;
+  Result<MatchInput> input = read_match_input(sources_, progress);
+  if (!input) return refuse(input.error());
+  if (calibration_) input->calibration = calibration_;
+  if (const auto legal = check_depth(*input); !legal) return refuse(legal.error());
+  if (page_) {
+    if (const auto legal = check_match_page(*input); !legal) return refuse(legal.error());
+  }
+  const views::MatchSettings chosen = settings(*input);
+  progress.phase("matching");
+  const Result<views::DenseMatch> match =
+      views::match_pictures(input->left, input->right, chosen, std::uint64_t(max_megabytes_) << 20);
+  if (!match) return refuse(match.error());
+  progress.phase("writing the results");
+  const Result<std::string> surface = write_surface(*input, *match);
+  if (!surface) return refuse(surface.error());
+  if (const auto written = write_maps(*input, *match); !written) return refuse(written.error());
+  const nlohmann::ordered_json json = match_json(*input, chosen, *match);
+  if (const auto written = write_page(*input, *match, json); !written) {
+    return refuse(written.error());
+  }
+  if (json_output_) {
+    const auto written = write_json(*json_output_, json);
+    if (!written) return refuse(written.error());
+  }
+  progress.done();
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}{}", match_text(*input, chosen, *match), *surface);
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

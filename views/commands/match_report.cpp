@@ -1,0 +1,225 @@
+#include "views/commands/match_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/report/exit_codes.h"
+#include "cli/report/text_layout.h"
+#include "views/commands/geometry_report.h"
+#include "views/commands/rectified_pair.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Judged {
+  const char* where;  // in words
+  const char* key;
+  views::DisparityErrors errors;
+};
+
+Image<std::uint8_t> both_of(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
+  for (std::size_t i = 0; i < one.pixels.size(); ++i) one.pixels[i] &= other.pixels[i];
+  return one;
+}
+
+std::vector<Judged> judge(const MatchInput& input, const Image<float>& disparity) {
+  const views::StereoTruth& truth = *input.truth;
+  std::vector<Judged> all;
+  const auto add = [&](const char* where, const char* key, const Image<std::uint8_t>& mask) {
+    all.push_back({where, key, views::evaluate(disparity, truth.disparity, &mask)});
+  };
+  const Image<std::uint8_t> jumps =
+      both_of(views::near_discontinuity(truth.disparity), truth.is_visible);
+  if (input.is_textured) {
+    add("visible and textured", "visible_and_textured",
+        both_of(*input.is_textured, truth.is_visible));
+    add("textured, at a jump", "textured_at_jumps", both_of(*input.is_textured, jumps));
+  }
+  add("visible to both", "visible", truth.is_visible);
+  add("visible, at a jump", "visible_at_jumps", jumps);
+  all.push_back({"all known", "all", views::evaluate(disparity, truth.disparity)});
+  return all;
+}
+
+// The parts that the result does not have, with the reasons.
+std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSettings& settings,
+                                 const views::DenseMatch& match) {
+  std::vector<LeftOut> out;
+  out.push_back(
+      {fmt::format("disparities below {} and above {}", settings.range.first, settings.range.last),
+       "nobody looks there: time and memory grow with --range"});
+  std::uint64_t doubted = 0;
+  for (const views::Doubt doubt : match.doubts.pixels) doubted += doubt != views::Doubt::kNone;
+  if (doubted > 0) {
+    out.push_back({fmt::format("a match of {:.1f} % of the pixels",
+                               100 * double(doubted) / double(match.doubts.pixels.size())),
+                   settings.fill ? "they are in doubt, and have what is around them: --no-fill "
+                                   "leaves them empty"
+                                 : "they are in doubt, and +inf in the file"});
+  }
+  if (settings.planes == 0) {
+    out.push_back({"slants",
+                   "a pixel's disparity is found as if its surroundings were as far "
+                   "away: --planes 1 lets them slant, and takes longer"});
+  }
+  if (views::sweeps_once(settings)) {
+    out.push_back({"paths from below", "one sweep needs no volume: --method default has them"});
+  }
+  const bool is_drawn = input.is_textured.has_value();
+  if (!input.truth) {
+    out.push_back({"errors", input.rectification
+                                 ? "nobody knows what is right of pictures that were turned"
+                                 : "nobody has said what is right: --truth FILE, or --scene"});
+  }
+  if (!input.calibration) {
+    out.push_back({"depth", is_drawn ? "both eyes are in one place: --eye-separation"
+                                     : "disparities have none without a focal length and a "
+                                       "baseline: --calibration F,B,OFFSET"});
+  }
+  if (!is_drawn && !input.rectification) {
+    out.push_back({"whether the rows are epipolar lines",
+                   "it is believed: --cameras FILE turns pictures until they are"});
+  }
+  return out;
+}
+
+constexpr std::array<std::pair<views::Doubt, const char*>, 5> kDoubts{
+    {{views::Doubt::kOccluded, "occluded"},
+     {views::Doubt::kMismatched, "mismatched"},
+     {views::Doubt::kUnsure, "unsure"},
+     {views::Doubt::kOutside, "outside"},
+     {views::Doubt::kSpeckle, "speckle"}}};
+
+std::uint64_t count_of(const views::DenseMatch& match, views::Doubt doubt) {
+  std::uint64_t count = 0;
+  for (const views::Doubt one : match.doubts.pixels) count += one == doubt;
+  return count;
+}
+
+double total_ms(const views::DenseMatch& match) {
+  double total = 0;
+  for (const views::MatchStep& step : match.steps) total += step.milliseconds;
+  return total;
+}
+
+// The depth error that follows from an error of disparity. The derivative of the depth Z is Z^2/(f
+// B) (S2-13).
+struct DepthFacts {
+  double median = 0;     // over the pixels that have a depth
+  double per_tenth = 0;  // the error at that depth for 0.1 px of disparity
+};
+std::optional<DepthFacts> depth_facts(const MatchInput& input, const views::DenseMatch& match) {
+  if (!input.calibration) return {};
+  auto depths = views::depths_of(match.disparity, *input.calibration).pixels;
+  std::erase_if(depths, [](float depth) { return !std::isfinite(depth); });
+  if (depths.empty()) return {};
+  const auto middle = depths.begin() + std::ptrdiff_t(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  const double z = double(*middle);
+  return DepthFacts{
+      z, 0.1 * z * z / (input.calibration->focal_px * std::abs(input.calibration->baseline))};
+}
+
+std::string errors_text(const MatchInput& input, const Image<float>& disparity) {
+  std::string text =
+      fmt::format("{:<22}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "off by more than, %", "0.5 px",
+                  "1 px", "2 px", "4 px", "RMS px", "of good px", "density %");
+  for (const Judged& judged : judge(input, disparity)) {
+    const views::DisparityErrors& errors = judged.errors;
+    if (errors.known == 0) continue;  // without known pixels there are no shares
+    text += fmt::format("{:<22}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n",
+                        judged.where, errors.bad_percent[0], errors.bad_percent[1],
+                        errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,
+                        errors.density_percent);
+  }
+  return text +
+         fmt::format(
+             "visible: {}; a pixel without disparity counts as off;\ngood: those off by 1 px "
+             "at most\n",
+             input.visible_by);
+}
+
+}  // namespace
+
+std::string match_text(const MatchInput& input, const views::MatchSettings& settings,
+                       const views::DenseMatch& match) {
+  std::string text = fmt::format("{}\ndisparities {} to {}, {}, {} paths, {} MB of volumes\n",
+                                 printable(input.about, kLongPath), settings.range.first,
+                                 settings.range.last, views::name_of(settings.cost), settings.paths,
+                                 (match.bytes + (1u << 20) - 1) >> 20);
+  std::string doubts;
+  for (const auto& [doubt, name] : kDoubts) {
+    const double share = 100 * double(count_of(match, doubt)) / double(match.doubts.pixels.size());
+    doubts += fmt::format("{}{} {:.1f} %", doubts.empty() ? "" : ", ", name, share);
+  }
+  text += fmt::format("in doubt: {}{}\n", doubts, settings.fill ? " (filled)" : "");
+  std::string steps;
+  for (const views::MatchStep& step : match.steps) {
+    steps += fmt::format("{}{} {:.1f}", steps.empty() ? "" : ", ", step.name, step.milliseconds);
+  }
+  text += fmt::format("{:.1f} ms on {}: {}\n", total_ms(match), name_of(settings.target), steps);
+  if (const auto depth = depth_facts(input, match)) {
+    text += fmt::format(
+        "half of the depths are below {:.4g}; there 0.1 px of disparity is {:.2g} of depth, Z^2 "
+        "0.1/(f B)\n",
+        depth->median, depth->per_tenth);
+  }
+  if (input.rectification) text += "\n" + rectification_text(*input.rectification);
+  if (input.truth) text += "\n" + errors_text(input, match.disparity);
+  text += "\nleft out\n";
+  for (const LeftOut& one : left_out_of(input, settings, match)) {
+    text += wrapped("  - ", one.what + ": " + one.why);
+  }
+  return text;
+}
+
+Json match_json(const MatchInput& input, const views::MatchSettings& settings,
+                const views::DenseMatch& match) {
+  Json json{{"pair", input.about},
+            {"width", match.disparity.width},
+            {"height", match.disparity.height},
+            {"range", {settings.range.first, settings.range.last}},
+            {"cost", views::name_of(settings.cost)},
+            {"paths", settings.paths},
+            {"planes", settings.planes},
+            {"volume_bytes", match.bytes},
+            {"target", name_of(settings.target)}};
+  for (const auto& [doubt, name] : kDoubts) json["in_doubt"][name] = count_of(match, doubt);
+  json["ms"] = total_ms(match);
+  for (const views::MatchStep& step : match.steps) json["steps_ms"][step.name] = step.milliseconds;
+  if (const auto depth = depth_facts(input, match)) {
+    json["depth"] = {{"median", depth->median}, {"error_of_a_tenth_px", depth->per_tenth}};
+  }
+  if (input.rectification) json["rectification"] = rectification_json(*input.rectification);
+  for (const LeftOut& one : left_out_of(input, settings, match)) {
+    json["left_out"].push_back({{"what", one.what}, {"why", one.why}});
+  }
+  if (!input.truth) return json;
+  json["visible_by"] = input.visible_by;
+  for (const Judged& judged : judge(input, match.disparity)) {
+    const views::DisparityErrors& errors = judged.errors;
+    Json one{{"pixels", errors.known}};
+    for (std::size_t i = 0; i < views::kBadAt.size(); ++i) {
+      one["bad_percent"][fmt::format("{:g}", views::kBadAt[i])] = errors.bad_percent[i];
+    }
+    one["rms_px"] = errors.rms;
+    one["rms_good_px"] = errors.rms_good;
+    one["density_percent"] = errors.density_percent;
+    json["errors"][judged.key] = one;
+  }
+  return json;
+}
+
+}  // namespace glassbox::views

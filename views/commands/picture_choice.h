@@ -1,0 +1,55 @@
+// The options shared by commands that read calibrated pictures: which pictures of a folder they
+// use, which one is left out to judge the result by, and where the object is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/cli_fwd.h"
+#include "views/rings/picture_set.h"
+
+namespace glassbox::views {
+
+struct PictureChoice {
+  std::string path;
+  std::vector<std::size_t> chosen;  // counted from 0; empty: all
+  std::optional<int> leave_out;     // counted from 1
+  std::optional<int> matte_above;
+  bool no_mattes = false;
+  std::uint32_t max_megabytes = 4096;
+
+  std::uint64_t most_bytes() const { return std::uint64_t(max_megabytes) << 20; }
+};
+
+struct ChosenPictures {
+  views::PictureSet set;
+  std::optional<views::CalibratedPicture> left_out;
+};
+
+// Adds PICTURES, --pictures, --leave-out, --matte-above, --no-mattes and --max-mb.
+void add_picture_choice(CLI::App& command, PictureChoice& choice);
+
+// Refuses options that contradict each other.
+Result<void> check_choice(const PictureChoice& choice);
+
+Result<ChosenPictures> read_pictures(const PictureChoice& choice);
+
+// An error if `what` takes more bytes than --max-mb allows. `place` is the option that makes it so
+// large.
+Result<void> check_memory(const std::string& place, const std::string& what, double bytes,
+                          std::uint64_t most_bytes);
+
+// the corners with the least and the greatest coordinates
+using AskedBox = std::optional<std::array<double, 6>>;
+
+// Adds --box.
+void add_box(CLI::App& command, AskedBox& box);
+
+// The box given by the user, or else the folder's.
+Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set);
+
+}  // namespace glassbox::views

@@ -1,0 +1,243 @@
+#include "views/commands/polygons_command.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/choices.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/shell_line.h"
+#include "views/commands/surface_page.h"
+#include "views/polygons/mesh_scene.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/gltf/write.h>
+
+namespace glassbox::views {
+
+void ViewsPolygonsCommand::add_input_options(CLI::App& command) {
+  add_picture_choice(command, choice_);
+  command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
+      ->type_name("SCENE")
+      ->group("Pictures");
+}
+
+void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
+  std::string group = "Voxels";
+  add_box(command, box_);
+  command
+      .add_option("--resolution", resolution_,
+                  fmt::format("voxels along the box's longest side [{}]", resolution_))
+      ->type_name("N")
+      ->check(CLI::Range(1, views::kMostVoxelsAlong))
+      ->group(group);
+  command
+      .add_option("--threshold", request_.voxels.settings.threshold,
+                  "of a voxel's sigma, levels of 0 .. 255 [18]")
+      ->type_name("T")
+      ->group(group);
+  add_choice(command, "--order", request_.voxels.order,
+             choices_of({views::Order::kAuto, views::Order::kSweep, views::Order::kCarve}),
+             "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
+      ->group(group);
+
+  group = "Polygons";
+  command
+      .add_option("--polygon-threshold", request_.polygons.threshold,
+                  fmt::format("of a polygon's sigma, levels; inf: only background carves [{}]",
+                              request_.polygons.threshold))
+      ->type_name("T")
+      ->group(group);
+  command
+      .add_flag_callback(
+          "--no-carving", [this] { request_.polygons.carves = false; },
+          "the voxels' surface as it is")
+      ->group(group);
+  command
+      .add_flag_callback(
+          "--half-way", [this] { request_.polygons.is_smooth = false; },
+          "corners half way between voxels, not where their surroundings are half full")
+      ->group(group);
+
+  command
+      .add_option_function<int>(
+          "--threads",
+          [this](const int& threads) {
+            request_.voxels.settings.threads = request_.polygons.threads = threads;
+          },
+          "threads; no byte depends on it [all]")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads))
+      ->group("Engine");
+}
+
+void ViewsPolygonsCommand::add_output_options(CLI::App& command) {
+  const std::string group = "Outputs";
+  command.add_option("-o,--output", output_, "the coloured surface: .glb or .ply")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--left-out-output", left_out_output_,
+                  "the picture that was left out, drawn from the polygons: .png or .ppm")
+      ->type_name("FILE")
+      ->group(group);
+  add_json_output(command, json_output_)->group(group);
+  add_html_output(command, page_, "the surface, to be turned, and the picture that was left out")
+      ->group(group);
+}
+
+void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command = *views.add_subcommand(
+      "polygons", "a closed surface of what calibrated pictures show: polygon colouring");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views ring teapot -o ring\n"
+      "  glassbox views polygons ring -o teapot.glb\n"
+      "  glassbox views polygons ring --leave-out 4 --truth teapot --html teapot.html\n"
+      "  glassbox render teapot.glb -o again.png\n\n"
+      "Voxels are coloured as `glassbox views voxels` does it, and a surface is laid around what "
+      "is\n"
+      "not empty. Each polygon has the mean colour of the pixels that show it; the voxel behind it "
+      "is\n"
+      "taken away where they show several, if the pictures are explained better without it, and\n"
+      "where it is beside the object. docs/polygons.md has more.");
+  const std::size_t before = command.get_options().size();
+  add_input_options(command);
+  add_surface_options(command);
+  const auto all = command.get_options();
+  options_.assign(all.begin() + std::ptrdiff_t(before) + 1, all.end());
+  add_output_options(command);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> ViewsPolygonsCommand::check_asked() const {
+  for (const auto& [option, threshold] :
+       {std::pair{"--threshold", request_.voxels.settings.threshold},
+        {"--polygon-threshold", request_.polygons.threshold}}) {
+    if (!(threshold >= 0))
+      return fail(option, "a threshold is at least 0", "give levels of 0 .. 255, or inf");
+  }
+  if (left_out_output_ && !choice_.leave_out)
+    return fail("--left-out-output", "no picture is left out", "add --leave-out N");
+  return check_choice(choice_);
+}
+
+Result<void> ViewsPolygonsCommand::check_outputs() const {
+  std::vector<std::string> files;
+  if (output_) {
+    if (!check_extension(*output_, ".glb") && !check_extension(*output_, ".ply"))
+      return fail(printable(*output_, kLongestMessage), "is neither .glb nor .ply",
+                  "name it surface.glb");
+    files.push_back(*output_);
+  }
+  if (left_out_output_) {
+    if (const auto good = check_image_path(*left_out_output_); !good) return good;
+    files.push_back(*left_out_output_);
+  }
+  if (page_) {
+    if (const auto good = check_extension(*page_, ".html"); !good) return good;
+    files.push_back(*page_);
+  }
+  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
+  return glassbox::check_outputs(files);
+}
+
+Result<void> ViewsPolygonsCommand::complete_request(const views::PictureSet& set) {
+  views::ColoringRequest& voxels = request_.voxels;
+  const auto box = box_of(box_, set);
+  if (!box) return tl::unexpected(box.error());
+  voxels.box = *box;
+  voxels.voxel_size = views::size_for(voxels.box, resolution_);
+  voxels.size_option = "--resolution";
+  request_.writes_glb = output_ && check_extension(*output_, ".glb");
+  voxels.most_bytes = choice_.most_bytes();
+  return {};
+}
+
+std::string ViewsPolygonsCommand::command_line() const {
+  std::vector<std::string> page;
+  if (page_) page = {"--html", *page_};
+  return shell_line({{"views", "polygons", choice_.path}, words_of(options_), page});
+}
+
+Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
+                                                 const PolygonsReport& report) const {
+  // Everything is made before the first file is written.
+  const nlohmann::ordered_json json = polygons_json(input, report);
+  Result<std::string> text;
+  if (page_) {
+    SurfacePage page;
+    page.verb = "polygons";
+    page.title = input.pictures.set.source;
+    page.summary = fmt::format("{} polygons from {} pictures", report.coloring.mesh.polygons.size(),
+                               input.pictures.set.pictures.size());
+    page.text = polygons_text(input, report);
+    page.command = command_line();
+    page.scene = &report.scene;
+    for (const views::PolygonColor& color : report.coloring.colors)
+      page.views.push_back(std::uint8_t(std::min<int>(color.views, 255)));
+    if (report.drawn) {
+      page.left_out = &*input.pictures.left_out;
+      page.drawn = &report.drawn->color;
+    }
+    text = make_surface_page(page);
+    if (!text) return tl::unexpected(text.error());
+  }
+  if (output_ && check_extension(*output_, ".glb")) {
+    if (const auto written = write_glb(report.scene, *output_); !written) return written;
+  } else if (output_) {
+    const auto ply = views::polygons_ply(report.coloring);
+    if (!ply) return tl::unexpected(ply.error());
+    if (const auto written = write_file(*output_, std::as_bytes(std::span(*ply))); !written)
+      return written;
+  }
+  if (left_out_output_) {
+    if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
+      return written;
+  }
+  if (page_) {
+    if (const auto written = write_file(*page_, std::as_bytes(std::span(*text))); !written)
+      return written;
+  }
+  return json_output_ ? write_json(*json_output_, json) : Result<void>();
+}
+
+int ViewsPolygonsCommand::run() {
+  for (const auto& legal : {check_asked(), check_outputs()}) {
+    if (!legal) return refuse(legal.error());
+  }
+  Progress progress;
+  progress.phase("reading the pictures");
+  auto pictures = read_pictures(choice_);
+  if (!pictures) return refuse(pictures.error());
+  PolygonsInput input{std::move(*pictures), {}};
+  if (const auto legal = complete_request(input.pictures.set); !legal) return refuse(legal.error());
+  if (truth_) {
+    auto scene = load_asked_scene(*truth_, progress);
+    if (!scene) return refuse(scene.error());
+    input.truth = std::move(*scene);
+  }
+  const Result<PolygonsReport> report = report_polygons(input, request_, progress);
+  if (!report) return refuse(report.error());
+  progress.phase("writing");
+  if (const auto written = write_outputs(input, *report); !written) return refuse(written.error());
+  progress.done();
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}", polygons_text(input, *report));
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,60 @@
+#include "views/commands/rectified_pair.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/report/text_layout.h"
+#include "views/commands/matrix_report.h"
+
+#include <glassbox/images/write.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string six_digits(double value) {
+  return fmt::format("{:13.6g}", value + 0.0);  // adding 0 turns -0 into 0
+}
+
+}  // namespace
+
+Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                              const views::StereoRig& rig) {
+  const auto how = views::rectification_of(rig, left.width, left.height);
+  if (!how) return tl::unexpected(how.error());
+  return RectifiedPair{*how, views::rectified(left, how->left),
+                       views::rectified(right, how->right)};
+}
+
+std::string rectification_text(const views::Rectification& how) {
+  return wrapped("rectified   ",
+                 fmt::format("of the left picture {:.1f} % has no place in the new one, of the "
+                             "right one {:.1f} %; {:.1f} and {:.1f} % of the new ones show nothing",
+                             100 * how.lost_left, 100 * how.lost_right, 100 * how.empty_left,
+                             100 * how.empty_right)) +
+         matrix_lines("H_left", how.left, "new pixel = H (x, y, 1)", six_digits) +
+         matrix_lines("H_right", how.right, "", six_digits) +
+         matrix_lines("K", how.intrinsic, "of both", six_digits) +
+         fmt::format("  {:<8}{:13.6g}   along the rows: Z = {:.6g} * {:.6g}/disparity\n",
+                     "baseline", how.baseline, how.intrinsic(0, 0), how.baseline);
+}
+
+Json rectification_json(const views::Rectification& how) {
+  return {{"H_left", matrix_json(how.left)},
+          {"H_right", matrix_json(how.right)},
+          {"K", matrix_json(how.intrinsic)},
+          {"R", matrix_json(how.from_left)},
+          {"baseline", how.baseline},
+          {"lost_percent", {{"left", 100 * how.lost_left}, {"right", 100 * how.lost_right}}},
+          {"empty_percent", {{"left", 100 * how.empty_left}, {"right", 100 * how.empty_right}}}};
+}
+
+Result<void> write_rectified(const std::pair<std::string, std::string>& names,
+                             const RectifiedPair& pair) {
+  if (const auto written = write_image(names.first, pair.left); !written) return written;
+  return write_image(names.second, pair.right);
+}
+
+}  // namespace glassbox::views

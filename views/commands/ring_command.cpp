@@ -1,0 +1,182 @@
+#include "views/commands/ring_command.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/builtin_help.h"
+#include "cli/options/choices.h"
+#include "cli/options/output_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "views/rings/draw_ring.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/render/engine/names.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+views::Vector3d vector_of(const std::string& option, const std::string& text) {
+  const auto [x, y, z] = parse_numbers<3>(option, text);
+  return {x, y, z};
+}
+
+std::vector<std::string> names_of(const std::vector<views::RingView>& ring) {
+  std::vector<std::string> names;
+  for (const views::RingView& view : ring) names.push_back(view.named.picture);
+  return names;
+}
+
+}  // namespace
+
+void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command =
+      *views.add_subcommand("ring", "calibrated pictures of a scene, from all around it");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views ring teapot -o ring\n"
+      "  glassbox views ring cube -o arc --views 9 --arc 90 --elevation 30\n"
+      "  glassbox views ring teapot -o pairs --views 5 --pairs 0.2\n\n"
+      "The folder has a picture and a mask for each camera, ring_par.txt with K, R and t as the\n"
+      "Middlebury multi-view pictures have them, and box.txt with the scene's box. A scene "
+      "without\n"
+      "lights is drawn unlit: the lamp that it would get stands at the camera, so that a surface\n"
+      "would have another colour in every picture.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command.add_option("-o,--output", output_, "the folder")->type_name("DIR")->required();
+  command.add_option("--views", ring_.views, "cameras on each circle [21]")->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--elevation",
+          [this](const std::string& text) {
+            ring_.elevations.clear();
+            for (const std::string& part : split(text, ','))
+              ring_.elevations.push_back(parse_number("--elevation", part));
+          },
+          "degrees above the target; several: a circle for each [20]")
+      ->type_name("DEG[,DEG...]");
+  command.add_option("--arc", ring_.arc_degrees, "degrees from the first camera to the last [360]")
+      ->type_name("DEG");
+  command.add_option("--start", ring_.start_degrees, "of the first camera, from +z towards +x [0]")
+      ->type_name("DEG");
+  command
+      .add_option_function<double>(
+          "--distance", [this](const double& value) { ring_.distance = value; },
+          "of the cameras from the target [such that all pictures have all of the scene]")
+      ->type_name("D");
+  command.add_option("--fov", ring_.fov_degrees, "full vertical angle of view, degrees [30]")
+      ->type_name("DEG");
+  command
+      .add_option_function<std::string>(
+          "--look-at",
+          [this](const std::string& text) { ring_.target = vector_of("--look-at", text); },
+          "the target [the centre of the scene]")
+      ->type_name("X,Y,Z");
+  command
+      .add_option_function<std::string>(
+          "--up", [this](const std::string& text) { ring_.up = vector_of("--up", text); },
+          "the axis of the circles [0,1,0]")
+      ->type_name("X,Y,Z");
+  command
+      .add_option_function<double>(
+          "--pairs", [this](const double& value) { ring_.pair_separation = value; },
+          "two cameras in each place, so far apart")
+      ->type_name("D");
+  command
+      .add_option_function<std::string>(
+          "--size", [this](const std::string& text) { size_ = parse_size(text); },
+          "of the pictures [320x320]")
+      ->type_name("WxH");
+  add_choice<views::Matte>(command, "--matte", matte_,
+                           {{"depth", views::Matte::kDepth},
+                            {"alpha", views::Matte::kAlpha},
+                            {"none", views::Matte::kNone}},
+                           "what a mask has: pixels whose centre shows a surface, or those that "
+                           "are half covered [depth]");
+  add_choice<std::optional<Shading>>(
+      command, "--shade", shading_,
+      choices_of({Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}),
+      "where lighting is computed [phong of scenes with lights, else unlit]");
+  add_choice<int>(command, "--samples", samples_,
+                  {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
+                  "samples of each pixel, whose mean is its colour [1]");
+  command
+      .add_option_function<std::string>(
+          "--background", [this](const std::string& text) { background_ = parse_background(text); },
+          "as displayed, each 0 .. 1 [0,0,0]")
+      ->type_name("R,G,B");
+  add_json_output(command, json_output_);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int ViewsRingCommand::run() {
+  if (json_output_ && *json_output_ != "-") {
+    if (const auto good = check_outputs({*json_output_}); !good) return refuse(good.error());
+  }
+  Progress progress;
+  const auto scene = load_asked_scene(scene_, progress);
+  if (!scene) return refuse(scene.error());
+  ring_.width = size_.width;
+  ring_.height = size_.height;
+  const auto ring = views::ring_views(*scene, ring_);
+  if (!ring) return refuse(ring.error());
+  if (json_output_ && *json_output_ != "-") {
+    std::vector<std::string> files = views::files_of_set(output_, names_of(*ring));
+    files.push_back(*json_output_);
+    if (const auto good = check_distinct(files); !good) return refuse(good.error());
+  }
+
+  RenderSettings settings;
+  const bool is_unlit = !shading_ && scene->lights.empty();
+  settings.shading = shading_.value_or(is_unlit ? Shading::kUnlit : Shading::kPhong);
+  settings.samples = samples_;
+  settings.background = background_;
+  auto writer = views::PictureSetWriter::open(output_);
+  if (!writer) return refuse(writer.error());
+  const auto drawn = views::draw_each(
+      *scene, *ring, settings, matte_,
+      [&](const views::CalibratedPicture& picture) { return writer->add(picture); },
+      [&](const std::string& name) { progress.phase("drawing " + name); });
+  if (!drawn) return refuse(drawn.error());
+  const views::WorldBox box = views::box_of(*scene);
+  if (const auto written = writer->close(box); !written) return refuse(written.error());
+  progress.done();
+
+  const views::PinholeCamera& first = ring->front().named.camera;
+  const views::Vector3d target = ring_.target.value_or((box.low + box.high) / 2);
+  const double distance = (first.centre - target).norm();
+  if (json_output_) {
+    const auto numbers = [](const views::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+    const Json json{{"folder", output_},
+                    {"scene", scene_},
+                    {"pictures", ring->size()},
+                    {"width", size_.width},
+                    {"height", size_.height},
+                    {"target", numbers(target)},
+                    {"distance", distance},
+                    {"focal_px", first.intrinsic(0, 0)},
+                    {"box", {numbers(box.low), numbers(box.high)}},
+                    {"unlit", settings.shading == Shading::kUnlit}};
+    if (const auto written = write_json(*json_output_, json); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}: {} pictures of {} x {}, {:.6g} from the target, f = {:.6g} px\n",
+             printable(output_, kLongestMessage), ring->size(), size_.width, size_.height, distance,
+             first.intrinsic(0, 0));
+  if (is_unlit)
+    fmt::print(
+        "  Left out: light. The scene has none of its own, and a lamp at the camera would "
+        "change colours\n  from picture to picture (--shade).\n");
+  if (matte_ == views::Matte::kNone) fmt::print("  Left out: masks (--matte).\n");
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,391 @@
+#include "views/commands/texture_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/choices.h"
+#include "cli/options/ignored_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/shell_line.h"
+#include "views/commands/left_out_report.h"
+#include "views/commands/surface_page.h"
+#include "views/texture/static_texture.h"
+#include "views/texture/unlit_renderer.h"
+
+#include <glassbox/base/elementary.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/gltf/write.h>
+
+namespace glassbox::views {
+
+using views::Blend;
+
+struct ViewsTextureCommand::Found {
+  explicit Found(views::TexturedSurface of) : surface(std::move(of)) {}
+
+  // One picture reconstructed from the others with one way of blending.
+  struct LeftOutAlone {
+    std::string picture;
+    Blend blend = Blend::kBarycentric;
+    views::TextureErrors errors;
+  };
+  // The PSNR over all pictures as if they were one; NaN if no pixel is covered.
+  double psnr_of_all(Blend way) const {
+    double squares = 0, pixels = 0;
+    for (const LeftOutAlone& one : each) {
+      if (one.blend != way) continue;
+      const double covered = one.errors.covered * double(one.errors.pixels);
+      if (covered > 0) squares += one.errors.rms * one.errors.rms * covered;
+      pixels += covered;
+    }
+    return 10 * logarithm_10(255 * 255 * pixels / squares);
+  }
+
+  views::TexturedSurface surface;
+  std::uint64_t bytes = 0;  // expected memory for everything
+  std::int64_t polygons = 0, unseen = 0;
+  std::size_t triangles = 0;  // of the sphere of view directions
+  std::optional<views::TexturedPicture> drawn, left_out;
+  std::optional<views::TextureErrors> errors;
+  std::vector<LeftOutAlone> each;
+  std::optional<Scene> fixed;
+  std::vector<std::uint8_t> views;  // for each polygon: how many pictures see it
+};
+
+void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command = *views.add_subcommand(
+      "texture", "a surface from another eye, with the colours of the pictures around it");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views texture teapot.glb ring --eye 4,3,5 --look-at 0,1,0 -o picture.png\n"
+      "  glassbox views texture teapot.glb ring --leave-out 4 --left-out-output again.png\n"
+      "  glassbox views texture teapot.glb ring --each --json -\n"
+      "  glassbox views texture teapot.glb ring --fixed textured.glb\n\n"
+      "Each polygon has the colours of the three pictures whose directions are around the eye's, "
+      "by\n"
+      "their barycentric weights, without those that do not see it. From a picture's own place it "
+      "is\n"
+      "that picture. docs/polygons.md has more.");
+  command.add_option("MESH", mesh_, kSceneHelp)->required();
+  command_ = &command;
+  const std::size_t before = command.get_options().size();
+  add_picture_choice(command, choice_);
+  command
+      .add_flag("--each", each_,
+                "leave out every picture in turn, and say how well each blend makes it")
+      ->group("Pictures");
+  std::string group = "Blend";
+  add_choice(command, "--blend", blend_,
+             choices_of({Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}),
+             "the nearest picture, the three around, or the nearest few by their angles "
+             "[barycentric]")
+      ->group(group);
+  command.add_option("--neighbours", neighbours_, "how many of the last [4]")
+      ->type_name("K")
+      ->check(CLI::Range(1, views::kMostNeighbours))
+      ->group(group);
+  const std::size_t before_camera = command.get_options().size();
+  add_camera_options(command, camera_);
+  const auto with_camera = command.get_options();
+  for (std::size_t i = before_camera; i < with_camera.size(); ++i)
+    camera_words_.push_back(with_camera[i]->get_name());
+  command
+      .add_option_function<std::string>(
+          "--size", [this](const std::string& text) { size_ = parse_size(text); },
+          "of the picture [that of the first of PICTURES]")
+      ->type_name("WxH")
+      ->group("Picture");
+  command
+      .add_option_function<std::string>(
+          "--background", [this](const std::string& text) { background_ = parse_background(text); },
+          "as displayed, each 0 .. 1 [0.1,0.12,0.15]")
+      ->type_name("R,G,B")
+      ->group("Picture");
+  command.add_option("--texels", texels_, "of --fixed: the side of a square of two triangles [8]")
+      ->type_name("N")
+      ->check(CLI::Range(views::kLeastTexels, views::kMostTexels))
+      ->group(group);
+  const auto all = command.get_options();
+  options_.assign(all.begin() + std::ptrdiff_t(before) + 1, all.end());
+  group = "Outputs";
+  command.add_option("-o,--output", output_, "the picture: .png or .ppm")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--fixed", fixed_,
+                  "the surface with one texture for all eyes, which `render` draws: .glb")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--left-out-output", left_out_output_,
+                  "the picture that was left out, made of the others: .png or .ppm")
+      ->type_name("FILE")
+      ->group(group);
+  add_json_output(command, json_output_)->group(group);
+  add_html_output(command, page_, "the surface, to be turned, with the pictures that colour it")
+      ->group(group);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> ViewsTextureCommand::check_asked() const {
+  if (left_out_output_ && !choice_.leave_out)
+    return fail("--left-out-output", "no picture is left out", "add --leave-out N");
+  if (each_ && choice_.leave_out)
+    return fail("--each", "there is a --leave-out as well", "leave one of them out");
+  return check_choice(choice_);
+}
+
+Result<void> ViewsTextureCommand::check_outputs() const {
+  std::vector<std::string> files;
+  for (const auto* picture : {&output_, &left_out_output_}) {
+    if (!*picture) continue;
+    if (const auto good = check_image_path(**picture); !good) return good;
+    files.push_back(**picture);
+  }
+  if (fixed_) {
+    if (const auto good = check_extension(*fixed_, ".glb"); !good) return good;
+    files.push_back(*fixed_);
+  }
+  if (page_) {
+    if (const auto good = check_extension(*page_, ".html"); !good) return good;
+    files.push_back(*page_);
+  }
+  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
+  return glassbox::check_outputs(files);
+}
+
+void ViewsTextureCommand::tell_of_unused() const {
+  const bool no_picture = !output_;
+  tell_of_ignored(*command_,
+                  {{blend_ != Blend::kNeighbours && !each_,
+                    {"--neighbours"},
+                    "it is of --blend " + std::string(views::name_of(Blend::kNeighbours))},
+                   {!fixed_, {"--texels"}, "it is of --fixed"},
+                   {no_picture, camera_words_, "no picture is drawn without -o"},
+                   {no_picture, {"--size"}, "no picture is drawn without -o"}});
+}
+
+// An upper bound of the memory in bytes for all outputs. All parts are counted as if they existed
+// at the same time.
+double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& pictures) const {
+  const views::PictureSet& set = pictures.set;
+  double largest = 0;
+  const auto draw = [&](double pixels) { largest = std::max(largest, pixels); };
+  for (const views::CalibratedPicture& picture : set.pictures)
+    draw(double(picture.color.pixels.size()));
+  if (size_) draw(double(size_->width) * size_->height);
+  double bytes = views::bytes_of(set) + views::TexturedSurface::bytes_for(scene, set);
+  if (pictures.left_out) {
+    bytes += views::bytes_of(*pictures.left_out);
+    draw(double(pictures.left_out->color.pixels.size()));
+  }
+  if (fixed_) bytes += views::static_texture_bytes(views::numbers_of(scene), texels_);
+  // The pictures drawn for outputs are kept, with a colour and a number for each pixel.
+  const double outputs = double(output_.has_value()) + double(pictures.left_out.has_value());
+  return bytes + outputs * largest * (sizeof(Rgba8) + sizeof(std::uint32_t)) +
+         views::UnlitRenderer::bytes_for(double(views::numbers_of(scene)), largest);
+}
+
+Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
+                                                             const ChosenPictures& pictures,
+                                                             Progress& progress) const {
+  progress.phase("finding what each picture sees");
+  const views::PictureSet& set = pictures.set;
+  const double bytes = bytes_for(scene, pictures);
+  const auto legal = check_memory("--max-mb", "the surface, and what each picture sees of it,",
+                                  bytes, choice_.most_bytes());
+  if (!legal) return tl::unexpected(legal.error());
+  auto made = views::TexturedSurface::of(scene, set, blend_, neighbours_);
+  if (!made) return tl::unexpected(made.error());
+  Found found(std::move(*made));
+  found.bytes = std::uint64_t(bytes);
+  const views::TexturedSurface& surface = found.surface;
+  found.polygons = std::int64_t(surface.seen().polygons());
+  found.unseen = surface.seen().unseen();
+  found.triangles = surface.blend().sphere().triangles().size();
+  for (std::uint32_t i = 0; i < found.polygons; ++i) {
+    int seen = 0;
+    for (std::size_t view = 0; view < set.pictures.size(); ++view)
+      seen += surface.seen().sees(view, i);
+    found.views.push_back(std::uint8_t(std::min(seen, 255)));
+  }
+  const Size size = size_.value_or(Size{set.pictures[0].color.width, set.pictures[0].color.height});
+  if (output_) {
+    progress.phase("drawing");
+    const auto camera = choose_camera(scene, camera_, double(size.width) / size.height);
+    if (!camera) return tl::unexpected(camera.error());
+    const auto view = make_view(*camera, size.width, size.height);
+    if (!view) return tl::unexpected(view.error());
+    const auto pinhole = views::camera_of(*view);
+    if (!pinhole) return tl::unexpected(pinhole.error());
+    auto drawn = surface.draw(*pinhole, size.width, size.height, background_);
+    if (!drawn) return tl::unexpected(drawn.error());
+    found.drawn = std::move(*drawn);
+  }
+  if (const auto& left_out = pictures.left_out) {
+    auto drawn =
+        surface.draw(left_out->camera, left_out->color.width, left_out->color.height, background_);
+    if (!drawn) return tl::unexpected(drawn.error());
+    found.errors = views::compare(*drawn, *left_out);
+    found.left_out = std::move(*drawn);
+  }
+  for (std::size_t i = 0; each_ && i < set.pictures.size(); ++i) {
+    progress.phase("leaving out " + set.pictures[i].name);
+    const views::CalibratedPicture& picture = set.pictures[i];
+    for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+      const auto drawn =
+          surface.blended_by(blend, neighbours_, i)
+              .draw(picture.camera, picture.color.width, picture.color.height, background_);
+      if (!drawn) return tl::unexpected(drawn.error());
+      found.each.push_back({picture.name, blend, views::compare(*drawn, picture)});
+    }
+  }
+  if (fixed_) {
+    progress.phase("making the texture");
+    auto fixed = views::with_static_texture(scene, surface, texels_, double(choice_.most_bytes()));
+    if (!fixed) return tl::unexpected(fixed.error());
+    found.fixed = std::move(*fixed);
+  }
+  return found;
+}
+
+std::string ViewsTextureCommand::text(const ChosenPictures& pictures, const Found& found) const {
+  std::string text =
+      fmt::format("{}: {} polygons, {} pictures whose directions make {} triangles\n",
+                  printable(mesh_, kLongestMessage), found.polygons, pictures.set.pictures.size(),
+                  found.triangles);
+  if (const auto& drawn = found.drawn)
+    text +=
+        fmt::format("{}: {} pixels of the surface, by {} blend\n",
+                    printable(*output_, kLongestMessage), drawn->surface, views::name_of(blend_));
+  if (found.errors) text += left_out_text(pictures.left_out->name, *found.errors);
+  if (!found.each.empty()) {
+    text += "each picture made of the others, PSNR over all of them:\n";
+    for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+      const double psnr = found.psnr_of_all(blend);
+      text += fmt::format("  {:<12}{}\n", views::name_of(blend),
+                          std::isnan(psnr) ? "covers no pixel" : fmt::format("{:.2f} dB", psnr));
+    }
+  }
+  if (found.fixed) {
+    const Image<Rgba8>& image = found.fixed->images.front();
+    text += fmt::format("{}: a texture of {} x {} for all eyes\n",
+                        printable(*fixed_, kLongestMessage), image.width, image.height);
+  }
+  if (found.unseen > 0)
+    text += fmt::format(
+        "Left out: pictures of {} polygons that no picture shows; they have the mesh's own "
+        "colours.\n",
+        found.unseen);
+  return text;
+}
+
+nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
+                                                 const Found& found) const {
+  nlohmann::ordered_json json{{"mesh", mesh_},
+                              {"cameras", pictures.set.source},
+                              {"pictures", pictures.set.pictures.size()},
+                              {"bytes", found.bytes},
+                              {"polygons", found.polygons},
+                              {"unseen", found.unseen},
+                              {"view_triangles", found.triangles},
+                              {"blend", views::name_of(blend_)}};
+  if (found.drawn)
+    json["drawn"] = {{"surface", found.drawn->surface},
+                     {"without_view", found.drawn->without_view}};
+  if (found.errors) json["left_out"] = left_out_json(pictures.left_out->name, *found.errors);
+  for (const Found::LeftOutAlone& one : found.each) {
+    nlohmann::ordered_json entry = left_out_json(one.picture, one.errors);
+    entry["blend"] = views::name_of(one.blend);
+    json["each"].push_back(entry);
+  }
+  if (!found.each.empty()) {
+    for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours})
+      json["psnr"][std::string(views::name_of(blend))] = found.psnr_of_all(blend);
+  }
+  return json;
+}
+
+std::string ViewsTextureCommand::command_line() const {
+  std::vector<std::string> page;
+  if (page_) page = {"--html", *page_};
+  return shell_line({{"views", "texture", mesh_, choice_.path}, words_of(options_), page});
+}
+
+Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
+                                                const Found& found) const {
+  // Everything is made before the first file is written.
+  Result<std::string> made;
+  if (page_) {
+    SurfacePage page;
+    page.verb = "texture";
+    page.title = mesh_;
+    page.summary = fmt::format("{} polygons with the colours of {} pictures", found.polygons,
+                               pictures.set.pictures.size());
+    page.text = text(pictures, found);
+    page.command = command_line();
+    page.scene = &scene;
+    page.views = found.views;
+    page.textured = &found.surface;
+    page.pictures = &pictures.set;
+    if (found.left_out) {
+      page.left_out = &*pictures.left_out;
+      page.drawn = &found.left_out->color;
+    }
+    made = make_surface_page(page);
+    if (!made) return tl::unexpected(made.error());
+  }
+  if (output_) {
+    if (const auto written = write_image(*output_, found.drawn->color); !written) return written;
+  }
+  if (left_out_output_) {
+    if (const auto written = write_image(*left_out_output_, found.left_out->color); !written)
+      return written;
+  }
+  if (fixed_) {
+    if (const auto written = write_glb(*found.fixed, *fixed_); !written) return written;
+  }
+  if (page_) {
+    if (const auto written = write_file(*page_, std::as_bytes(std::span(*made))); !written)
+      return written;
+  }
+  return json_output_ ? write_json(*json_output_, json(pictures, found)) : Result<void>();
+}
+
+int ViewsTextureCommand::run() {
+  for (const auto& legal : {check_asked(), check_outputs()}) {
+    if (!legal) return refuse(legal.error());
+  }
+  tell_of_unused();
+  Progress progress;
+  const auto scene = load_asked_scene(mesh_, progress);
+  if (!scene) return refuse(scene.error());
+  progress.phase("reading the pictures");
+  const auto pictures = read_pictures(choice_);
+  if (!pictures) return refuse(pictures.error());
+  if (each_ && pictures->set.pictures.size() == 1)
+    return refuse(fail("--each", "it is the only picture", "take a set of more").value());
+  const auto found = find(*scene, *pictures, progress);
+  if (!found) return refuse(found.error());
+  progress.phase("writing");
+  if (const auto written = write_outputs(*scene, *pictures, *found); !written)
+    return refuse(written.error());
+  progress.done();
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}", text(*pictures, *found));
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
+  return kSuccess;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,316 @@
+#include "views/commands/voxels_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/options/arguments.h"
+#include "cli/options/choices.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/ignored_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
+#include "cli/options/scene_input.h"
+#include "cli/report/exit_codes.h"
+#include "cli/report/output.h"
+#include "cli/report/shell_line.h"
+#include "views/commands/voxels_page.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::views {
+
+namespace {
+
+using views::Consistency;
+using views::Footprint;
+
+std::array<int, 2> parse_direction(const std::string& text) {
+  const bool is_back = !text.empty() && text.front() == '-';
+  const std::string axis = is_back ? text.substr(1) : text;
+  if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+    throw CLI::ValidationError("--direction", "needs x, -x, y, -y, z or -z, not '" + text + "'");
+  return {axis[0] - 'x', is_back ? -1 : 1};
+}
+
+}  // namespace
+
+void ViewsVoxelsCommand::add_input_options(CLI::App& command) {
+  add_picture_choice(command, choice_);
+  command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
+      ->type_name("SCENE")
+      ->group("Pictures");
+}
+
+void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
+  views::ColoringSettings& settings = request_.settings;
+  std::string group = "Voxels";
+  add_box(command, box_);
+  command.add_option("--resolution", resolution_, "voxels along the box's longest side [96]")
+      ->type_name("N")
+      ->check(CLI::Range(1, views::kMostVoxelsAlong))
+      ->group(group);
+  command.add_option("--voxel", voxel_size_, "their edge, world units")
+      ->type_name("D")
+      ->group(group);
+  command.add_option("--total", total_, "about so many in all")->type_name("N")->group(group);
+  add_choice(command, "--order", request_.order,
+             choices_of({views::Order::kAuto, views::Order::kSweep, views::Order::kCarve}),
+             "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--direction",
+          [this](const std::string& text) { request_.direction = parse_direction(text); },
+          "of the sweep: x, -x, y, -y, z, -z [away from the cameras]")
+      ->type_name("AXIS")
+      ->group(group);
+  command
+      .add_option("--levels", request_.levels,
+                  "coarse to fine: so many times twice as large first, 0 to 6 [0]")
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--slack", request_.slack, "of the threshold at coarser levels [2]")
+      ->type_name("F")
+      ->group(group);
+  command.add_flag("--against-full", against_full_, "count what coarse to fine loses")
+      ->group(group);
+
+  group = "Consistency";
+  add_choice(
+      command, "--test", settings.consistency,
+      choices_of({Consistency::kDeviation, Consistency::kLikelihood, Consistency::kAdaptive}),
+      "what makes colours one colour: sigma < T, a likelihood ratio, sigma < k1 M + k2 [sigma]")
+      ->group(group);
+  const auto add_value = [&](const char* name, double& value, const char* type, const char* help) {
+    command.add_option(name, value, help)->type_name(type)->group(group);
+  };
+  add_value("--threshold", settings.threshold, "T", "of sigma, levels of 0 .. 255; inf: all [18]");
+  add_value("--noise", settings.noise, "S", "of the likelihood ratio, levels [6]");
+  add_value("--significance", settings.significance, "P",
+            "share of good voxels that the likelihood ratio may reject [0.001]");
+  add_value("--k1", settings.k1, "F",
+            "of adaptive: times the mean deviation within pictures [0.5]");
+  add_value("--k2", settings.k2, "T", "of adaptive, levels [8]");
+  add_value("--edges", settings.edge, "S",
+            "voxels with so much deviation within every picture are coloured anyway; 0: none [0]");
+  add_choice(command, "--space", settings.space,
+             choices_of({views::ColorSpace::kRgb, views::ColorSpace::kLab}),
+             "where colours are compared; lab: CIELab, and T in its units [rgb]")
+      ->group(group);
+  add_value("--lightness", settings.lightness, "F", "weight of L in lab, 0 to 2 [0.5]");
+  add_choice(command, "--footprint", settings.sampled,
+             choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
+             "the pixels of a voxel that are compared [centre]")
+      ->group(group);
+  add_choice(command, "--hides", settings.hidden,
+             choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
+             "the pixels behind a coloured voxel [box]")
+      ->group(group);
+  add_choice(command, "--update", settings.update,
+             choices_of({views::Update::kLayer, views::Update::kVoxel}),
+             "when it hides them: after its layer or at once [layer]")
+      ->group(group);
+  add_choice(command, "--alone", settings.alone,
+             choices_of({views::Alone::kReject, views::Alone::kKeep}),
+             "voxels that fewer than two pictures see [reject]")
+      ->group(group);
+
+  add_target_option(command, settings.target)->group("Engine");
+  command.add_option("--threads", settings.threads, "threads; no byte depends on it [all]")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads))
+      ->group("Engine");
+}
+
+void ViewsVoxelsCommand::add_output_options(CLI::App& command) {
+  const std::string group = "Outputs";
+  command.add_option("-o,--output", output_, "the coloured voxels, .ply")
+      ->type_name("FILE")
+      ->group(group);
+  add_choice(command, "--shape", shape_,
+             {{"cubes", views::VoxelShape::kCubes}, {"points", views::VoxelShape::kPoints}},
+             "what the file has; render draws cubes [cubes]")
+      ->group(group);
+  command
+      .add_option("--left-out-output", left_out_output_,
+                  "the picture that was left out, drawn from the voxels: .png or .ppm")
+      ->type_name("FILE")
+      ->group(group);
+  add_json_output(command, json_output_)->group(group);
+  add_html_output(command, page_, "the voxels, to be turned and asked why they are there")
+      ->group(group);
+}
+
+void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
+  CLI::App& command =
+      *views.add_subcommand("voxels", "the shape that calibrated pictures show: voxel colouring");
+  command.footer(
+      "Examples:\n"
+      "  glassbox views ring teapot -o ring\n"
+      "  glassbox views voxels ring -o teapot.ply\n"
+      "  glassbox views voxels ring --truth teapot --leave-out 4 --json -\n"
+      "  glassbox views voxels ring --resolution 200 --levels 2 --against-full\n"
+      "  glassbox render teapot.ply --shade unlit -o again.png\n\n"
+      "A voxel is coloured if the pictures that see it show one colour there. Who sees it depends "
+      "on\n"
+      "what is before it, so voxels are visited away from all cameras where there is such a\n"
+      "direction, and carved from all sides where there is none. docs/voxels.md has more.");
+  command_ = &command;
+  const std::size_t before = command.get_options().size();
+  add_input_options(command);
+  add_coloring_options(command);
+  const auto all = command.get_options();
+  options_.assign(all.begin() + std::ptrdiff_t(before) + 1, all.end());
+  add_output_options(command);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> ViewsVoxelsCommand::check_asked() const {
+  const views::ColoringSettings& settings = request_.settings;
+  if (int(resolution_.has_value()) + int(voxel_size_.has_value()) + int(total_.has_value()) > 1)
+    return fail("--voxel", "the size of voxels is given twice",
+                "give one of --resolution, --voxel and --total");
+  if (total_ && !(*total_ >= 1 && std::isfinite(*total_)))
+    return fail("--total", "there must be at least one voxel", "give 7e6");
+  const std::pair<const char*, double> levels[] = {{"--threshold", settings.threshold},
+                                                   {"--k1", settings.k1},
+                                                   {"--k2", settings.k2},
+                                                   {"--edges", settings.edge}};
+  for (const auto& [option, value] : levels) {
+    if (!(value >= 0))
+      return fail(option, "must be at least 0", "give levels of 0 .. 255; of --k1 a factor");
+  }
+  if (!(request_.slack >= 1))
+    return fail("--slack", "must be at least 1", "give 2: coarse voxels mix more colours");
+  if (!(settings.noise > 0 && std::isfinite(settings.noise)))
+    return fail("--noise", "noise must be more than 0 and finite",
+                "give its standard deviation, levels");
+  if (!(settings.significance > 0 && settings.significance < 1))
+    return fail("--significance", "must be between 0 and 1", "give 0.001");
+  if (!(settings.lightness >= 0 && settings.lightness <= 2))
+    return fail("--lightness", "must be between 0 and 2", "give 0.5");
+  if (left_out_output_ && !choice_.leave_out)
+    return fail("--left-out-output", "no picture is left out", "add --leave-out N");
+  if (against_full_ && request_.levels == 0)
+    return fail("--against-full", "all voxels are looked at anyway", "add --levels 2");
+  return check_choice(choice_);
+}
+
+Result<void> ViewsVoxelsCommand::check_outputs() const {
+  std::vector<std::string> files;
+  if (output_) {
+    if (const auto good = check_extension(*output_, ".ply"); !good) return good;
+    files.push_back(*output_);
+  }
+  if (left_out_output_) {
+    if (const auto good = check_image_path(*left_out_output_); !good) return good;
+    files.push_back(*left_out_output_);
+  }
+  if (page_) {
+    if (const auto good = check_extension(*page_, ".html"); !good) return good;
+    files.push_back(*page_);
+  }
+  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
+  return glassbox::check_outputs(files);
+}
+
+void ViewsVoxelsCommand::tell_of_unused() const {
+  const views::ColoringSettings& settings = request_.settings;
+  const Consistency test = settings.consistency;
+  const std::string another = "--test " + std::string(name_of(test)) + " does not ask for it";
+  tell_of_ignored(
+      *command_,
+      {{test != Consistency::kDeviation, {"--threshold"}, another},
+       {test != Consistency::kLikelihood, {"--noise", "--significance"}, another},
+       {test != Consistency::kAdaptive, {"--k1", "--k2"}, another},
+       {settings.space != views::ColorSpace::kLab, {"--lightness"}, "it is of --space lab"},
+       {request_.levels == 0, {"--slack"}, "there are no coarser levels without --levels"},
+       {!output_, {"--shape"}, "no file of voxels is written without -o"}});
+}
+
+Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
+  progress.phase("reading the pictures");
+  auto pictures = read_pictures(choice_);
+  if (!pictures) return tl::unexpected(pictures.error());
+  VoxelsInput input;
+  input.set = std::move(pictures->set);
+  input.left_out = std::move(pictures->left_out);
+  if (truth_) {
+    auto scene = load_asked_scene(*truth_, progress);
+    if (!scene) return tl::unexpected(scene.error());
+    input.truth = std::move(*scene);
+  }
+  return input;
+}
+
+Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) {
+  const auto box = box_of(box_, set);
+  if (!box) return tl::unexpected(box.error());
+  request_.box = *box;
+  constexpr int kResolution = 96;
+  request_.voxel_size = voxel_size_ ? *voxel_size_
+                        : total_    ? views::size_for_total(request_.box, *total_)
+                                 : views::size_for(request_.box, resolution_.value_or(kResolution));
+  request_.size_option = voxel_size_ ? "--voxel" : total_ ? "--total" : "--resolution";
+  request_.most_bytes = choice_.most_bytes();
+  return {};
+}
+
+// The command line that makes this report again.
+std::string ViewsVoxelsCommand::command_line() const {
+  std::vector<std::string> page;
+  if (page_) page = {"--html", *page_};
+  return shell_line({{"views", "voxels", choice_.path}, words_of(options_), page});
+}
+
+Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,
+                                               const VoxelsReport& report) const {
+  if (output_) {
+    const std::string ply = views::voxels_ply(report.coloring.grid, report.coloring.voxels, shape_);
+    if (const auto written = write_file(*output_, std::as_bytes(std::span(ply))); !written)
+      return written;
+  }
+  if (left_out_output_) {
+    if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
+      return written;
+  }
+  const nlohmann::ordered_json json = voxels_json(input, request_, report);
+  if (page_) {
+    const Result<std::string> page = make_voxels_page(
+        input, request_, report, json, {"glassbox " GLASSBOX_VERSION, command_line()});
+    if (!page) return tl::unexpected(page.error());
+    if (const auto written = write_file(*page_, std::as_bytes(std::span(*page))); !written)
+      return written;
+  }
+  return json_output_ ? write_json(*json_output_, json) : Result<void>();
+}
+
+int ViewsVoxelsCommand::run() {
+  for (const auto& legal : {check_asked(), check_outputs()}) {
+    if (!legal) return refuse(legal.error());
+  }
+  tell_of_unused();
+  Progress progress;
+  const Result<VoxelsInput> input = read(progress);
+  if (!input) return refuse(input.error());
+  if (const auto legal = complete_request(input->set); !legal) return refuse(legal.error());
+  const Result<VoxelsReport> report =
+      report_voxels(*input, request_, {against_full_, page_.has_value()}, progress);
+  if (!report) return refuse(report.error());
+  progress.phase("writing");
+  if (const auto written = write_outputs(*input, *report); !written) return refuse(written.error());
+  progress.done();
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}", voxels_text(*input, request_, *report));
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
+  return kSuccess;
+}
+
+}  // namespace glassbox::views
