@@ -78,13 +78,14 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
   if (fragment.is_empty()) return Fate::kHidden;
   Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
   watch.varied(fragment.place, at);
-  Rgba base = surface_color(stage, surface, at, fragment.place);  // texture
+  const StagedFragment<Watch> of{stage, watch, surface, at, fragment.place};
+  const auto [own, alpha] = surface_color(of);  // texture
+  Rgba base{own[0], own[1], own[2], alpha};
   watch.textured(at, base);
   if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
   const bool blended = is_blended(stage);
   if (shows_color(stage, fragment)) {
-    const FragmentColor lit = fragment_color(stage, watch, surface, at, fragment.place, base);
-    write_color(stage, watch, fragment, lit, !blended);  // mask, blend, write
+    write_color(stage, watch, fragment, fragment_color(of, base), !blended);  // light, blend, write
   }
   if (fragment.centre) write_planes(stage, fragment, surface.id, !blended);
   return blended ? Fate::kBlended : Fate::kWritten;
