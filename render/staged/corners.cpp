@@ -58,17 +58,6 @@ struct CornerTables {
   FaceCorners corners(std::uint32_t face) const { return {*this, mesh().faces[face]}; }
 };
 
-std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const Triangle& triangle,
-                                            bool front) {
-  const CornerTables tables{stage};
-  std::array<Varyings, 3> vertices;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Corner& corner = tables.mesh().corners[triangle.corners[k]];
-    vertices[k] = corner_of_face(tables, triangle.face, corner, front);
-  }
-  return vertices;
-}
-
 }  // namespace
 
 Point<Clip> clip_position(const PrimitiveStage& stage, std::uint32_t index) {
@@ -121,11 +110,15 @@ Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner) {
   return corner_as_modelled(CornerTables{stage}, corner);
 }
 
-const std::array<Varyings, 3>& attributes_of(const PrimitiveStage& stage, const Triangle& triangle,
-                                             bool front, TriangleAttributes& attributes) {
-  std::optional<std::array<Varyings, 3>>& side = front ? attributes.front : attributes.back;
-  if (!side) side = triangle_attributes(stage, triangle, front);
-  return *side;
+std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const Triangle& triangle,
+                                            bool front) {
+  const CornerTables tables{stage};
+  std::array<Varyings, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner& corner = tables.mesh().corners[triangle.corners[k]];
+    vertices[k] = corner_of_face(tables, triangle.face, corner, front);
+  }
+  return vertices;
 }
 
 Varyings attributes_at(const std::array<Varyings, 3>& corners,

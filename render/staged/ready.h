@@ -34,12 +34,6 @@ struct ReadyPoint {
   FragmentSource source;
 };
 
-// The attributes of a triangle's corners, front and back, gathered when the first visible piece asks for them: lit once,
-// however many eyes look at the triangle.
-struct TriangleAttributes {
-  std::optional<std::array<Varyings, 3>> front, back;
-};
-
 // From the corners to the screen, for one eye.
 struct PrimitiveStage {
   const Draw& draw;

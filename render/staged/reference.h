@@ -1,8 +1,9 @@
 // The reference: a triangle's way through every stage, in order. From its corners to pieces on the screen, and from there to the
-// pixels; in two steps because the eyes of a pair take turns between them, and the tile engine sorts there. `watch` is one of
+// pixels; in two steps because each is timed, and the tile engine sorts between them. `watch` is one of
 // watch.h, and is shown what each stage has made.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glassbox/raster/fan.h>
@@ -18,12 +19,10 @@
 namespace glassbox {
 
 // Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
-// RenderSettings::wireframe its edges are appended to `lines` instead. `attributes` belongs to the triangle: empty before
-// the first eye, the same for the next one.
+// RenderSettings::wireframe its edges are appended to `lines` instead.
 template <class Watch>
 void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
-                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
-                    std::vector<ReadyLine>& lines) {
+                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
   const ClipVerdict verdict = trivial_verdict(codes);
@@ -42,7 +41,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   watch.fanned(std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
-  const std::array<Varyings, 3>* visible = nullptr;
+  std::optional<std::array<Varyings, 3>> visible;  // the corners, of the side that is seen first
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
     const std::array<ScreenVertex, 3> vertices{screen[piece[0]], screen[piece[1]],
@@ -55,7 +54,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     bool culled = is_culled(stage.draw, stage.settings.cull, front);  // cull
     watch.faced(*setup, front, culled);
     if (culled) continue;
-    if (visible == nullptr) visible = &attributes_of(stage, triangle, front, attributes);
+    if (!visible) visible = triangle_attributes(stage, triangle, front);
     if (stage.settings.wireframe) break;
     ReadyTriangle ready{*setup, {}, number, std::uint32_t(i)};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +63,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     }
     triangles.push_back(ready);
   }
-  if (stage.settings.wireframe && visible != nullptr) {
+  if (stage.settings.wireframe && visible) {
     ready_edges(stage, watch, corners, *visible, number, lines);
   }
   watch.prepared(triangle);

@@ -12,7 +12,7 @@ namespace glassbox {
 // memory stays small.
 inline constexpr std::size_t kTriangleBatch = 1024;
 
-// The eyes of a pair take turns, triangle by triangle, and share what is the same for both (S0-03).
+// The eyes of a pair are two runs, of which the second takes over what is the same for both: y, z and w of clip space, and eye space (S0-03).
 class StagedEngine : public Engine {
 public:
   NotSubmitted draw(const PictureJob& job) override;

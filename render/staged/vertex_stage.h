@@ -42,10 +42,9 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
 // The same for a stereo pair's other eye, from what the first one sees. The skew moves x alone (S0-03): y, z and w are
 // taken over, and equal what projecting anew would give.
 template <class Watch = Nobody>
-ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
-                            const ClipTable& first_eye, const Watch& watch = {}) {
+ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipTable table,
+                            const Watch& watch = {}) {
   const auto planes = render_planes(other_view);
-  ClipTable table = first_eye;
   for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
     Point<Clip>& clip = table.positions[i];
     clip.x = project_x(other_eye, i);
@@ -79,8 +78,8 @@ struct EyeSpace {
 
 // What the vertex stage makes of a draw.
 struct DrawTables {
-  std::vector<ClipTable> clip;  // by eye
-  EyeSpaceTables eye_space;     // of all eyes
+  ClipTable clip;            // of one eye
+  EyeSpaceTables eye_space;  // of all eyes
 };
 
 // True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
