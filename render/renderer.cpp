@@ -37,7 +37,7 @@ void Renderer::render(const View& view, const RenderSettings& settings, Renderin
   // A depth for each pixel says nothing of its samples.
   RenderSettings used = settings;
   if (behind != nullptr) used.samples = 1;
-  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, nullptr, behind};
+  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, {}, behind};
   engine_->draw({scene_, prepared_, {&eye, 1}});
   count_preparation(into.statistics);
 }

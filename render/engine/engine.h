@@ -24,7 +24,7 @@ struct EyePicture {
   // planes of the buffer: Show::kDepth, kId, kOverdraw.)
   Image<Rgba8>& color;
   Statistics& statistics;
-  Observer* observer = nullptr;  // called at every stage, by engines that have them; null: nobody
+  Observers observers = {};  // called at every stage, by engines that have them
   // Of each pixel a depth code: what is there or nearer is not drawn, and nothing where it is kEmptyDepth. Null: all is drawn. (One sample of
   // a pixel; nothing is blended.)
   const Image<std::uint32_t>* behind = nullptr;

@@ -95,7 +95,7 @@ struct StagedFragment {
   std::array<float, 3> emission_texel() const {
     return look_up(*stage.draw.emission_texture, *stage.draw.emission_sampler).color;
   }
-  void emitted(std::array<float, 3>& own) const { watch.emitted(at, own); }
+  void emitted(std::array<float, 3>& own) const { watch.tell(&Observer::emitted, at, own); }
 };
 
 // Its alpha lies below the material's cutoff.
@@ -137,7 +137,7 @@ FragmentColor fragment_color(const StagedFragment<Watch>& of, const Rgba& base) 
   if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
   const auto [r, g, b] = shining(of, std::array<float, 3>{base.r, base.g, base.b});
   Rgba color{r, g, b, base.a};
-  watch.lit(at, base, color);
+  watch.tell(&Observer::lit, at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
   color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
   return {color, {}};

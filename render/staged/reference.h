@@ -26,9 +26,10 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
   const ClipVerdict verdict = trivial_verdict(codes);
-  if (is_culled_early(stage, triangle, verdict)) return watch.culled_early();
+  if (is_culled_early(stage, triangle, verdict)) return watch.count_culled_early();
   ClipPolygon polygon = clip_to_view(stage, corners, verdict);  // clip
-  watch.clipped(stage, triangle, corners, verdict, polygon);
+  watch.count_clipped(verdict, polygon);
+  watch.tell(&Observer::clipped, stage, triangle, corners, polygon);
 
   const std::size_t count = std::size_t(polygon.count);
   std::array<ScreenVertex, kMaxClipVertices> screen;
@@ -38,7 +39,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     snapped[k] = snap(screen[k]);                              // snap
   }
   int apex = fan_apex(std::span(snapped).first(count));
-  watch.fanned(std::span(snapped).first(count), apex);
+  watch.tell(&Observer::fanned, std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
   std::optional<std::array<Varyings, 3>> visible;  // the corners, of the side that is seen first
@@ -48,11 +49,13 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
                                                screen[piece[2]]};
     std::optional<TriangleSetup> setup = setup_triangle(  // set up
         vertices, {snapped[piece[0]], snapped[piece[1]], snapped[piece[2]]});
-    watch.set_up(std::uint32_t(i), vertices, setup);
+    watch.tell(&Observer::set_up, std::uint32_t(i), vertices, setup);
+    watch.count_set_up(setup);
     if (!setup) continue;
     const bool front = shows_front(stage.draw, *setup);
     bool culled = is_culled(stage.draw, stage.settings.cull, front);  // cull
-    watch.faced(*setup, front, culled);
+    watch.tell(&Observer::faced, *setup, front, culled);
+    watch.count_faced(culled);
     if (culled) continue;
     if (!visible) visible = triangle_attributes(stage, triangle, front);
     if (stage.settings.wireframe) break;
@@ -66,7 +69,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   if (stage.settings.wireframe && visible) {
     ready_edges(stage, watch, corners, *visible, number, lines);
   }
-  watch.prepared(triangle);
+  watch.tell(&Observer::prepared, triangle);
 }
 
 // A fragment from the depth test to the pixel; with several samples, to those that it covers.
@@ -76,11 +79,11 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
   test_depth(stage, watch, surface.source, fragment);  // depth test
   if (fragment.is_empty()) return Fate::kHidden;
   Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
-  watch.varied(fragment.place, at);
+  watch.tell(&Observer::varied, fragment.place, at);
   const StagedFragment<Watch> of{stage, watch, surface, at, fragment.place};
   const auto [own, alpha] = surface_color(of);  // texture
   Rgba base{own[0], own[1], own[2], alpha};
-  watch.textured(at, base);
+  watch.tell(&Observer::textured, at, base);
   if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
   const bool blended = is_blended(stage);
   if (shows_color(stage, fragment)) {
@@ -91,16 +94,24 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
 }
 
 template <class Watch>
+void finish_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                     CoveredFragment& fragment) {
+  const Fate fate = draw_fragment(stage, watch, surface, fragment);
+  watch.count_ended(fate);
+  watch.tell(&Observer::ended, surface.source, fragment.place, fate);
+}
+
+template <class Watch>
 void rasterise_surface(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
                        const Surface& surface) {
   for_each_fragment(stage, watch, setup, surface, [&](CoveredFragment& fragment) {  // cover
-    watch.ended(surface.source, fragment.place, draw_fragment(stage, watch, surface, fragment));
+    finish_fragment(stage, watch, surface, fragment);
   });
 }
 
 template <class Watch>
 void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyTriangle& triangle) {
-  watch.ready(triangle);
+  watch.tell(&Observer::ready, triangle);
   rasterise_surface(stage, watch, triangle.setup, surface_of(stage, triangle));
 }
 

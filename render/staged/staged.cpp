@@ -136,7 +136,7 @@ void draw_eye(const EyePicture& picture, Eye eye, const Lighting& lighting, cons
   for (std::size_t i = 0; i < eye.draws().size(); ++i) {
     const Draw& draw = eye.draws()[i];
     count_input(draw, picture.statistics);
-    watch.draw(draw);
+    watch.tell(&Observer::draw, draw);
     const DrawTables& tables = eye.vertices(i, picture, watch);
     DrawStages<Watch> stages = make_stages(draw, picture, lighting, tables, watch);
     draw_primitives(stages, eye.triangles(i), *draw.mesh);
@@ -148,10 +148,10 @@ void draw_eye(const EyePicture& picture, Eye eye, const Lighting& lighting, cons
 // Whether anybody watches is asked once.
 template <class Eye>
 void draw_watched(const EyePicture& picture, const Eye& eye, const Lighting& lighting) {
-  if (picture.observer == nullptr) {
+  if (picture.observers.empty()) {
     draw_eye(picture, eye, lighting, Counting(picture.statistics));
   } else {
-    draw_eye(picture, eye, lighting, Observed(picture.statistics, *picture.observer));
+    draw_eye(picture, eye, lighting, Observed(picture.statistics, picture.observers));
   }
 }
 
@@ -186,7 +186,7 @@ NotSubmitted StagedEngine::draw(const PictureJob& job) {
 }
 
 Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
-                        Observer* observer) {
+                        const Observers& observers) {
   Rendering rendering;
   double prepare_ms = 0;
   PreparedScene prepared;
@@ -195,7 +195,7 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
     prepared = prepare(scene, settings.transfer);
   }
   Framebuffer& buffers = rendering.buffers;
-  const EyePicture eye{view, settings, buffers, buffers.color, rendering.statistics, observer};
+  const EyePicture eye{view, settings, buffers, buffers.color, rendering.statistics, observers};
   StagedEngine().draw({scene, prepared, {&eye, 1}});
   rendering.statistics.prepare_ms += prepare_ms;
   return rendering;

@@ -32,7 +32,7 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
   table.outcodes.reserve(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     Point<Clip> clip = project_vertex(draw, i);
-    watch.projected(draw, i, clip);
+    watch.tell(&Observer::projected, draw, i, clip);
     table.positions.push_back(clip);
     table.outcodes.push_back(outcode(clip, planes));
   }
@@ -48,7 +48,7 @@ ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipT
   for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
     Point<Clip>& clip = table.positions[i];
     clip.x = project_x(other_eye, i);
-    watch.projected(other_eye, i, clip);
+    watch.tell(&Observer::projected, other_eye, i, clip);
     table.outcodes[i] = outcode(clip, planes);
   }
   return table;
