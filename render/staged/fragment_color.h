@@ -1,5 +1,5 @@
-// The colour of a fragment: what raster/formulas/surface.h asks for, and what is stored of it. In a header so that it becomes part of the
-// loop over the pixels.
+// The colour of a fragment: what raster/formulas/surface.h asks for, and what is stored of it. In a
+// header so that it becomes part of the loop over the pixels.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,7 @@ inline float detail_at(const MipChain& texture, const Surface& surface, const Va
 
 // As formulas/surface.h asks for it.
 template <class Watch>
-struct StagedFragment {
+struct StagedFragment : UnwatchedFragment {
   using Float = float;
   static constexpr std::size_t kChannels = 3;
 

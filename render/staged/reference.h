@@ -1,6 +1,6 @@
-// The reference: a triangle's way through every stage, in order. From its corners to pieces on the screen, and from there to the
-// pixels; in two steps because each is timed, and the tile engine sorts between them. `watch` is one of
-// watch.h, and is shown what each stage has made.
+// The reference: a triangle's way through every stage, in order. From its corners to pieces on the
+// screen, and from there to the pixels; in two steps because each is timed, and the tile engine
+// sorts between them. `watch` is one of watch.h, and is shown what each stage has made.
 #pragma once
 
 #include <optional>
@@ -80,7 +80,7 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
   if (fragment.is_empty()) return Fate::kHidden;
   Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
   watch.tell(&Observer::varied, fragment.place, at);
-  const StagedFragment<Watch> of{stage, watch, surface, at, fragment.place};
+  const StagedFragment<Watch> of{{}, stage, watch, surface, at, fragment.place};
   const auto [own, alpha] = surface_color(of);  // texture
   Rgba base{own[0], own[1], own[2], alpha};
   watch.tell(&Observer::textured, at, base);
