@@ -10,7 +10,6 @@
 #include <glassbox/render/staged/reference.h>
 #include <glassbox/render/staged/watch.h>
 #include <glassbox/render/tile/round.h>
-#include <glassbox/render/tile/runs.h>
 
 namespace glassbox {
 
