@@ -75,15 +75,16 @@ struct Fragment {
   float inverse_w = 1;
 };
 
-// The attributes that are interpolated over a primitive. The material and the shading decide which
-// of them are used.
-struct Varyings {
-  std::array<float, 3> normal{};    // eye space, unit length at the vertices
-  std::array<float, 3> position{};  // eye space
-  std::array<float, 3> diffuse{};   // received light, where lighting is done per vertex
-  std::array<float, 3> specular{};
-  std::array<float, 4> color{1, 1, 1, 1};
-  std::array<float, 2> texcoord{};
+// What is interpolated over a primitive. Which of them mean something depends on the material and the shading.
+template <class F>
+struct VaryingsOf {
+  std::array<F, 3> normal{};    // eye space, unit length at the vertices
+  std::array<F, 3> position{};  // eye space
+  std::array<F, 3> diffuse{};   // light received, where lighting is done per vertex
+  std::array<F, 3> specular{};
+  std::array<F, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<F, 2> texcoord{};
 };
+using Varyings = VaryingsOf<float>;
 
 }  // namespace glassbox

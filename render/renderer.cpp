@@ -37,7 +37,7 @@ void Renderer::render(const View& view, const RenderSettings& settings, Renderin
   // `behind` has one depth per pixel, which does not say anything about its samples.
   RenderSettings used = settings;
   if (behind != nullptr) used.samples = 1;
-  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, nullptr, behind};
+  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, {}, behind};
   engine_->draw({scene_, prepared_, {&eye, 1}});
   count_preparation(into.statistics);
 }

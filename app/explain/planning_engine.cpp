@@ -2,7 +2,7 @@
 
 #include "app/explain/plan_report.h"
 
-#include <glassbox/render/plan/planned_picture.h>
+#include <glassbox/render/plan/plan.h>
 
 namespace glassbox::app {
 

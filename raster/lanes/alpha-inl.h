@@ -64,9 +64,11 @@ private:
     DrawTextures textures;
     if (draw.texture != nullptr) textures.color = &draw.texture->get();
     const AllChannels channels{};
-    const TexelsOfSource<AllChannels, Source> texels{channels, draw, textures, source};
-    const Floats alpha = surface_color(channels, draw, textures, source, texels).alpha;
-    return lanes && int_mask(alpha >= test_.draw->material->alpha_cutoff);
+    using Texels = TexelsOfSource<AllChannels, Source>;
+    const Texels texels{channels, draw, textures, source};
+    using Fragment = FragmentInLanes<AllChannels, Source, Texels>;
+    const Fragment at{{}, channels, draw, textures, nullptr, source, texels};
+    return lanes && int_mask(reaches_cutoff(surface_color(at).alpha, *draw.material));
   }
 
   const AlphaTest& test_;

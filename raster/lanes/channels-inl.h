@@ -61,6 +61,8 @@ template <class Channels>
 using ColorOf = std::array<Floats, Channels::kCount>;
 template <class Channels>
 using LightOf = ReflectionOf<Floats, Channels::kCount>;
+template <class Channels>
+using SurfaceOf = SurfaceColorOf<Floats, Channels::kCount>;
 
 template <class Channels>
 HWY_INLINE LightOf<Channels> light_of(const Channels& channels,
@@ -87,6 +89,9 @@ HWY_INLINE Floats alpha_of(const Shorts& texels) {
 }
 HWY_INLINE std::array<Floats, 2> color_of(const ShortPairs& texels) {
   return {light_of_texel(first_of(texels)), light_of_texel(second_of(texels))};
+}
+HWY_INLINE Floats alpha_of(const ShortPairs&) {
+  return 1.0f;  // they have none, and nobody asks
 }
 
 }  // namespace HWY_NAMESPACE

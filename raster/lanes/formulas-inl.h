@@ -34,7 +34,19 @@ HWY_INLINE auto sample_linear(const Texture& texture, const Sampler& sampler,
 template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
                              const TextureLevelOf<Size>& level, F u, F v);
-// This one is large enough to be called.
+template <class Fragment>
+HWY_INLINE bool is_texel_alone(const Fragment& at);
+template <class Fragment>
+HWY_INLINE auto surface_color(const Fragment& at);
+template <class Fragment, class Normal>
+HWY_INLINE auto light_at(const Fragment& at, const Normal& normal);
+template <class Fragment, class Color>
+HWY_INLINE Color in_light(const Fragment& at, const Color& surface);
+template <class Fragment>
+HWY_INLINE auto own_light(const Fragment& at);
+template <class Fragment, class Color>
+HWY_INLINE Color shining(const Fragment& at, const Color& surface);
+// And what is large enough to be called.
 template <Number F, class Texture>
 HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
                                  const std::array<F, 2>& texcoord, F level_of_detail);
@@ -43,11 +55,12 @@ HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
 #include <glassbox/base/formulas/transform_row.h>
 #include <glassbox/pipeline/formulas/vertex.h>
 #include <glassbox/raster/formulas/blend.h>
+#include <glassbox/raster/formulas/corners.h>
 #include <glassbox/raster/formulas/depth.h>
 #include <glassbox/raster/formulas/edges.h>
 #include <glassbox/raster/formulas/interpolate.h>
-#include <glassbox/raster/formulas/lighting.h>
 #include <glassbox/raster/formulas/snap.h>
+#include <glassbox/raster/formulas/surface.h>
 #include <glassbox/raster/formulas/texture.h>
 
 }  // namespace HWY_NAMESPACE

@@ -39,19 +39,15 @@ template <class Self>
 class LargeAttributes {
 public:
   HWY_INLINE Float3 normal() const { return attribute<3>(&Varyings::normal); }
+  HWY_INLINE Float3 position() const { return attribute<3>(&Varyings::position); }
   HWY_INLINE Rgb color() const { return attribute<3>(&Varyings::color); }
   HWY_INLINE Floats alpha() const { return attribute<4>(&Varyings::color)[3]; }
   HWY_INLINE Float2 texcoord() const { return attribute<2>(&Varyings::texcoord); }
-  template <class Channels>
-  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                          const Float3& normal) const {
-    if (draw.light == LightAt::kVertices) {
-      return light_of(Channels(job),
-                      {attribute<3>(&Varyings::diffuse), attribute<3>(&Varyings::specular)});
-    }
-    return reflected_light<Channels::kCount>(*job.lighting, attribute<3>(&Varyings::position),
-                                             normal, draw.material->shininess, draw.highlights,
-                                             Channels(job).first());
+  HWY_INLINE static bool is_lit_at_vertices(const ShadeDraw& draw) {
+    return draw.light == LightAt::kVertices;
+  }
+  HWY_INLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw&, const Lighting&) const {
+    return {attribute<3>(&Varyings::diffuse), attribute<3>(&Varyings::specular)};
   }
   Ints id() const { return std::int32_t(self().triangle->number + 1); }
 

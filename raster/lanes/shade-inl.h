@@ -1,6 +1,5 @@
-// Colours of fragments: attributes, texture and light, vectorised (render/staged/fragment_color.h
-// has them for one fragment). All fragments of a call belong to one draw; each has a small triangle
-// of its own, or all share a large one.
+// Colours of fragments over lanes, as raster/formulas/surface.h has them, and as bytes. Fragments
+// of a call all belong to one draw; each has a small triangle of its own, or all share a large one.
 
 #if defined(GLASSBOX_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHADE_INL_H_
@@ -85,69 +84,67 @@ struct TexelsOfSource {
   const Source& source;
 };
 
-// Material times vertex colour times texture, and the alpha of the same factors. Unused ones are
-// optimised away.
-template <class Channels>
-struct SurfaceColor {
-  ColorOf<Channels> color;
-  Floats alpha;  // not used for opaque surfaces
+// Fragments, as formulas/surface.h asks for them. What nobody uses of a colour is not computed.
+template <class Channels, class Attributes, class Texels>
+struct FragmentInLanes : UnwatchedFragment {
+  using Float = Floats;
+  static constexpr std::size_t kChannels = Channels::kCount;
+
+  const Channels& channels;
+  const ShadeDraw& draw;
+  const DrawTextures& textures;
+  const Lighting* light;  // null: nobody asks for the colour in it
+  const Attributes& attributes;
+  const Texels& texels;
+
+  HWY_INLINE std::size_t first_channel() const { return channels.first(); }
+  template <class T>
+  HWY_INLINE std::array<T, kChannels> wanted(const std::array<T, 3>& three) const {
+    return channels.of(three);
+  }
+
+  HWY_INLINE const Material& material() const { return *draw.material; }
+  HWY_INLINE bool has_vertex_color() const { return draw.color_indices != nullptr; }
+  HWY_INLINE SurfaceOf<Channels> vertex_color() const {
+    return {channels.of(attributes.color()), attributes.alpha()};
+  }
+  HWY_INLINE bool has_texture() const { return textures.color != nullptr; }
+  HWY_INLINE SurfaceOf<Channels> texel() const {
+    const auto texel = texels.color();
+    return {color_of(texel), alpha_of(texel)};
+  }
+
+  HWY_INLINE bool is_lit() const { return draw.light != LightAt::kNowhere; }
+  HWY_INLINE const Lighting& lighting() const { return *light; }
+  HWY_INLINE bool has_highlights() const { return draw.highlights; }
+  HWY_INLINE Float3 normal() const { return attributes.normal(); }
+  HWY_INLINE Float3 position() const { return attributes.position(); }
+  HWY_INLINE bool is_lit_at_vertices() const { return Attributes::is_lit_at_vertices(draw); }
+  HWY_INLINE LightOf<Channels> light_of_vertices() const {
+    return light_of(channels, attributes.light_of_vertices(draw, *light));
+  }
+
+  HWY_INLINE bool emits() const { return HWY_UNLIKELY(draw.emits); }
+  HWY_INLINE const std::array<float, 3>& emission() const { return draw.emission; }
+  HWY_INLINE bool has_emission_texture() const { return textures.emission != nullptr; }
+  HWY_INLINE ColorOf<Channels> emission_texel() const { return color_of(texels.emission()); }
 };
 
+// Alpha, of surfaces whose alpha is asked for, and the colour in the light.
 template <class Channels, class Attributes, class Texels>
-HWY_INLINE SurfaceColor<Channels> surface_color(const Channels& channels, const ShadeDraw& draw,
-                                                const DrawTextures& textures,
-                                                const Attributes& attributes,
-                                                const Texels& texels) {
-  const Rgba& base = draw.material->base_color;
-  SurfaceColor<Channels> surface{channels.of(Rgb{Floats(base.r), Floats(base.g), Floats(base.b)}),
-                                 Floats(base.a)};
-  if (draw.color_indices != nullptr) {
-    surface = {product(surface.color, channels.of(attributes.color())),
-               surface.alpha * attributes.alpha()};
-  }
-  if (textures.color != nullptr) {
-    const auto color = texels.color();
-    surface.color = product(surface.color, color_of(color));
-    if constexpr (Channels::kHasAlpha) surface.alpha = surface.alpha * alpha_of(color);
-  }
-  return surface;
-}
-
-template <class Channels, class Attributes>
-HWY_INLINE ColorOf<Channels> lit(const Channels& channels, const ShadeDraw& draw,
-                                 const ResolveJob& job, const Attributes& attributes,
-                                 const ColorOf<Channels>& base) {
-  if (draw.light == LightAt::kNowhere) return base;
-  const Float3 normal = attributes.normal();
-  const LightOf<Channels> light = attributes.template reflection<Channels>(draw, job, normal);
-  return lit(base, normal, light, channels.of(draw.material->specular), draw.highlights);
-}
-
-template <class Channels, class Texels>
-HWY_INLINE ColorOf<Channels> emission(const Channels& channels, const ShadeDraw& draw,
-                                      const DrawTextures& textures, const Texels& texels) {
-  const ColorOf<Channels> own = channels.of(
-      Rgb{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])});
-  if (textures.emission == nullptr) return own;
-  return product(own, color_of(texels.emission()));
-}
-
-// The surface's colour after lighting, with its emission added.
-template <class Channels, class Attributes, class Texels>
-HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                          const ResolveJob& job, const Attributes& attributes,
-                                          const Texels& texels) {
+HWY_INLINE SurfaceOf<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
+                                       const ResolveJob& job, const Attributes& attributes,
+                                       const Texels& texels) {
   const Channels channels(job);
-  SurfaceColor<Channels> surface = surface_color(channels, draw, textures, attributes, texels);
-  surface.color = lit(channels, draw, job, attributes, surface.color);
-  if (HWY_UNLIKELY(draw.emits)) {
-    surface.color = sum(surface.color, emission(channels, draw, textures, texels));
-  }
+  using Fragment = FragmentInLanes<Channels, Attributes, Texels>;
+  const Fragment at{{}, channels, draw, textures, job.lighting, attributes, texels};
+  SurfaceOf<Channels> surface = surface_color(at);
+  surface.color = shining(at, surface.color);
   return surface;
 }
 template <class Channels, class Source>
-HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                          const ResolveJob& job, const Source& source) {
+HWY_INLINE SurfaceOf<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
+                                       const ResolveJob& job, const Source& source) {
   const Channels channels(job);
   return shining<Channels>(draw, textures, job, source,
                            TexelsOfSource<Channels, Source>{channels, draw, textures, source});
@@ -214,13 +211,9 @@ HWY_INLINE void find_texels(const Channels& channels, const ShadeDraw& draw,
   }
 }
 
-// Whether the result is the texels themselves, in linear bytes.
-inline bool shows_texels(const ShadeDraw& draw, const DrawTextures& textures,
-                         const ResolveJob& job) {
-  const Rgba& base = draw.material->base_color;
-  return textures.color != nullptr && !draw.emits && draw.light == LightAt::kNowhere &&
-         draw.color_indices == nullptr && base.r == 1 && base.g == 1 && base.b == 1 &&
-         job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
+// Bytes are those of the light.
+inline bool stores_linear_light(const ResolveJob& job) {
+  return job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
 }
 
 // A vector of textured pixels waits for gathers and divisions, one after the other, as long as all
@@ -243,7 +236,9 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
     find_texels(channels, draw, textures, points[i], texels[i]);
   }
   if constexpr (Channels::kHasAlpha) {
-    if (shows_texels(draw, textures, job)) {
+    using Fragment = FragmentInLanes<Channels, typename Source::Fragments, FoundTexels<Channels>>;
+    const Fragment any{{}, channels, draw, textures, job.lighting, fragments[0], texels[0]};
+    if (stores_linear_light(job) && is_texel_alone(any)) {
       for (std::size_t i = 0; i < count; ++i) {
         colors[i] = linear_bytes_of(texels[i].color()) | std::int32_t(0xff000000u);
       }

@@ -86,17 +86,18 @@ template <class Self>
 class SharedAttributes {
 public:
   HWY_INLINE Float3 normal() const { return here(self().triangles->normal); }
-  HWY_INLINE Float3 position() const { return here(self().triangles->position); }
+  HWY_INLINE Float3 position() const {
+    if (self().triangles->draw->eye_positions != nullptr) return here(self().triangles->position);
+    const Floats zero = 0.0f;
+    return {zero, zero, zero};
+  }
   HWY_INLINE Rgb color() const { return here(self().triangles->color); }
   HWY_INLINE Floats alpha() const { return here(self().triangles->alpha)[0]; }
   HWY_INLINE Float2 texcoord() const { return here(self().triangles->texcoord); }
-  template <class Channels>
-  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                          const Float3& normal) const {
-    const Floats zero = 0.0f;
-    const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
-    return reflected_light<Channels::kCount>(*job.lighting, where, normal, draw.material->shininess,
-                                             draw.highlights, Channels(job).first());
+  // (SharedTriangles::can_have)
+  static constexpr bool is_lit_at_vertices(const ShadeDraw&) { return false; }
+  HWY_INLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw&, const Lighting&) const {
+    return {};
   }
 
 protected:

@@ -48,21 +48,33 @@ public:
     if (HWY_UNLIKELY(self().draw->faces != nullptr)) return face_normal();
     return here<3>(normals());
   }
-  HWY_INLINE Float3 position() const { return here<3>(positions()); }
+  HWY_INLINE Float3 position() const {
+    if (self().draw->eye_positions != nullptr) return here<3>(positions());
+    const Floats zero = 0.0f;
+    return {zero, zero, zero};
+  }
   HWY_INLINE Rgb color() const { return here<3>(colors()); }
   HWY_INLINE Floats alpha() const { return here<1>(alphas())[0]; }
   HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
 
-  template <class Channels>
-  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                          const Float3& normal) const {
-    if (HWY_UNLIKELY(draw.light == LightAt::kVertices)) {
-      return light_of(Channels(job), reflection_of_vertices(draw, job));
+  HWY_INLINE static bool is_lit_at_vertices(const ShadeDraw& draw) {
+    return HWY_UNLIKELY(draw.light == LightAt::kVertices);
+  }
+  // Or once for a face.
+  HWY_NOINLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw& draw,
+                                                      const Lighting& lighting) const {
+    const auto at = [&](const Float3& place, const Float3& n) HWY_ATTR {
+      return reflected_light(lighting, place, n, draw.material->shininess, draw.highlights);
+    };
+    if (draw.faces != nullptr) return at(centre_of_face(FaceCorners(draw, face())), face_normal());
+    const OfVertices<Float3> normal = normals();
+    OfVertices<Float3> diffuse, specular;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto light = at(gather_triple(draw.eye_positions, self().vertices[k]), normal[k]);
+      diffuse[k] = light.diffuse;
+      specular[k] = light.specular;
     }
-    const Floats zero = 0.0f;
-    const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
-    return reflected_light<Channels::kCount>(*job.lighting, where, normal, draw.material->shininess,
-                                             draw.highlights, Channels(job).first());
+    return {here<3>(diffuse), here<3>(specular)};
   }
   // 1 + the triangle's number in the scene.
   HWY_INLINE Ints id() const {
@@ -111,23 +123,7 @@ public:
   }
 
 private:
-  // ---- light that is computed at the vertices, or once for a face ----
-
-  HWY_NOINLINE ReflectionOf<Floats> reflection_of_vertices(const ShadeDraw& draw,
-                                                           const ResolveJob& job) const {
-    const auto light_at = [&](const Float3& place, const Float3& n) HWY_ATTR {
-      return reflected_light(*job.lighting, place, n, draw.material->shininess, draw.highlights);
-    };
-    if (draw.faces != nullptr) return light_at(face_centre(), face_normal());
-    const OfVertices<Float3> normal = normals();
-    OfVertices<Float3> diffuse, specular;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto light = light_at(gather_triple(draw.eye_positions, self().vertices[k]), normal[k]);
-      diffuse[k] = light.diffuse;
-      specular[k] = light.specular;
-    }
-    return {here<3>(diffuse), here<3>(specular)};
-  }
+  // ---- faces ----
 
   HWY_INLINE Ints face() const {
     return gather_member(self().draw->triangles, self().triangle, &Triangle::face);
@@ -135,27 +131,24 @@ private:
   HWY_INLINE Float3 face_normal() const {
     return facing(gather_triple(self().draw->face_normals, face()));
   }
-  // The mean of the face's corners, summed in order from the first (as in
-  // render/staged/corners.cpp).
-  HWY_INLINE Float3 face_centre() const {
-    const ShadeDraw& draw = *self().draw;
-    const Ints at = face();
-    const Ints first = gather_member(draw.faces, at, &Face::first);
-    const Ints count = gather_member(draw.faces, at, &Face::count);
-    const Floats zero = 0.0f;
-    Float3 sum{zero, zero, zero};
-    for (std::int32_t k = 0;; ++k) {
-      const IntMask inside = count > k;
-      if (none(inside)) break;
-      const Ints corner = first + select(inside, Ints(k), Ints(0));
-      const Float3 p =
-          gather_triple(draw.eye_positions, gather_member(draw.corners, corner, &Corner::position));
-      for (std::size_t i = 0; i < 3; ++i)
-        sum[i] = select(float_mask(inside), sum[i] + p[i], sum[i]);
+  // Its corners, as formulas/corners.h asks for them.
+  struct FaceCorners {
+    using Float = Floats;
+    const ShadeDraw& draw;
+    Ints first, corners;
+
+    HWY_INLINE FaceCorners(const ShadeDraw& of_draw, Ints face)
+        : draw(of_draw),
+          first(gather_member(draw.faces, face, &Face::first)),
+          corners(gather_member(draw.faces, face, &Face::count)) {}
+    HWY_INLINE FloatMask has(std::int32_t k) const { return float_mask(corners > k); }
+    HWY_INLINE Float3 position(std::int32_t k) const {
+      const Ints corner = first + select(corners > k, Ints(k), Ints(0));
+      return gather_triple(draw.eye_positions,
+                           gather_member(draw.corners, corner, &Corner::position));
     }
-    const Floats share = 1.0f / to_float(count);
-    return {sum[0] * share, sum[1] * share, sum[2] * share};
-  }
+    HWY_INLINE Floats count() const { return to_float(corners); }
+  };
 
   // Interpolates an attribute of the three vertices at the pixel.
   template <std::size_t N>
@@ -166,14 +159,13 @@ private:
     if (HWY_LIKELY(indices == self().draw->positions)) return self().vertices;
     return put_in_order(self().order, gather_indices(indices, self().triangle));
   }
-  // A surface seen from behind is lit as if its normals pointed the other way.
   HWY_INLINE Float3 facing(const Float3& n) const {
     if (!self().draw->shows_backs) return n;
     // Triangles that are counter-clockwise on the screen show their front; if the draw is mirrored,
     // their back.
     const FloatMask back =
         float_mask(self().draw->mirrored ? self().order.swapped : !self().order.swapped);
-    return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};
+    return facing_viewer(back, n);
   }
 
   const Self& self() const { return static_cast<const Self&>(*this); }

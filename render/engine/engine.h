@@ -25,10 +25,9 @@ struct EyePicture {
   // one is drawn. (Not for pictures of planes of the buffer: Show::kDepth, kId, kOverdraw.)
   Image<Rgba8>& color;
   Statistics& statistics;
-  Observer* observer = nullptr;  // called at every stage by engines that support it; null: none
-  // A depth code for each pixel: only fragments behind it are drawn, and none where it is
-  // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
-  // blending.)
+  Observers observers = {};  // called at every stage, by engines that have them
+  // Of each pixel a depth code: what is there or nearer is not drawn, and nothing where it is kEmptyDepth. Null: all is drawn. (One sample of
+  // a pixel; nothing is blended.)
   const Image<std::uint32_t>* behind = nullptr;
 
   bool draws_over() const { return &color != &target.color; }

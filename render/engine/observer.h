@@ -128,4 +128,24 @@ public:
                      Fate /*fate*/) {}
 };
 
+// Those who watch a run, in the order in which they are told: the first may take part in it, the
+// next ones see what it has made of it. Pixels are asked of the first alone.
+class Observers {
+public:
+  Observers() = default;
+  Observers(Observer* one) { add(one); }  // null: nobody
+  Observers(Observer* first, Observer* second) : Observers(first) { add(second); }
+
+  bool empty() const { return told_.empty(); }
+  Observer& first() const { return *told_.front(); }
+  auto begin() const { return told_.begin(); }
+  auto end() const { return told_.end(); }
+
+private:
+  void add(Observer* observer) {
+    if (observer != nullptr) told_.push_back(observer);
+  }
+  std::vector<Observer*> told_;
+};
+
 }  // namespace glassbox

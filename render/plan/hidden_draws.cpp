@@ -46,8 +46,7 @@ std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& dr
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
   for (const Triangle& triangle : draw.triangulation->triangles) {
-    TriangleAttributes attributes;
-    ready_triangle(stage, Nobody{}, triangle, attributes, ready, no_lines);
+    ready_triangle(stage, Nobody{}, triangle, ready, no_lines);
   }
   return ready;
 }

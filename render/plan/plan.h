@@ -12,6 +12,7 @@
 
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/engine.h>
 #include <glassbox/render/engine/settings.h>
 #include <glassbox/render/plan/box_bounds.h>
 #include <glassbox/render/plan/draw_method.h>
@@ -47,5 +48,17 @@ struct Plan {
 // everything runs that a proof would leave out.
 using Planner = std::vector<Plan> (*)(std::span<const PlannedEye> eyes, bool leave_out);
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out);
+
+// The draws of a picture's eyes, and what is planned for them. By eye. The eyes refer to the lists;
+// memory is used again for the next picture.
+struct PlannedPicture {
+  std::vector<DrawList> lists;
+  std::vector<PlannedEye> eyes;
+  std::vector<Plan> plans;
+};
+
+void plan_picture(const Scene& scene, const PreparedScene& prepared,
+                  std::span<const EyePicture> eyes, Planner planner, bool leave_out,
+                  PlannedPicture& picture);
 
 }  // namespace glassbox

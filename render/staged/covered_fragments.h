@@ -36,7 +36,7 @@ template <class Watch>
 void interpolate_at(const Coverage& coverage, const FragmentStage& stage, const Watch& watch,
                     const TriangleSetup& setup, const Surface& surface, CoveredFragment& fragment) {
   fragment.place = interpolate(setup, coverage);
-  watch.interpolated(surface.source, coverage, fragment.place);
+  watch.tell(&Observer::interpolated, surface.source, coverage, fragment.place);
   fragment.centre_code = depth_code(stage.settings.depth, fragment.place.depth);
 }
 
@@ -100,7 +100,7 @@ void test_depth(const FragmentStage& stage, const Watch& watch, const FragmentSo
                 CoveredFragment& fragment) {
   const auto passes = [&](std::uint32_t code, std::uint32_t stored) {
     bool nearer = in_front(code, stored) && !is_hidden(stage, fragment.place, code);
-    watch.compared(source, fragment.place, code, stored, nearer);
+    watch.tell(&Observer::compared, source, fragment.place, code, stored, nearer);
     return nearer;
   };
   const int x = fragment.place.x, y = fragment.place.y;

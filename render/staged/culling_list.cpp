@@ -35,28 +35,30 @@ double margin_share(float side_px) {
 }  // namespace
 
 CullingList::CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws,
-                         bool as_lines)
-    : centre_(centre), draws_(left_draws) {
+                         const std::vector<Draw>& right_draws, bool as_lines)
+    : centre_(centre),
+      left_draws_(left_draws),
+      right_draws_(right_draws),
+      kept_(left_draws.size()) {
   if (as_lines) {
     share_x_ = margin_share(centre.viewport.width());
     share_y_ = margin_share(centre.viewport.height());
   }
-  if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(draws_, centre);
+  if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(left_draws, centre);
 }
 
-std::span<const Triangle> CullingList::triangles_of(std::size_t draw, const DrawTables& tables) {
-  const std::vector<Outcode> pair = outcodes_of_pair(tables);
+void CullingList::decide(std::size_t index, const ClipTable& left) {
+  const Draw& draw = left_draws_[index];
+  const std::vector<Outcode> pair = outcodes_of_pair(right_draws_[index], left);
   const std::vector<Outcode> centre =
-      centre_draws_.empty() ? std::vector<Outcode>{} : outcodes_of_centre(centre_draws_[draw]);
-  kept_.clear();
-  for (const Triangle& triangle : draws_[draw].triangulation->triangles) {
-    const bool unseen_by_pair = unseen(draws_[draw], triangle, pair);
-    const bool culled = centre.empty() ? unseen_by_pair : unseen(draws_[draw], triangle, centre);
-    if (!culled) kept_.push_back(triangle);
+      centre_draws_.empty() ? std::vector<Outcode>{} : outcodes_of_centre(centre_draws_[index]);
+  for (const Triangle& triangle : draw.triangulation->triangles) {
+    const bool unseen_by_pair = unseen(draw, triangle, pair);
+    const bool culled = centre.empty() ? unseen_by_pair : unseen(draw, triangle, centre);
+    if (!culled) kept_[index].push_back(triangle);
     left_out_.culled += culled;
     left_out_.lost += culled && !unseen_by_pair;
   }
-  return kept_;
 }
 
 Outcode CullingList::outcode_within(StereoClipPoint point) const {
@@ -68,13 +70,14 @@ Outcode CullingList::outcode_within(StereoClipPoint point) const {
   return as_lines && !(point.w > 0) ? code & ~kStereoSides : code;
 }
 
-std::vector<Outcode> CullingList::outcodes_of_pair(const DrawTables& tables) const {
-  const std::vector<Point<Clip>>& left = tables.clip[0].positions;
-  const std::vector<Point<Clip>>& right = tables.clip[1].positions;
+std::vector<Outcode> CullingList::outcodes_of_pair(const Draw& right_draw,
+                                                   const ClipTable& left) const {
   std::vector<Outcode> outcodes;
-  outcodes.reserve(left.size());
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    outcodes.push_back(outcode_within(stereo_clip_point(left[i], right[i])));
+  outcodes.reserve(left.positions.size());
+  for (std::uint32_t i = 0; i < left.positions.size(); ++i) {
+    Point<Clip> right = left.positions[i];
+    right.x = project_x(right_draw, i);
+    outcodes.push_back(outcode_within(stereo_clip_point(left.positions[i], right)));
   }
   return outcodes;
 }

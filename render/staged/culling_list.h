@@ -13,28 +13,27 @@ namespace glassbox {
 
 class CullingList {
 public:
-  // `left_draws` are those of the left eye. `as_lines`: the edges of triangles are drawn, and lines
-  // reach beyond the triangles.
+  // `as_lines`: of triangles the edges are drawn, which reach beyond them.
   CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws,
-              bool as_lines);
+              const std::vector<Draw>& right_draws, bool as_lines);
 
-  // Returns the triangles to draw, for a draw that was transformed for both eyes. The span is valid
-  // until the next call.
-  std::span<const Triangle> triangles_of(std::size_t draw, const DrawTables& tables);
+  // For each draw once, from what the left eye sees of it: x of the right one is computed here.
+  void decide(std::size_t draw, const ClipTable& left);
 
+  std::span<const Triangle> triangles_of(std::size_t draw) const { return kept_[draw]; }
   NotSubmitted left_out() const { return left_out_; }
 
 private:
   // Returns the outcode of the point for the picture, with a margin if lines are drawn.
   Outcode outcode_within(StereoClipPoint point) const;
-  std::vector<Outcode> outcodes_of_pair(const DrawTables& tables) const;
+  std::vector<Outcode> outcodes_of_pair(const Draw& right_draw, const ClipTable& left) const;
   std::vector<Outcode> outcodes_of_centre(const Draw& centre_draw) const;
 
   const View& centre_;
-  const std::vector<Draw>& draws_;
-  double share_x_ = 1, share_y_ = 1;  // relative size of the picture with its margin for lines
-  std::vector<Draw> centre_draws_;    // empty with kUnion
-  std::vector<Triangle> kept_;
+  const std::vector<Draw>&left_draws_, &right_draws_;
+  double share_x_ = 1, share_y_ = 1;         // of the picture, up to which a point counts as seen
+  std::vector<Draw> centre_draws_;           // empty with kUnion
+  std::vector<std::vector<Triangle>> kept_;  // by draw
   NotSubmitted left_out_;
 };
 

@@ -1,5 +1,5 @@
-// The colour of a fragment: texture, light, alpha, blend. It is in a header so that it is inlined
-// into the loop over the pixels.
+// The colour of a fragment: what raster/formulas/surface.h asks for, and what is stored of it. In a
+// header so that it becomes part of the loop over the pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace glassbox {
 
-// ---- the surface's own colour ----
+// ---- surfaces ----
 
 // The data that a primitive provides for each of its fragments.
 struct Surface {
@@ -49,24 +49,58 @@ inline float detail_at(const MipChain& texture, const Surface& surface, const Va
                          texture.width, texture.height);
 }
 
-// Material times vertex colour times texture.
-inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, const Varyings& at,
-                          const Fragment& fragment) {
-  const Rgba& base = stage.draw.material->base_color;
-  Rgba color{base.r * at.color[0], base.g * at.color[1], base.b * at.color[2],
-             base.a * at.color[3]};
-  if (stage.draw.texture != nullptr) {
-    const MipChain& texture = stage.draw.texture->get();
-    const Rgba texel = sample(texture, *stage.draw.sampler, at.texcoord,
-                              detail_at(texture, surface, at, fragment));
-    color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
+// As formulas/surface.h asks for it.
+template <class Watch>
+struct StagedFragment : UnwatchedFragment {
+  using Float = float;
+  static constexpr std::size_t kChannels = 3;
+
+  const FragmentStage& stage;
+  const Watch& watch;
+  const Surface& surface;
+  const Varyings& at;
+  const Fragment& fragment;
+
+  static constexpr std::size_t first_channel() { return 0; }
+  template <class T>
+  static const std::array<T, 3>& wanted(const std::array<T, 3>& three) {
+    return three;
   }
-  return color;
-}
+  SurfaceColorOf<float> look_up(const LazyMipChain& lazy, const Sampler& sampler) const {
+    const MipChain& texture = lazy.get();
+    const auto [r, g, b, a] =
+        sample(texture, sampler, at.texcoord, detail_at(texture, surface, at, fragment));
+    return {{r, g, b}, a};
+  }
+
+  const Material& material() const { return *stage.draw.material; }
+  static constexpr bool has_vertex_color() { return true; }  // white where there is none
+  SurfaceColorOf<float> vertex_color() const {
+    return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
+  }
+  bool has_texture() const { return stage.draw.texture != nullptr; }
+  SurfaceColorOf<float> texel() const { return look_up(*stage.draw.texture, *stage.draw.sampler); }
+
+  bool is_lit() const { return needs_normals(stage.draw, stage.settings); }
+  const Lighting& lighting() const { return stage.lighting; }
+  static constexpr bool has_highlights() { return true; }
+  const std::array<float, 3>& normal() const { return at.normal; }
+  const std::array<float, 3>& position() const { return at.position; }
+  bool is_lit_at_vertices() const { return stage.settings.shading != Shading::kPhong; }
+  Reflection light_of_vertices() const { return {at.diffuse, at.specular}; }
+
+  bool emits() const { return stage.draw.emits() && shows_light(stage.draw, stage.settings); }
+  const std::array<float, 3>& emission() const { return stage.draw.emission; }
+  bool has_emission_texture() const { return stage.draw.emission_texture != nullptr; }
+  std::array<float, 3> emission_texel() const {
+    return look_up(*stage.draw.emission_texture, *stage.draw.emission_sampler).color;
+  }
+  void emitted(std::array<float, 3>& own) const { watch.tell(&Observer::emitted, at, own); }
+};
 
 // Whether the fragment's alpha is below the material's cutoff.
 inline bool is_discarded(const Material& material, const Rgba& surface) {
-  return material.alpha_mode == AlphaMode::kMask && !(surface.a >= material.alpha_cutoff);
+  return material.alpha_mode == AlphaMode::kMask && !reaches_cutoff(surface.a, material);
 }
 
 // Whether the fragment is blended over what is there. (Pictures of normals and texture coordinates
@@ -76,43 +110,7 @@ inline bool is_blended(const FragmentStage& stage) {
          stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
 }
 
-// ---- light ----
-
-inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at) {
-  if (!needs_normals(stage.draw, stage.settings)) return base;
-  const Material& material = *stage.draw.material;
-  const Reflection light =
-      stage.settings.shading == Shading::kPhong
-          ? illuminate(stage.lighting, at.position, at.normal, material.shininess)
-          : Reflection{at.diffuse, at.specular};
-  constexpr bool kHighlights = true;
-  const auto [r, g, b] =
-      lit<float>({base.r, base.g, base.b}, at.normal, light, material.specular, kHighlights);
-  return {r, g, b, base.a};
-}
-
-// The light that the surface emits: its emission times the emission texture.
-inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surface& surface,
-                                        const Varyings& at, const Fragment& fragment) {
-  const std::array<float, 3>& emission = stage.draw.emission;
-  if (stage.draw.emission_texture == nullptr) return emission;
-  const MipChain& texture = stage.draw.emission_texture->get();
-  const Rgba texel = sample(texture, *stage.draw.emission_sampler, at.texcoord,
-                            detail_at(texture, surface, at, fragment));
-  return {emission[0] * texel.r, emission[1] * texel.g, emission[2] * texel.b};
-}
-
-// The surface's colour after lighting, with its emission added.
-template <class Watch>
-Rgba shining(const FragmentStage& stage, const Watch& watch, const Surface& surface,
-             const Varyings& at, const Fragment& fragment, const Rgba& base) {
-  Rgba color = lit(stage, base, at);
-  if (!stage.draw.emits() || !shows_light(stage.draw, stage.settings)) return color;
-  std::array<float, 3> own = emission_at(stage, surface, at, fragment);
-  watch.emitted(at, own);
-  color.r += own[0], color.g += own[1], color.b += own[2];
-  return color;
-}
+// ---- colours ----
 
 // A direction as a colour: each component is mapped from [-1, 1] to [0, 255].
 inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
@@ -134,12 +132,13 @@ struct FragmentColor {
 };
 
 template <class Watch>
-FragmentColor fragment_color(const FragmentStage& stage, const Watch& watch, const Surface& surface,
-                             const Varyings& at, const Fragment& fragment, const Rgba& base) {
+FragmentColor fragment_color(const StagedFragment<Watch>& of, const Rgba& base) {
+  const auto& [stage, watch, surface, at, fragment] = of;
   if (stage.settings.show == Show::kNormal) return {{}, picture_of_normal(at.normal)};
   if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
-  Rgba color = shining(stage, watch, surface, at, fragment, base);
-  watch.lit(at, base, color);
+  const auto [r, g, b] = shining(of, std::array<float, 3>{base.r, base.g, base.b});
+  Rgba color{r, g, b, base.a};
+  watch.tell(&Observer::lit, at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
   color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
   return {color, {}};

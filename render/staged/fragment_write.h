@@ -17,7 +17,7 @@ template <class Watch>
 void write_over(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
                 const FragmentColor& color, Rgba8& pixel) {
   Rgba8 after = encoded(stage, color, pixel);
-  watch.encoded(fragment.place, pixel, after);
+  watch.tell(&Observer::encoded, fragment.place, pixel, after);
   write_masked(stage.settings.mask, after, pixel);
 }
 

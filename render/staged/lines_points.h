@@ -20,7 +20,7 @@ void draw_centre(const FragmentStage& stage, const Watch& watch, const Surface& 
   fragment.place = place;
   fragment.centre = true;
   fragment.centre_code = depth_code(stage.settings.depth, place.depth);
-  watch.ended(surface.source, fragment.place, draw_fragment(stage, watch, surface, fragment));
+  finish_fragment(stage, watch, surface, fragment);
 }
 
 // ---- samples ----

@@ -35,13 +35,7 @@ struct ReadyPoint {
   FragmentSource source;
 };
 
-// The attributes of a triangle's corners, for its front and its back. They are computed when the
-// first visible piece needs them: lit once, even if both eyes of a pair see the triangle.
-struct TriangleAttributes {
-  std::optional<std::array<Varyings, 3>> front, back;
-};
-
-// The data of the stages from the corners to the screen, for one eye.
+// From the corners to the screen, for one eye.
 struct PrimitiveStage {
   const Draw& draw;
   const ClipTable* clip;  // null: vertices are projected when triangles need them

@@ -14,9 +14,9 @@ namespace glassbox {
 template <class Watch>
 ScreenVertex on_screen(const PrimitiveStage& stage, const Watch& watch, const ClipVertex& vertex) {
   NdcVertex ndc = divide(vertex);
-  watch.divided(vertex, ndc);
+  watch.tell(&Observer::divided, vertex, ndc);
   ScreenVertex screen = to_screen(ndc, stage.view.viewport);
-  watch.placed(ndc, screen);
+  watch.tell(&Observer::placed, ndc, screen);
   return screen;
 }
 

@@ -1,9 +1,9 @@
-// The reference: takes a triangle through every stage, in order. First from its corners to pieces
-// on the screen, and then to the pixels. There are two steps because the eyes of a pair alternate
-// between them, and the tile engine sorts there. `watch` is one of the types of watch.h; it is
-// called with each stage's result.
+// The reference: a triangle's way through every stage, in order. From its corners to pieces on the
+// screen, and from there to the pixels; in two steps because each is timed, and the tile engine
+// sorts between them. `watch` is one of watch.h, and is shown what each stage has made.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glassbox/raster/fan.h>
@@ -18,20 +18,18 @@
 
 namespace glassbox {
 
-// Appends what is left of a triangle of the mesh: nothing, the triangle itself, or the fan of its
-// clipped polygon. With RenderSettings::wireframe its edges are appended to `lines` instead.
-// `attributes` belongs to the triangle: empty before the first eye, and used again for the next
-// one.
+// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
+// RenderSettings::wireframe its edges are appended to `lines` instead.
 template <class Watch>
 void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
-                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
-                    std::vector<ReadyLine>& lines) {
+                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
   const ClipVerdict verdict = trivial_verdict(codes);
-  if (is_culled_early(stage, triangle, verdict)) return watch.culled_early();
+  if (is_culled_early(stage, triangle, verdict)) return watch.count_culled_early();
   ClipPolygon polygon = clip_to_view(stage, corners, verdict);  // clip
-  watch.clipped(stage, triangle, corners, verdict, polygon);
+  watch.count_clipped(verdict, polygon);
+  watch.tell(&Observer::clipped, stage, triangle, corners, polygon);
 
   const std::size_t count = std::size_t(polygon.count);
   std::array<ScreenVertex, kMaxClipVertices> screen;
@@ -41,23 +39,25 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     snapped[k] = snap(screen[k]);                              // snap
   }
   int apex = fan_apex(std::span(snapped).first(count));
-  watch.fanned(std::span(snapped).first(count), apex);
+  watch.tell(&Observer::fanned, std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
-  const std::array<Varyings, 3>* visible = nullptr;
+  std::optional<std::array<Varyings, 3>> visible;  // the corners, of the side that is seen first
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
     const std::array<ScreenVertex, 3> vertices{screen[piece[0]], screen[piece[1]],
                                                screen[piece[2]]};
     std::optional<TriangleSetup> setup = setup_triangle(  // set up
         vertices, {snapped[piece[0]], snapped[piece[1]], snapped[piece[2]]});
-    watch.set_up(std::uint32_t(i), vertices, setup);
+    watch.tell(&Observer::set_up, std::uint32_t(i), vertices, setup);
+    watch.count_set_up(setup);
     if (!setup) continue;
     const bool front = shows_front(stage.draw, *setup);
     bool culled = is_culled(stage.draw, stage.settings.cull, front);  // cull
-    watch.faced(*setup, front, culled);
+    watch.tell(&Observer::faced, *setup, front, culled);
+    watch.count_faced(culled);
     if (culled) continue;
-    if (visible == nullptr) visible = &attributes_of(stage, triangle, front, attributes);
+    if (!visible) visible = triangle_attributes(stage, triangle, front);
     if (stage.settings.wireframe) break;
     ReadyTriangle ready{*setup, {}, number, std::uint32_t(i)};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -66,10 +66,10 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     }
     triangles.push_back(ready);
   }
-  if (stage.settings.wireframe && visible != nullptr) {
+  if (stage.settings.wireframe && visible) {
     ready_edges(stage, watch, corners, *visible, number, lines);
   }
-  watch.prepared(triangle);
+  watch.tell(&Observer::prepared, triangle);
 }
 
 // Takes a fragment from the depth test to the pixel, or with several samples to the samples that it
@@ -80,30 +80,39 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
   test_depth(stage, watch, surface.source, fragment);  // depth test
   if (fragment.is_empty()) return Fate::kHidden;
   Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
-  watch.varied(fragment.place, at);
-  Rgba base = surface_color(stage, surface, at, fragment.place);  // texture
-  watch.textured(at, base);
+  watch.tell(&Observer::varied, fragment.place, at);
+  const StagedFragment<Watch> of{{}, stage, watch, surface, at, fragment.place};
+  const auto [own, alpha] = surface_color(of);  // texture
+  Rgba base{own[0], own[1], own[2], alpha};
+  watch.tell(&Observer::textured, at, base);
   if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
   const bool blended = is_blended(stage);
   if (shows_color(stage, fragment)) {
-    const FragmentColor lit = fragment_color(stage, watch, surface, at, fragment.place, base);
-    write_color(stage, watch, fragment, lit, !blended);  // mask, blend, write
+    write_color(stage, watch, fragment, fragment_color(of, base), !blended);  // light, blend, write
   }
   if (fragment.centre) write_planes(stage, fragment, surface.id, !blended);
   return blended ? Fate::kBlended : Fate::kWritten;
 }
 
 template <class Watch>
+void finish_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                     CoveredFragment& fragment) {
+  const Fate fate = draw_fragment(stage, watch, surface, fragment);
+  watch.count_ended(fate);
+  watch.tell(&Observer::ended, surface.source, fragment.place, fate);
+}
+
+template <class Watch>
 void rasterise_surface(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
                        const Surface& surface) {
   for_each_fragment(stage, watch, setup, surface, [&](CoveredFragment& fragment) {  // cover
-    watch.ended(surface.source, fragment.place, draw_fragment(stage, watch, surface, fragment));
+    finish_fragment(stage, watch, surface, fragment);
   });
 }
 
 template <class Watch>
 void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyTriangle& triangle) {
-  watch.ready(triangle);
+  watch.tell(&Observer::ready, triangle);
   rasterise_surface(stage, watch, triangle.setup, surface_of(stage, triangle));
 }
 

@@ -12,8 +12,8 @@ namespace glassbox {
 // can be timed and memory stays small.
 inline constexpr std::size_t kTriangleBatch = 1024;
 
-// Draws pictures by the staged reference. The eyes of a pair alternate, triangle by triangle, and
-// share what is the same for both (S0-03).
+// The eyes of a pair are two runs, of which the second takes over what is the same for both: y, z
+// and w of clip space, and eye space (S0-03).
 class StagedEngine : public Engine {
 public:
   NotSubmitted draw(const PictureJob& job) override;
@@ -25,10 +25,10 @@ struct Rendering {
   Statistics statistics;
 };
 
-// Renders a picture of the viewport's size. The view comes from make_view (which checks the
-// camera), with DepthRange::kReversed if and only if the settings' depth format is reversed.
-// `observer` (none: nullptr) is called at every stage.
+// An image of the viewport's size. The view comes from make_view (which checks the camera), with
+// DepthRange::kReversed if and only if the settings' depth format is reversed. `observers` are
+// called at every stage.
 Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
-                        Observer* observer = nullptr);
+                        const Observers& observers = {});
 
 }  // namespace glassbox

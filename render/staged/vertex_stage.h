@@ -33,7 +33,7 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
   table.outcodes.reserve(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     Point<Clip> clip = project_vertex(draw, i);
-    watch.projected(draw, i, clip);
+    watch.tell(&Observer::projected, draw, i, clip);
     table.positions.push_back(clip);
     table.outcodes.push_back(outcode(clip, planes));
   }
@@ -43,14 +43,13 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
 // The same for a stereo pair's other eye, from the first eye's table. The skew moves x alone
 // (S0-03): y, z and w are copied, and equal the result of projecting again.
 template <class Watch = Nobody>
-ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
-                            const ClipTable& first_eye, const Watch& watch = {}) {
+ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipTable table,
+                            const Watch& watch = {}) {
   const auto planes = render_planes(other_view);
-  ClipTable table = first_eye;
   for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
     Point<Clip>& clip = table.positions[i];
     clip.x = project_x(other_eye, i);
-    watch.projected(other_eye, i, clip);
+    watch.tell(&Observer::projected, other_eye, i, clip);
     table.outcodes[i] = outcode(clip, planes);
   }
   return table;
@@ -80,8 +79,8 @@ struct EyeSpace {
 
 // The results of the vertex stage for a draw.
 struct DrawTables {
-  std::vector<ClipTable> clip;  // by eye
-  EyeSpaceTables eye_space;     // for all eyes
+  ClipTable clip;            // of one eye
+  EyeSpaceTables eye_space;  // of all eyes
 };
 
 // Whether the draw's colour depends on normals: lit shading of a lit material, or a picture of the

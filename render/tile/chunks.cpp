@@ -10,7 +10,6 @@
 #include <glassbox/render/staged/reference.h>
 #include <glassbox/render/staged/watch.h>
 #include <glassbox/render/tile/round.h>
-#include <glassbox/render/tile/runs.h>
 
 namespace glassbox {
 
@@ -229,9 +228,7 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
     if (of_draw != draw_of_stage) stage.emplace(primitive_stage(run, slot_of_draw(slot, of_draw)));
     draw_of_stage = of_draw;
     ready.clear();
-    TriangleAttributes attributes;
-    ready_triangle(*stage, watch, triangles[triangle % triangles.size()], attributes, ready,
-                   no_lines);
+    ready_triangle(*stage, watch, triangles[triangle % triangles.size()], ready, no_lines);
     for (const ReadyTriangle& triangle : ready) {
       add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), reach(run, triangle), chunk);
       chunk.large.push_back(large_triangle(method, chunk.slot, triangle));
@@ -255,9 +252,8 @@ const Unsorted& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chu
     }
   }
   for (std::uint32_t i = 0; i < chunk.count; ++i) {
-    TriangleAttributes attributes;
-    ready_triangle(stage, watch, draw.triangulation->triangles[chunk.first + i], attributes,
-                   chunk.triangles, chunk.lines);
+    ready_triangle(stage, watch, draw.triangulation->triangles[chunk.first + i], chunk.triangles,
+                   chunk.lines);
   }
   std::uint32_t entry = kOfChunk;
   for (const ReadyTriangle& triangle : chunk.triangles) {

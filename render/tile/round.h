@@ -2,6 +2,7 @@
 // vertices, and the triangles of each draw sorted into tiles.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -41,7 +42,25 @@ auto* at_least(Memory& memory, std::size_t size) {
   return memory.data();
 }
 
-// The transformed vertices of a round's draws.
+// Calls visit(first, count) for each longest run, within `count` entries from `first` on, of
+// entries whose groups are in. Group g has entries g * size .. g * size + size - 1.
+template <class IsIn, class Visit>
+void for_each_run(std::size_t first, std::size_t count, std::size_t size, const IsIn& is_in,
+                  const Visit& visit) {
+  const std::size_t end = first + count;
+  std::size_t begin = first;  // of the run that is not yet visited
+  for (std::size_t at = first; at < end;) {
+    const std::size_t group = at / size, next = std::min(end, (group + 1) * size);
+    if (!is_in(group)) {
+      if (at > begin) visit(begin, at - begin);
+      begin = next;
+    }
+    at = next;
+  }
+  if (end > begin) visit(begin, end - begin);
+}
+
+// The vertices of a round's draws.
 struct VertexTables {
   LineVector<SnappedEntry> screen;
   LineVector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw

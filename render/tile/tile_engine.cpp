@@ -12,7 +12,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <glassbox/render/engine/stopwatch.h>
-#include <glassbox/render/plan/planned_picture.h>
+#include <glassbox/render/plan/plan.h>
 #include <glassbox/render/tile/round.h>
 #include <glassbox/render/tile/tile_pass.h>
 #include <glassbox/render/tile/tile_picture.h>

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <glassbox/render/tile/round.h>
-#include <glassbox/render/tile/runs.h>
 
 namespace glassbox {
 

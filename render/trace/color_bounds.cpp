@@ -6,7 +6,6 @@
 
 #include <glassbox/raster/color_bounds.h>
 #include <glassbox/raster/interpolate.h>
-#include <glassbox/raster/light_formulas.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
@@ -60,20 +59,57 @@ void stand_for(const Varyings& run, BoundedVaryings& same) {
   stand_for(run.texcoord, same.texcoord);
 }
 
-Bounded3 lit_color(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
-                   const std::array<Bounded, 4>& surface, const BoundedVaryings& at) {
-  const Bounded3 base{surface[0], surface[1], surface[2]};
-  if (!needs_normals(draw, settings)) return base;
-  constexpr bool kHighlights = true;
-  ReflectionOf<Bounded> reflection{at.diffuse, at.specular};
-  if (settings.shading == Shading::kPhong) {
-    reflection = bounded::reflected_light(lighting, at.position, at.normal,
-                                          draw.material->shininess, kHighlights);
-  }
-  return bounded::lit(base, at.normal, reflection, draw.material->specular, kHighlights);
-}
-
 }  // namespace
+
+// As formulas/surface.h asks for it.
+struct PieceColors::BoundedFragment : bounded::UnwatchedFragment {
+  using Float = Bounded;
+  static constexpr std::size_t kChannels = 3;
+
+  const PieceColors& piece;
+  const TracedFragment& fragment;
+  const BoundedVaryings& at;
+  Bounded inverse_w;
+  std::optional<double>& bound_of_sample;
+
+  static constexpr std::size_t first_channel() { return 0; }
+  template <class T>
+  static const std::array<T, 3>& wanted(const std::array<T, 3>& three) {
+    return three;
+  }
+  bounded::SurfaceColorOf<Bounded> look_up(const LazyMipChain& texture,
+                                           const Sampler& sampler) const {
+    const auto [r, g, b, a] = piece.sample(texture.get(), sampler, fragment, at, inverse_w);
+    return {{r, g, b}, a};
+  }
+
+  const Material& material() const { return *piece.draw_.material; }
+  static constexpr bool has_vertex_color() { return true; }  // white where there is none
+  bounded::SurfaceColorOf<Bounded> vertex_color() const {
+    return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
+  }
+  bool has_texture() const { return piece.draw_.texture != nullptr; }
+  bounded::SurfaceColorOf<Bounded> texel() const {
+    const auto texel = look_up(*piece.draw_.texture, *piece.draw_.sampler);
+    bound_of_sample = texel.color[0].bound;
+    return texel;
+  }
+
+  bool is_lit() const { return needs_normals(piece.draw_, piece.settings_); }
+  const Lighting& lighting() const { return piece.lighting_; }
+  static constexpr bool has_highlights() { return true; }
+  const Bounded3& normal() const { return at.normal; }
+  const Bounded3& position() const { return at.position; }
+  bool is_lit_at_vertices() const { return piece.settings_.shading != Shading::kPhong; }
+  ReflectionOf<Bounded> light_of_vertices() const { return {at.diffuse, at.specular}; }
+
+  bool emits() const { return piece.draw_.emits() && shows_light(piece.draw_, piece.settings_); }
+  const std::array<float, 3>& emission() const { return piece.draw_.emission; }
+  bool has_emission_texture() const { return piece.draw_.emission_texture != nullptr; }
+  Bounded3 emission_texel() const {
+    return look_up(*piece.draw_.emission_texture, *piece.draw_.emission_sampler).color;
+  }
+};
 
 PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
                          const RenderSettings& settings, const BoundsOfRun::Known& known,
@@ -87,9 +123,9 @@ PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const 
   const CornerStage stage{draw, draw_bounds, lighting, settings};
   std::array<BoundedVaryings, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = corner_of_face(stage, draw.mesh->faces[triangle.face],
-                                draw.mesh->corners[triangle.corners[k].corner],
-                                triangle.pieces[piece].front);
+    corners[k] =
+        corner_of_face(stage, triangle.face, draw.mesh->corners[triangle.corners[k].corner],
+                       triangle.pieces[piece].front);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t at = triangle.pieces[piece].polygon[std::size_t(setup_.order[k])];
@@ -167,27 +203,13 @@ ColorBounds PieceColors::at(const TracedFragment& fragment, const FragmentBounds
         return bounded::interpolate(a, b, c, w1, w2);
       });
   stand_for(fragment.at, colors.at);
-  const std::array<Bounded, 4>& tint = colors.at.color;
-  const Rgba& base = draw_.material->base_color;
-  colors.surface = {Bounded(base.r) * tint[0], Bounded(base.g) * tint[1], Bounded(base.b) * tint[2],
-                    Bounded(base.a) * tint[3]};
-  if (draw_.texture != nullptr) {
-    const auto texel = sample(draw_.texture->get(), *draw_.sampler, fragment, colors.at, inverse_w);
-    colors.sample = texel[0].bound;
-    for (std::size_t i = 0; i < 4; ++i) colors.surface[i] = colors.surface[i] * texel[i];
-  }
-  const Rgba& surface = fragment.surface;
-  stand_for({surface.r, surface.g, surface.b, surface.a}, colors.surface);
-  colors.light = lit_color(draw_, lighting_, settings_, colors.surface, colors.at);
-  if (draw_.emits() && shows_light(draw_, settings_)) {
-    std::array<Bounded, 4> own{draw_.emission[0], draw_.emission[1], draw_.emission[2]};
-    if (draw_.emission_texture != nullptr) {
-      const auto texel = sample(draw_.emission_texture->get(), *draw_.emission_sampler, fragment,
-                                colors.at, inverse_w);
-      for (std::size_t i = 0; i < 3; ++i) own[i] = own[i] * texel[i];
-    }
-    for (std::size_t i = 0; i < 3; ++i) colors.light[i] += own[i];
-  }
+  const BoundedFragment asked{{}, *this, fragment, colors.at, inverse_w, colors.sample};
+  auto surface = bounded::surface_color(asked);
+  const Rgba& run = fragment.surface;
+  stand_for({run.r, run.g, run.b}, surface.color);
+  surface.alpha = standing_for(run.a, surface.alpha);
+  colors.surface = {surface.color[0], surface.color[1], surface.color[2], surface.alpha};
+  colors.light = bounded::shining(asked, surface.color);
   stand_for({fragment.light.r, fragment.light.g, fragment.light.b}, colors.light);
   return colors;
 }

@@ -44,6 +44,8 @@ public:
   ColorBounds at(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
 private:
+  struct BoundedFragment;
+
   std::array<bounded::Bounded, 4> sample(const MipChain& texture, const Sampler& sampler,
                                          const TracedFragment& fragment, const BoundedVaryings& at,
                                          const bounded::Bounded& inverse_w) const;

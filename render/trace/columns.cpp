@@ -4,7 +4,6 @@
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/ready.h>
-#include <glassbox/render/trace/observer_pair.h>
 #include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/tracer.h>
 
@@ -119,10 +118,7 @@ ColumnRun record_columns(const Scene& scene, const View& view, const RenderSetti
                          const ColumnFilter& filter, Observer* stages) {
   ColumnRun run;
   ColumnRecorder recorder(scene, view, settings, filter, run);
-  Observer nobody;
-  ObserverPair both(stages != nullptr ? *stages : nobody, recorder);
-  Observer* const watching = stages != nullptr ? static_cast<Observer*>(&both) : &recorder;
-  run.rendering = render_staged(scene, view, at_centres(settings), watching);
+  run.rendering = render_staged(scene, view, at_centres(settings), {stages, &recorder});
   return run;
 }
 

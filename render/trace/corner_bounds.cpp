@@ -7,7 +7,6 @@
 
 #include <glassbox/mesh/normals.h>
 #include <glassbox/raster/interpolate.h>
-#include <glassbox/raster/light_formulas.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
@@ -101,90 +100,60 @@ Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
                            standing_for(normal->z, bounded::rounded(newell.z / length))});
 }
 
-Bounded3 eye_centre(const Draw& draw, const DrawBounds& bounds, const Face& face) {
-  Bounded3 sum{};
-  for (std::uint32_t i = 0; i < face.count; ++i) {
-    const Corner& corner = draw.mesh->corners[face.first + i];
-    sum = bounded::sum(sum, eye_position(draw, bounds, draw.mesh->positions[corner.position]));
-  }
-  const Bounded share = Bounded(1.0f) / float(face.count);
-  return {sum[0] * share, sum[1] * share, sum[2] * share};
-}
+// What is known of a draw's vertices, as formulas/corners.h asks for it.
+struct BoundedTables {
+  using Float = Bounded;
+  const CornerStage& stage;
 
-void light(const Draw& draw, const Lighting& lighting, const Bounded3& position,
-           BoundedVaryings& vertex) {
-  constexpr bool kHighlights = true;
-  const auto reflection = bounded::reflected_light(lighting, position, vertex.normal,
-                                                   draw.material->shininess, kHighlights);
-  vertex.diffuse = reflection.diffuse;
-  vertex.specular = reflection.specular;
-}
+  const Mesh& mesh() const { return *stage.draw.mesh; }
+  bool has_positions() const { return is_lit(); }
+  Bounded3 position(std::uint32_t index) const {
+    return eye_position(stage.draw, stage.bounds, mesh().positions[index]);
+  }
+  bool has_normals() const { return is_lit(); }
+  Bounded3 normal(std::uint32_t index) const {
+    const Normal<Object>& normal = mesh().normals[index];
+    return eye_normal(stage.draw, {normal.x, normal.y, normal.z});
+  }
+  Bounded3 face_normal(std::uint32_t face) const {
+    return eye_normal_of_face(stage.draw, mesh().faces[face]);
+  }
 
-// The attributes that do not depend on a face.
-BoundedVaryings as_modelled(const CornerStage& stage, const Corner& corner) {
-  const Mesh& mesh = *stage.draw.mesh;
-  BoundedVaryings at;
-  if (corner.texcoord != kNone) {
-    at.texcoord = {mesh.texcoords[corner.texcoord].u, mesh.texcoords[corner.texcoord].v};
-  }
-  if (corner.color != kNone) {
-    const Rgba& color = mesh.colors[corner.color];
-    at.color = {color.r, color.g, color.b, color.a};
-  }
-  if (!needs_normals(stage.draw, stage.settings)) return at;
-  at.position = eye_position(stage.draw, stage.bounds, mesh.positions[corner.position]);
-  if (corner.normal != kNone) {
-    const Normal<Object>& normal = mesh.normals[corner.normal];
-    at.normal = eye_normal(stage.draw, {normal.x, normal.y, normal.z});
-  }
-  return at;
-}
+  bool is_lit() const { return needs_normals(stage.draw, stage.settings); }
+  bool is_lit_by_face() const { return stage.settings.shading == Shading::kFlat; }
+  bool is_lit_by_vertex() const { return stage.settings.shading == Shading::kGouraud; }
+  const Lighting& lighting() const { return stage.lighting; }
+  int shininess() const { return stage.draw.material->shininess; }
 
-template <std::size_t N>
-std::array<Bounded, N> weigh(const std::array<Bounded, N>& a, const std::array<Bounded, N>& b,
-                             const std::array<Bounded, N>& c,
-                             const std::array<BoundedOf<double>, 3>& weights) {
-  std::array<Bounded, N> result;
-  for (std::size_t i = 0; i < N; ++i) {
-    result[i] =
-        bounded::rounded(weights[0] * bounded::widened(a[i]) + weights[1] * bounded::widened(b[i]) +
-                         weights[2] * bounded::widened(c[i]));
-  }
-  return result;
-}
+  struct FaceCorners {
+    using Float = Bounded;
+    const BoundedTables& tables;
+    const Face& face;
+    bounded::Truth has(std::int32_t k) const { return {std::uint32_t(k) < face.count}; }
+    Bounded3 position(std::int32_t k) const {
+      return tables.position(tables.mesh().corners[face.first + std::uint32_t(k)].position);
+    }
+    Bounded count() const { return float(face.count); }
+  };
+  FaceCorners corners(std::uint32_t face) const { return {*this, mesh().faces[face]}; }
+};
 
 }  // namespace
 
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner) {
-  return as_modelled(stage, corner);
+  return bounded::corner_as_modelled(BoundedTables{stage}, corner);
 }
 
-BoundedVaryings corner_of_face(const CornerStage& stage, const Face& face, const Corner& corner,
+BoundedVaryings corner_of_face(const CornerStage& stage, std::uint32_t face, const Corner& corner,
                                bool front) {
-  BoundedVaryings at = as_modelled(stage, corner);
-  if (!needs_normals(stage.draw, stage.settings)) return at;
-  const bool flat = stage.settings.shading == Shading::kFlat;
-  if (flat || corner.normal == kNone) at.normal = eye_normal_of_face(stage.draw, face);
-  if (!front) at.normal = {-at.normal[0], -at.normal[1], -at.normal[2]};
-  if (flat) {
-    light(stage.draw, stage.lighting, eye_centre(stage.draw, stage.bounds, face), at);
-  }
-  if (stage.settings.shading == Shading::kGouraud) {
-    light(stage.draw, stage.lighting, at.position, at);
-  }
-  return at;
+  return bounded::corner_of_face(BoundedTables{stage}, face, corner, front);
 }
 
 BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
                           const ClipVertexBound& bound) {
   std::array<BoundedOf<double>, 3> weights;
-  for (std::size_t k = 0; k < 3; ++k) {
-    weights[k] = {vertex.weights[k], bound.weights[int(k)]};
-    if (vertex.weights[k] == 1 && bound.weights == glm::dvec3(0)) return corners[k];
-  }
-  return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
-    return weigh(a, b, c, weights);
-  });
+  for (std::size_t k = 0; k < 3; ++k) weights[k] = {vertex.weights[k], bound.weights[int(k)]};
+  return bounded::weighed(corners, weights);
 }
 
 }  // namespace glassbox

@@ -12,11 +12,7 @@
 
 namespace glassbox {
 
-struct BoundedVaryings {
-  std::array<bounded::Bounded, 3> normal{}, position{}, diffuse{}, specular{};
-  std::array<bounded::Bounded, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
-  std::array<bounded::Bounded, 2> texcoord{};
-};
+using BoundedVaryings = VaryingsOf<bounded::Bounded>;
 
 struct CornerStage {
   const Draw& draw;
@@ -25,8 +21,8 @@ struct CornerStage {
   const RenderSettings& settings;
 };
 
-// `front`: whether the front of the face is seen.
-BoundedVaryings corner_of_face(const CornerStage& stage, const Face& face, const Corner& corner,
+// `front`: of the side that is seen.
+BoundedVaryings corner_of_face(const CornerStage& stage, std::uint32_t face, const Corner& corner,
                                bool front);
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner);
 

@@ -57,8 +57,8 @@ Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::Known& 
   const Mesh& mesh = *stage.draw.mesh;
   for (std::size_t k = 0; k < 3; ++k) {
     corners.bounds[k].position = known.bounds.corners[k].clip;
-    corners.varyings[k] = corner_of_face(stage, mesh.faces[triangle.face],
-                                         mesh.corners[triangle.corners[k].corner], front);
+    corners.varyings[k] =
+        corner_of_face(stage, triangle.face, mesh.corners[triangle.corners[k].corner], front);
   }
   corners.ends = {edge, (edge + 1) % 3};
   return corners;

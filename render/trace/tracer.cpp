@@ -21,15 +21,11 @@ bool overlap(const PixelRect& a, const PixelRect& b) {
   return !intersect(a, b).empty();
 }
 
-class Tracer : public Observer {
+// The draws of a run, and what of them somebody wants to know.
+class DrawTracer : public Observer {
 public:
-  Tracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
-      : scene_(scene), view_(view), filter_(filter), sink_(sink), planes_(render_planes(view)) {
-    for (const ClipPlane& plane : planes_) {
-      const bool bounds_depth = plane.c != 0;
-      if (!bounds_depth) side_planes_.push_back(plane);
-    }
-  }
+  DrawTracer(const Scene& scene, const TraceFilter& filter, TraceSink& sink)
+      : filter_(filter), sink_(sink), scene_(scene) {}
 
   bool complete() const { return complete_; }
 
@@ -40,7 +36,59 @@ public:
     draw_wanted_ = !filter_.instance || *filter_.instance == draw.instance;
   }
 
-  // ---- triangles ----
+protected:
+  bool is_wanted(std::uint32_t number) const {
+    return draw_wanted_ && (!filter_.triangle || *filter_.triangle == number);
+  }
+
+  bool has_wanted_vertex(const Triangle& triangle) const {
+    return !filter_.position ||
+           std::any_of(triangle.corners.begin(), triangle.corners.end(), [this](std::uint32_t k) {
+             return draw_->mesh->corners[k].position == *filter_.position;
+           });
+  }
+
+  bool is_wanted(const FragmentSource& source, const Fragment& fragment) const {
+    if (!filter_.fragments || !draw_wanted_) return false;
+    if (filter_.triangle && !(source.is_triangle && source.number == *filter_.triangle)) {
+      return false;
+    }
+    if (filter_.position && !(source.is_triangle && with_wanted_vertex_.contains(source.number))) {
+      return false;
+    }
+    return !filter_.pixels || contains(*filter_.pixels, fragment.x, fragment.y);
+  }
+
+  bool has_room(std::uint64_t bytes) {
+    if (bytes_ + bytes > filter_.max_bytes) complete_ = false;
+    if (!complete_) return false;
+    bytes_ += bytes;
+    return true;
+  }
+
+  const TraceFilter& filter_;
+  TraceSink& sink_;
+  const Draw* draw_ = nullptr;
+  TracedDraw traced_draw_;
+  std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
+
+private:
+  const Scene& scene_;
+  bool draw_wanted_ = true;
+  std::uint64_t bytes_ = 0;
+  bool complete_ = true;
+};
+
+// Its triangles.
+class TriangleTracer : public DrawTracer {
+public:
+  TriangleTracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
+      : DrawTracer(scene, filter, sink), view_(view), planes_(render_planes(view)) {
+    for (const ClipPlane& plane : planes_) {
+      const bool bounds_depth = plane.c != 0;
+      if (!bounds_depth) side_planes_.push_back(plane);
+    }
+  }
 
   void clipped(const PrimitiveStage&, const Triangle& triangle,
                const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override {
@@ -98,7 +146,78 @@ public:
     if (has_room(bytes)) sink_.triangle(current_);
   }
 
-  // ---- fragments ----
+private:
+  bool reaches_wanted_pixels() const {
+    if (!filter_.pixels) return true;
+    if (was_cut_) return would_reach_wanted_pixels();
+    return std::any_of(current_.pieces.begin(), current_.pieces.end(),
+                       [this](const TracedPiece& piece) {
+                         return overlap(pixels_touched(piece.vertices), *filter_.pixels);
+                       });
+  }
+
+  // Whether the triangle would reach the wanted pixels without the near and the far plane.
+  bool would_reach_wanted_pixels() const {
+    std::array<Outcode, 3> codes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      codes[k] = outcode(current_.corners[k].clip, side_planes_);
+    }
+    if (trivial_verdict(codes) == ClipVerdict::kReject) return false;
+    const ClipPolygon polygon = clip_triangle(clip_vertices(current_), side_planes_);
+    std::vector<ScreenVertex> vertices;
+    for (int i = 0; i < polygon.count; ++i) {
+      const NdcVertex ndc = divide(polygon.vertices[std::size_t(i)]);
+      vertices.push_back(to_screen(ndc, view_.viewport));
+    }
+    return !vertices.empty() && overlap(pixels_touched(vertices), *filter_.pixels);
+  }
+
+  // What the run does not need to know, or does not tell.
+  void complete_current() {
+    std::array<Outcode, 3> codes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      place(current_.corners[k]);
+      codes[k] = current_.corners[k].outcode;
+    }
+    if (trivial_verdict(codes) == ClipVerdict::kClip) {
+      clip_triangle(clip_vertices(current_), planes_, &current_.clipping);
+    }
+    std::array<SnappedVertex, kMaxClipVertices> snapped;
+    for (std::size_t i = 0; i < current_.polygon.size(); ++i) {
+      snapped[i] = snap(current_.polygon[i].screen);
+      current_.polygon[i].snapped = snapped[i];
+    }
+    const int count = int(current_.polygon.size());
+    const int apex = fan_apex(std::span(snapped).first(std::size_t(count)));
+    for (std::size_t i = 0; i < current_.pieces.size(); ++i) {
+      current_.pieces[i].polygon = fan_vertices(count > 3 ? apex : 0, count, int(i));
+    }
+  }
+
+  // Where the corner is in the spaces that the run does not visit.
+  void place(TracedCorner& corner) const {
+    corner.position = draw_->mesh->corners[corner.corner].position;
+    corner.object = draw_->mesh->positions[corner.position];
+    const Point<Object, double> object{corner.object.x, corner.object.y, corner.object.z};
+    corner.world = traced_draw_.world_from_object * object;
+    corner.eye = view_.eye_from_world * corner.world;
+    corner.outcode = outcode(corner.clip, planes_);
+  }
+
+  const View& view_;
+  const std::array<ClipPlane, kMaxClipPlanes> planes_;
+  std::vector<ClipPlane> side_planes_;  // all but near and far
+  bool watching_ = false;               // the current triangle
+  bool was_cut_ = false;                // it is not what it was before clipping
+  TracedTriangle current_;              // reused, so that what is not kept costs no allocation
+  int polygon_count_ = 0;               // vertices that clipping left of it
+  bool of_polygon_ = false;             // the vertex that is divided is one of them
+};
+
+// And its fragments.
+class Tracer : public TriangleTracer {
+public:
+  using TriangleTracer::TriangleTracer;
 
   void interpolated(const FragmentSource&, const Coverage& coverage, Fragment&) override {
     coverage_ = coverage;
@@ -144,112 +263,7 @@ public:
   }
 
 private:
-  bool is_wanted(std::uint32_t number) const {
-    return draw_wanted_ && (!filter_.triangle || *filter_.triangle == number);
-  }
-
-  bool has_wanted_vertex(const Triangle& triangle) const {
-    return !filter_.position ||
-           std::any_of(triangle.corners.begin(), triangle.corners.end(), [this](std::uint32_t k) {
-             return draw_->mesh->corners[k].position == *filter_.position;
-           });
-  }
-
-  bool is_wanted(const FragmentSource& source, const Fragment& fragment) const {
-    if (!filter_.fragments || !draw_wanted_) return false;
-    if (filter_.triangle && !(source.is_triangle && source.number == *filter_.triangle)) {
-      return false;
-    }
-    if (filter_.position && !(source.is_triangle && with_wanted_vertex_.contains(source.number))) {
-      return false;
-    }
-    return !filter_.pixels || contains(*filter_.pixels, fragment.x, fragment.y);
-  }
-
-  bool reaches_wanted_pixels() const {
-    if (!filter_.pixels) return true;
-    if (was_cut_) return would_reach_wanted_pixels();
-    return std::any_of(current_.pieces.begin(), current_.pieces.end(),
-                       [this](const TracedPiece& piece) {
-                         return overlap(pixels_touched(piece.vertices), *filter_.pixels);
-                       });
-  }
-
-  // Whether the triangle would reach the wanted pixels if the near and far planes did not clip it.
-  bool would_reach_wanted_pixels() const {
-    std::array<Outcode, 3> codes;
-    for (std::size_t k = 0; k < 3; ++k) {
-      codes[k] = outcode(current_.corners[k].clip, side_planes_);
-    }
-    if (trivial_verdict(codes) == ClipVerdict::kReject) return false;
-    const ClipPolygon polygon = clip_triangle(clip_vertices(current_), side_planes_);
-    std::vector<ScreenVertex> vertices;
-    for (int i = 0; i < polygon.count; ++i) {
-      const NdcVertex ndc = divide(polygon.vertices[std::size_t(i)]);
-      vertices.push_back(to_screen(ndc, view_.viewport));
-    }
-    return !vertices.empty() && overlap(pixels_touched(vertices), *filter_.pixels);
-  }
-
-  bool has_room(std::uint64_t bytes) {
-    if (bytes_ + bytes > filter_.max_bytes) complete_ = false;
-    if (!complete_) return false;
-    bytes_ += bytes;
-    return true;
-  }
-
-  // Computes what the run itself does not compute or does not pass to observers.
-  void complete_current() {
-    std::array<Outcode, 3> codes;
-    for (std::size_t k = 0; k < 3; ++k) {
-      place(current_.corners[k]);
-      codes[k] = current_.corners[k].outcode;
-    }
-    if (trivial_verdict(codes) == ClipVerdict::kClip) {
-      clip_triangle(clip_vertices(current_), planes_, &current_.clipping);
-    }
-    std::array<SnappedVertex, kMaxClipVertices> snapped;
-    for (std::size_t i = 0; i < current_.polygon.size(); ++i) {
-      snapped[i] = snap(current_.polygon[i].screen);
-      current_.polygon[i].snapped = snapped[i];
-    }
-    const int count = int(current_.polygon.size());
-    const int apex = fan_apex(std::span(snapped).first(std::size_t(count)));
-    for (std::size_t i = 0; i < current_.pieces.size(); ++i) {
-      current_.pieces[i].polygon = fan_vertices(count > 3 ? apex : 0, count, int(i));
-    }
-  }
-
-  // Computes the corner in the spaces that the run does not use.
-  void place(TracedCorner& corner) const {
-    corner.position = draw_->mesh->corners[corner.corner].position;
-    corner.object = draw_->mesh->positions[corner.position];
-    const Point<Object, double> object{corner.object.x, corner.object.y, corner.object.z};
-    corner.world = traced_draw_.world_from_object * object;
-    corner.eye = view_.eye_from_world * corner.world;
-    corner.outcode = outcode(corner.clip, planes_);
-  }
-
-  const Scene& scene_;
-  const View& view_;
-  const TraceFilter& filter_;
-  TraceSink& sink_;
-  const std::array<ClipPlane, kMaxClipPlanes> planes_;
-  std::vector<ClipPlane> side_planes_;  // all except near and far
-  std::uint64_t bytes_ = 0;
-  bool complete_ = true;
-  const Draw* draw_ = nullptr;
-  bool draw_wanted_ = true;
-  TracedDraw traced_draw_;
-  // Triangle numbers; for filters by position.
-  std::unordered_set<std::uint32_t> with_wanted_vertex_;
-  bool watching_ = false;  // whether the current triangle is recorded
-  bool was_cut_ = false;   // the current triangle was changed by clipping
-  // Its memory is used again, so that triangles that are not kept cost no allocation.
-  TracedTriangle current_;
-  bool tracing_ = false;     // whether the current fragment is recorded
-  int polygon_count_ = 0;    // vertices that clipping left of the current triangle
-  bool of_polygon_ = false;  // the vertex that was divided last is one of them
+  bool tracing_ = false;  // the current fragment
   TracedFragment fragment_;
   Coverage coverage_;
 };

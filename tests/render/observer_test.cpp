@@ -8,7 +8,6 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/render/staged/ready.h>
 #include <glassbox/render/staged/staged.h>
-#include <glassbox/render/trace/observer_pair.h>
 
 using namespace glassbox;
 
@@ -19,8 +18,8 @@ struct Shown {
   View view = make_view(frame(scene, 1.0).value(), 32, 32).value();
   RenderSettings settings;
 
-  Image<Rgba8> by(Observer* observer) const {
-    return render_staged(scene, view, settings, observer).buffers.color;
+  Image<Rgba8> by(const Observers& observers) const {
+    return render_staged(scene, view, settings, observers).buffers.color;
   }
 };
 
@@ -90,12 +89,11 @@ TEST_CASE("vertices that an observer snaps are those that are set up") {
   CHECK(same == covered);
 }
 
-TEST_CASE("of a pair the second sees what the first has made of a run") {
+TEST_CASE("of two observers the second sees what the first has made of a run") {
   const Shown shown;
   WithoutRow without(16);
   Counts counts, alone;
-  ObserverPair both(without, counts);
-  CHECK(shown.by(&both).pixels == shown.by(&without).pixels);
+  CHECK(shown.by({&without, &counts}).pixels == shown.by(&without).pixels);
   shown.by(&alone);
   CHECK(counts.polygons == alone.polygons);
   CHECK(counts.varied_fragments < alone.varied_fragments);

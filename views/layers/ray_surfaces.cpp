@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <glassbox/raster/blend.h>
 #include <glassbox/raster/light_formulas.h>
-#include <glassbox/render/staged/fragment_color.h>
 
 namespace glassbox::views {
 
@@ -110,25 +110,7 @@ Rgba RaySurfaces::texel_at(const LazyMipChain& texture, const Sampler& sampler,
   return sample(chain, sampler, texcoord_at(hit, draw, triangle), detail);
 }
 
-Rgba RaySurfaces::base_color(const RayHit& hit) const {
-  const Draw& draw = list_.draws[places_[hit.triangle].draw];
-  const Triangle& triangle = draw.triangulation->triangles[places_[hit.triangle].triangle];
-  Rgba color = draw.material->base_color;
-  const auto times = [&](const Rgba& c) {
-    color = {color.r * c.r, color.g * c.g, color.b * c.b, color.a * c.a};
-  };
-  if (!draw.mesh->colors.empty()) {
-    const auto [r, g, b, a] = mean_of<4>(hit, draw, triangle, [&](const Corner& corner) {
-      const Rgba c = corner.color == kNone ? Rgba() : draw.mesh->colors[corner.color];
-      return std::array<float, 4>{c.r, c.g, c.b, c.a};
-    });
-    times({r, g, b, a});
-  }
-  if (draw.texture != nullptr) times(texel_at(*draw.texture, *draw.sampler, hit));
-  return color;
-}
-
-// The normal in eye space, on the side from which the ray came.
+// In eye space, towards where the ray came from.
 std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   const Place& place = places_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];
@@ -142,6 +124,63 @@ std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   });
 }
 
+// As formulas/surface.h asks for it.
+struct RaySurfaces::RayFragment : UnwatchedFragment {
+  using Float = float;
+  static constexpr std::size_t kChannels = 3;
+
+  const RaySurfaces& surfaces;
+  const RayHit& hit;
+  const Draw& draw;
+  const Triangle& triangle;
+
+  RayFragment(const RaySurfaces& of, const RayHit& at)
+      : surfaces(of),
+        hit(at),
+        draw(of.list_.draws[of.places_[at.triangle].draw]),
+        triangle(draw.triangulation->triangles[of.places_[at.triangle].triangle]) {}
+
+  static constexpr std::size_t first_channel() { return 0; }
+  template <class T>
+  static const std::array<T, 3>& wanted(const std::array<T, 3>& three) {
+    return three;
+  }
+  SurfaceColorOf<float> look_up(const LazyMipChain& texture, const Sampler& sampler) const {
+    const auto [r, g, b, a] = surfaces.texel_at(texture, sampler, hit);
+    return {{r, g, b}, a};
+  }
+
+  const Material& material() const { return *draw.material; }
+  bool has_vertex_color() const { return !draw.mesh->colors.empty(); }
+  SurfaceColorOf<float> vertex_color() const {
+    const auto [r, g, b, a] = mean_of<4>(hit, draw, triangle, [&](const Corner& corner) {
+      const Rgba c = corner.color == kNone ? Rgba() : draw.mesh->colors[corner.color];
+      return std::array<float, 4>{c.r, c.g, c.b, c.a};
+    });
+    return {{r, g, b}, a};
+  }
+  bool has_texture() const { return draw.texture != nullptr; }
+  SurfaceColorOf<float> texel() const { return look_up(*draw.texture, *draw.sampler); }
+
+  bool is_lit() const { return needs_normals(draw, surfaces.settings_); }
+  const Lighting& lighting() const { return surfaces.list_.lighting; }
+  static constexpr bool has_highlights() { return true; }
+  std::array<float, 3> normal() const { return surfaces.normal_at(hit); }
+  std::array<float, 3> position() const {
+    const Eigen::Vector3f at = surfaces.caster_.place(hit).cast<float>();
+    return {at.x(), at.y(), at.z()};
+  }
+  static constexpr bool is_lit_at_vertices() { return false; }
+  static Reflection light_of_vertices() { return {}; }
+
+  bool emits() const { return draw.emits() && shows_light(draw, surfaces.settings_); }
+  const std::array<float, 3>& emission() const { return draw.emission; }
+  bool has_emission_texture() const { return draw.emission_texture != nullptr; }
+  std::array<float, 3> emission_texel() const {
+    return look_up(*draw.emission_texture, *draw.emission_sampler).color;
+  }
+};
+
 std::uint32_t RaySurfaces::number(const RayHit& hit) const {
   const Place& place = places_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];
@@ -153,31 +192,15 @@ bool RaySurfaces::shows(const RayHit& hit) const {
   // A mirroring matrix reverses the winding, and exchanges inside and outside.
   if (is_culled(draw, settings_.cull, hit.front != draw.mirrored)) return false;
   const Material& material = *draw.material;
-  return material.alpha_mode != AlphaMode::kMask || !is_discarded(material, base_color(hit));
+  return material.alpha_mode != AlphaMode::kMask ||
+         reaches_cutoff(surface_color(RayFragment(*this, hit)).alpha, material);
 }
 
 Rgba8 RaySurfaces::color(const RayHit& hit) const {
-  const Draw& draw = list_.draws[places_[hit.triangle].draw];
-  const Rgba base = base_color(hit);
-  std::array<float, 3> light{base.r, base.g, base.b};
-  if (needs_normals(draw, settings_)) {
-    const Eigen::Vector3f at = caster_.place(hit).cast<float>();
-    const std::array<float, 3> normal = normal_at(hit);
-    const Material& material = *draw.material;
-    const Reflection reflected =
-        illuminate(list_.lighting, {at.x(), at.y(), at.z()}, normal, material.shininess);
-    light = lit<float>(light, normal, reflected, material.specular, true);
-  }
-  if (draw.emits() && shows_light(draw, settings_)) {
-    const Rgba own = draw.emission_texture == nullptr
-                         ? Rgba()
-                         : texel_at(*draw.emission_texture, *draw.emission_sampler, hit);
-    light = {light[0] + draw.emission[0] * own.r, light[1] + draw.emission[1] * own.g,
-             light[2] + draw.emission[2] * own.b};
-  }
+  const RayFragment at(*this, hit);
+  const auto [r, g, b] = shining(at, surface_color(at).color);
   Rgba8 stored = settings_.background;
-  write_masked(settings_.mask, encode(settings_.transfer, Rgba{light[0], light[1], light[2], 1}),
-               stored);
+  write_masked(settings_.mask, encode(settings_.transfer, Rgba{r, g, b, 1}), stored);
   return stored;
 }
 

@@ -42,10 +42,11 @@ private:
   };
 
   static std::vector<TriangleCorners> corners_of(const DrawList& list, std::vector<Place>& places);
+  struct RayFragment;
+
   float detail_at(const MipChain& texture, const RayHit& hit, const Draw& draw,
                   const Triangle& triangle) const;
   Rgba texel_at(const LazyMipChain& texture, const Sampler& sampler, const RayHit& hit) const;
-  Rgba base_color(const RayHit& hit) const;
   std::array<float, 3> normal_at(const RayHit& hit) const;
 
   const View view_;

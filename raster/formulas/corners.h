@@ -1,0 +1,94 @@
+// What corners of a mesh bring to their triangles, lines and points, and what clipping makes of it.
+//
+// The functions ask `tables`, what is known of a draw's vertices, for what they need: numbers in
+// render/staged/corners.cpp, with bounds in render/trace/corner_bounds.cpp. The lanes gather each
+// attribute of many corners (raster/lanes/small_source-inl.h), and compute with them as here.
+
+// A corner as it was modelled, in eye space.
+template <class Tables>
+inline auto corner_as_modelled(const Tables& tables, const Corner& corner) {
+  using F = typename Tables::Float;
+  const Mesh& mesh = tables.mesh();
+  VaryingsOf<F> at;
+  if (corner.texcoord != kNone) {
+    const TexCoord& texcoord = mesh.texcoords[corner.texcoord];
+    at.texcoord = {F(texcoord.u), F(texcoord.v)};
+  }
+  if (corner.color != kNone) {
+    const Rgba& color = mesh.colors[corner.color];
+    at.color = {F(color.r), F(color.g), F(color.b), F(color.a)};
+  }
+  if (tables.has_positions()) at.position = tables.position(corner.position);
+  if (corner.normal != kNone && tables.has_normals()) at.normal = tables.normal(corner.normal);
+  return at;
+}
+
+// Seen from behind, a surface is lit as if its normals pointed the other way.
+template <class Condition, Number F>
+inline std::array<F, 3> facing_viewer(Condition back, const std::array<F, 3>& n) {
+  return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};
+}
+
+// The mean of a face's corners in eye space, summed from the first on.
+template <class Corners>
+inline auto centre_of_face(const Corners& corners) {
+  using F = typename Corners::Float;
+  const F zero = 0.0f;
+  std::array<F, 3> sum{zero, zero, zero};
+  for (std::int32_t k = 0;; ++k) {
+    const auto is_there = corners.has(k);
+    if (none(is_there)) break;
+    const std::array<F, 3> p = corners.position(k);
+    for (std::size_t i = 0; i < 3; ++i) sum[i] = select(is_there, sum[i] + p[i], sum[i]);
+  }
+  const F share = F(1.0f) / corners.count();
+  return std::array<F, 3>{sum[0] * share, sum[1] * share, sum[2] * share};
+}
+
+template <class Tables, class Place, class Attributes>
+inline void light_corner(const Tables& tables, const Place& place, Attributes& at) {
+  constexpr bool kHighlights = true;
+  const auto light =
+      reflected_light(tables.lighting(), place, at.normal, tables.shininess(), kHighlights);
+  at.diffuse = light.diffuse;
+  at.specular = light.specular;
+}
+
+// A corner of a face as the fragments will interpolate it, lit where the shading is per face or per
+// vertex. `front`: of the side that is seen.
+template <class Tables>
+inline auto corner_of_face(const Tables& tables, std::uint32_t face, const Corner& corner,
+                           bool front) {
+  auto at = corner_as_modelled(tables, corner);
+  if (!tables.is_lit()) return at;
+  if (tables.is_lit_by_face() || corner.normal == kNone) at.normal = tables.face_normal(face);
+  at.normal = facing_viewer(!front, at.normal);
+  if (tables.is_lit_by_face()) light_corner(tables, centre_of_face(tables.corners(face)), at);
+  if (tables.is_lit_by_vertex()) light_corner(tables, at.position, at);
+  return at;
+}
+
+template <Number F, std::size_t N, class Weight>
+inline std::array<F, N> weigh(const std::array<F, N>& a, const std::array<F, N>& b,
+                              const std::array<F, N>& c, const std::array<Weight, 3>& weights) {
+  std::array<F, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    result[i] = rounded(weights[0] * widened(a[i]) + weights[1] * widened(b[i]) +
+                        weights[2] * widened(c[i]));
+  }
+  return result;
+}
+
+// At a vertex after clipping, from the primitive's corners. Most are corners still: weighing would
+// give back what they have, but for the sign of a zero, which nothing further on reads.
+template <class Attributes, class Weight>
+inline Attributes weighed(const std::array<Attributes, 3>& corners,
+                          const std::array<Weight, 3>& weights) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Weight &own = weights[k], &second = weights[(k + 1) % 3], &third = weights[(k + 2) % 3];
+    if (none(own != 1.0) && none(second != 0.0) && none(third != 0.0)) return corners[k];
+  }
+  return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
+    return weigh(a, b, c, weights);
+  });
+}
