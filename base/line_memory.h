@@ -17,7 +17,7 @@ struct LineAllocator {
   template <class U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  // Versions of clang-format put other blanks around these operators.
+  // Different versions of clang-format put different spaces around these operators.
   // clang-format off
   T* allocate(std::size_t count) {
     return static_cast<T*>(::operator new(bytes_of(count), std::align_val_t{kCacheLine}));

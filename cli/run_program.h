@@ -1,5 +1,5 @@
-// The commands of glassbox by subject. A program has all of them, or those of one subject: so that
-// somebody who wants to look at one picture need not wait until the rest is compiled
+// The commands of glassbox, grouped by subject. A program has all of them, or those of one subject,
+// so that somebody who only wants to look at one picture need not wait until the rest is compiled
 // (docs/building.md).
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace glassbox {
 
-// Adds subcommands to `app`, which write the exit code of the one that is run to `exit_code`.
+// Adds subcommands to `app`. The subcommand that is run writes its exit code to `exit_code`.
 using AddCommands = void (*)(CLI::App& app, int& exit_code);
 
 struct CommandName {

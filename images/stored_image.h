@@ -33,7 +33,7 @@ std::string channel_names(const StoredImage& image);
 
 // The properties that a file's header states.
 struct StoredHeader {
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   int channels = 0;           // as in StoredImage
 };
 

@@ -31,7 +31,7 @@ struct InspectOptions {
 
   // A student's functions that take part in the run (glassbox lab render); null: none.
   Observer* stages = nullptr;
-  std::string student;  // JSON with the student's records (drawing_page.h); empty: none
+  std::string student;  // JSON of drawing_report.h: their records; empty: nobody's
   const Image<Rgba8>* reference = nullptr;  // the picture without the student's functions
   // Set if the student's functions draw a picture of their own, other than the run's. `made` is
   // that picture, `reference` then is what it is compared with, and `truth` is the scene itself,

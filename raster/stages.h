@@ -75,7 +75,8 @@ struct Fragment {
   float inverse_w = 1;
 };
 
-// What is interpolated over a primitive. Which of them mean something depends on the material and the shading.
+// The attributes that are interpolated over a primitive. The material and the shading decide which
+// of them are used.
 template <class F>
 struct VaryingsOf {
   std::array<F, 3> normal{};    // eye space, unit length at the vertices

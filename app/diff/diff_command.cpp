@@ -1,14 +1,18 @@
-#include "app/diff/diff_command.h"
-
+// glassbox diff REFERENCE TEST: whether two pictures, or two directories of them, are the same.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/commands.h"
 #include "app/pixel/pixel_command.h"
+#include "cli/options/add_command.h"
 #include "cli/options/choices.h"
 #include "cli/options/output_options.h"
 #include "cli/report/exit_codes.h"
@@ -16,9 +20,13 @@
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/compare/pictures/approve.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/pictures/pairing.h>
 #include <glassbox/compare/pixels/words.h>
+#include <glassbox/compare/report/heat.h>
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/junit.h>
 #include <glassbox/compare/report/page.h>
@@ -27,6 +35,32 @@
 #include <glassbox/images/write.h>
 
 namespace glassbox::app {
+
+class DiffCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run();
+  Result<Pairing> pair_up() const;
+  Result<void> check_output_paths(const Pairing& pairing) const;
+  std::vector<Comparison> compare(const Pairing& pairing) const;
+  Result<void> write_reports(const std::vector<Comparison>& comparisons) const;
+  Result<void> write_heat_maps(const std::vector<Comparison>& comparisons) const;
+  void print(const std::vector<Comparison>& comparisons, const Pairing& pairing) const;
+  int approve_all(const std::vector<Comparison>& comparisons) const;
+  std::string command_line() const;
+  bool silent() const;  // a report goes to standard output, so nothing else may
+
+  std::string reference_, test_;
+  bool directories_ = false;
+  CompareOptions options_;
+  std::optional<std::string> heat_, page_, json_, junit_;
+  HeatOf heat_of_ = HeatOf::kSteps;
+  bool approve_ = false;
+  bool suggest_ = false;
+  std::vector<const CLI::Option*> comparing_;  // the options that can change the verdict
+};
 
 namespace {
 
@@ -346,6 +380,10 @@ int DiffCommand::run() {
   if (const auto written = write_reports(comparisons); !written) return refuse(written.error());
   print(comparisons, *pairing);
   return approve_ ? approve_all(comparisons) : exit_code_of(comparisons);
+}
+
+void add_diff_command(CLI::App& app, int& exit_code) {
+  add_command<DiffCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -1,19 +1,110 @@
-#include "app/explain/explain_command.h"
-
+// glassbox explain SCENE: what the plan leaves out and why; with --analyze, also what went into
+// every stage, what came out, and how long it took.
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
-#include "app/explain/pair_report.h"
-#include "app/explain/planning_engine.h"
+#include "app/commands.h"
+#include "app/explain/plan_report.h"
 #include "app/explain/tile_report_text.h"
+#include "app/stereo/stereo_picture.h"
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/picture_question.h"
 #include "cli/report/stage_report.h"
 
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
+
+// The report of `explain --stereo` on both eyes' pictures, as text and as JSON.
+struct PairReport {
+  const StereoRendering& both;
+  // Empty if the staged engine has drawn, which makes no plan.
+  const PlannedPictures& planned;
+  bool counted = false;  // counts of the stages are wanted
+
+  bool is_planned() const { return !planned.texts.empty(); }
+};
+
+namespace {
+
+struct ReportedEye {
+  const char* key;
+  const char* heading;
+  const Statistics& statistics;
+};
+
+std::vector<ReportedEye> eyes_of(const StereoRendering& both) {
+  if (both.passes == 1) return {{"both", "both eyes", both.left_statistics}};
+  return {{"left", "the left eye", both.left_statistics},
+          {"right", "the right eye", both.right_statistics}};
+}
+
+std::string plans_text(const std::vector<ReportedEye>& eyes,
+                       const std::vector<std::string>& plans) {
+  const bool same = std::ranges::all_of(plans, [&](const auto& p) { return p == plans.front(); });
+  if (same) return "both eyes\n\n" + plans.front() + "\n";
+  std::string text;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    text += eyes[i].heading + std::string("\n\n") + plans[i] + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+// Eyes with the same text are reported once, together.
+std::string pair_text(const PairReport& pair) {
+  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
+  std::string text;
+  if (pair.is_planned()) text += plans_text(eyes, pair.planned.texts);
+  if (!pair.counted) return text;
+  const EngineKind engine = pair.is_planned() ? EngineKind::kTile : EngineKind::kStaged;
+  for (const ReportedEye& eye : eyes) {
+    text += eye.heading + std::string("\n") + stage_table(eye.statistics, engine) + "\n";
+  }
+  // Work shared by both eyes is counted and timed with the first eye.
+  const Statistics& first = eyes.front().statistics;
+  return text + (pair.is_planned() ? tile_text(first, pair.planned.report) : time_table(first));
+}
+
+// The keys are "left" and "right", or "both" where both eyes have one picture.
+nlohmann::ordered_json pair_json(const PairReport& pair) {
+  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    nlohmann::ordered_json& of_eye = json[eyes[i].key];
+    if (pair.is_planned()) of_eye["plan"] = pair.planned.json[i];
+    if (pair.counted) of_eye.update(to_json(eyes[i].statistics));
+  }
+  if (pair.counted && pair.is_planned()) {
+    json["tile"] = to_json(eyes.front().statistics, pair.planned.report);
+  }
+  return json;
+}
+
+class ExplainCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  Result<Answer> answer(const Scene& scene) const;
+  Answer explain_staged(const Scene& scene, const View& view) const;
+  Answer explain_tiles(const Scene& scene, const View& view) const;
+  Result<Answer> explain_pair(const Scene& scene) const;
+
+  PictureQuestion question_;
+  StereoPictureOptions stereo_;
+  EngineOptions engine_;
+  bool analyze_ = false;
+};
 
 void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
@@ -116,6 +207,10 @@ Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
   }
   answer.text += pair_text(pair);
   return answer;
+}
+
+void add_explain_command(CLI::App& app, int& exit_code) {
+  add_command<ExplainCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -1,16 +1,66 @@
 #include "app/explain/plan_report.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/explain/draw_groups.h"
 #include "cli/report/stage_report.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/render/plan/decisions.h>
+#include <glassbox/render/plan/planned_picture.h>
 
 namespace glassbox::app {
+
+// The draws of a plan in groups: draws with the same decisions are reported together.
+struct DrawGroup {
+  std::string way;                   // how they are drawn: over lanes, staged, not drawn
+  std::vector<Decision> decisions;   // with the numbers of the largest draw
+  std::vector<std::uint32_t> draws;  // indices into the draw list, the largest first
+  std::uint64_t triangles = 0;
+};
+
+namespace {
+
+std::string key_of(const std::string& way, const std::vector<Decision>& decisions) {
+  std::string key = way;
+  for (const Decision& d : decisions) key += fmt::format("\n{}{}{}", d.stage, d.needed, d.because);
+  return key;
+}
+
+}  // namespace
+
+// The groups, that with most triangles first; of equal ones, that with the earlier first draw.
+std::vector<DrawGroup> group_draws(const Plan& plan, const PlannedEye& eye) {
+  const std::vector<Draw>& draws = eye.list.draws;
+  const auto triangles = [&](std::uint32_t i) { return draws[i].triangulation->triangles.size(); };
+  std::vector<DrawGroup> groups;
+  std::map<std::string, std::size_t> group_of;
+  for (std::uint32_t i = 0; i < draws.size(); ++i) {
+    const std::string way = way_of(plan.methods[i]);
+    const auto [found, is_new] =
+        group_of.try_emplace(key_of(way, decisions(plan, eye, i)), groups.size());
+    if (is_new) groups.push_back({way, {}, {}, 0});
+    DrawGroup& group = groups[found->second];
+    group.draws.push_back(i);
+    group.triangles += triangles(i);
+  }
+  for (DrawGroup& group : groups) {
+    std::ranges::stable_sort(
+        group.draws, [&](std::uint32_t a, std::uint32_t b) { return triangles(a) > triangles(b); });
+    group.decisions = decisions(plan, eye, group.draws.front());
+  }
+  std::ranges::stable_sort(
+      groups, [](const DrawGroup& a, const DrawGroup& b) { return a.triangles > b.triangles; });
+  return groups;
+}
 
 namespace {
 
@@ -98,6 +148,25 @@ nlohmann::ordered_json to_json(const Plan& plan, const PlannedEye& eye) {
                       {"decisions", to_json(group.decisions)}});
   }
   return {{"picture", to_json(decisions(plan, eye))}, {"draws", std::move(groups)}};
+}
+
+void plan_pictures(const PictureJob& job, const TileOptions& options, PlannedPictures& planned) {
+  PlannedPicture picture;
+  plan_picture(job.scene, job.prepared, job.eyes, options.planner, options.plan, picture);
+  for (std::size_t i = 0; i < picture.plans.size(); ++i) {
+    planned.texts.push_back(plan_text(job.scene, picture.plans[i], picture.eyes[i]));
+    planned.json.push_back(to_json(picture.plans[i], picture.eyes[i]));
+  }
+}
+
+PlanningEngine::PlanningEngine(const TileOptions& options, PlannedPictures& planned)
+    : options_(options), engine_(options), planned_(planned) {}
+
+NotSubmitted PlanningEngine::draw(const PictureJob& job) {
+  plan_pictures(job, options_, planned_);
+  engine_.render(job.scene, job.prepared, job.eyes);
+  engine_.render(job.scene, job.prepared, job.eyes, &planned_.report);
+  return {};
 }
 
 }  // namespace glassbox::app

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <glassbox/mesh/scene.h>
+#include <glassbox/render/engine/engine.h>
 #include <glassbox/render/plan/plan.h>
+#include <glassbox/render/tile/tile_engine.h>
 
 namespace glassbox::app {
 
@@ -16,5 +20,32 @@ std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& ey
 
 // All groups of draws, with the instances in each.
 nlohmann::ordered_json to_json(const Plan& plan, const PlannedEye& eye);
+
+// The tile engine, which also keeps the plans of the pictures that it draws.
+
+// The plans of the pictures of all jobs, as text and as JSON.
+struct PlannedPictures {
+  std::vector<std::string> texts;  // one per eye
+  std::vector<nlohmann::ordered_json> json;
+  TileReport report;  // of all pictures
+};
+
+class PlanningEngine : public Engine {
+public:
+  // `planned` must outlive the engine. Each job adds to it.
+  PlanningEngine(const TileOptions& options, PlannedPictures& planned);
+
+  // Draws twice and counts the second time, because the first one also starts threads and allocates
+  // memory.
+  NotSubmitted draw(const PictureJob& job) override;
+
+private:
+  TileOptions options_;
+  TileEngine engine_;
+  PlannedPictures& planned_;
+};
+
+// Adds the plans of the job's pictures to `planned` without drawing.
+void plan_pictures(const PictureJob& job, const TileOptions& options, PlannedPictures& planned);
 
 }  // namespace glassbox::app

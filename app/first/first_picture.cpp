@@ -7,7 +7,7 @@
 
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "cli/report/program_name.h"
+#include "cli/report/shell_line.h"
 #include "cli/report/stage_report.h"
 
 #include <glassbox/base/elapsed.h>

@@ -10,8 +10,7 @@
 
 #include "app/frames/eye_plan.h"
 #include "app/frames/frames_report.h"
-#include "app/frames/plot.h"
-#include "cli/frames/frame_names.h"
+#include "cli/frames/frame_range.h"
 #include "cli/frames/path_file.h"
 #include "cli/frames/shots.h"
 #include "cli/frames/stop_request.h"

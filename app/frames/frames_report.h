@@ -46,4 +46,10 @@ void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
 std::string frames_text(const FramesReport& report);
 nlohmann::ordered_json frames_json(const FramesReport& report);
 
+// Separation, window and largest parallax over the frames, as an SVG picture.
+
+// Draws a plot that is readable on a light background and a dark one, with a description in words
+// (title, desc) for people who cannot see it. The report must have eyes and at least one frame.
+std::string plot_svg(const FramesReport& report);
+
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-#include "app/frames/plot.h"
+#include "app/frames/frames_report.h"
 
 #include <algorithm>
 #include <cmath>

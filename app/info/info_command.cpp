@@ -1,16 +1,16 @@
-#include "app/info/info_command.h"
-
+// glassbox info SCENE: prints what is in a scene, and what is wrong with it.
 #include <optional>
 #include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/info/info_contents.h"
-#include "app/info/info_layers.h"
-#include "app/info/info_stiffness.h"
+#include "app/commands.h"
+#include "app/info/info_parts.h"
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/output_options.h"
 #include "cli/options/scene_input.h"
@@ -26,6 +26,19 @@
 #include <glassbox/mesh/gltf/write.h>
 
 namespace glassbox::app {
+
+class InfoCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run();
+  int tell_of_layers() const;  // reports on the file of a layered depth image
+
+  std::string scene_;
+  std::optional<std::string> json_output_;
+  std::optional<std::string> glb_output_;
+};
 
 namespace {
 
@@ -315,6 +328,10 @@ int InfoCommand::run() {
     for (const std::string& line : stiff) fmt::print("  {}\n", line);
   }
   return kSuccess;
+}
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  add_command<InfoCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-#include "app/info/info_layers.h"
+#include "app/info/info_parts.h"
 
 #include <algorithm>
 #include <array>

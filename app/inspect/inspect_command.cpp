@@ -1,24 +1,46 @@
-#include "app/inspect/inspect_command.h"
-
+// glassbox inspect SCENE -o page.html: writes a run of the scene as a page in which every stage can
+// be examined.
+#include <optional>
 #include <span>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/commands.h"
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "cli/report/program_name.h"
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
+#include "inspect/page.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/mesh/limits.h>
 
 namespace glassbox::app {
+
+class InspectCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run();
+  Result<void> check_pixels() const;
+  std::string command_line() const;
+
+  std::string scene_;
+  std::string output_;
+  PictureOptions picture_;
+  inspect::InspectOptions page_;
+  LoadLimits limits_;
+};
 
 void InspectCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command =
@@ -115,6 +137,10 @@ int InspectCommand::run() {
              printable(output_, kLongestMessage), counted(page->triangles, "triangle"),
              counted(page->fragments, "fragment"), double(page->html.size()) / 1e6);
   return kSuccess;
+}
+
+void add_inspect_command(CLI::App& app, int& exit_code) {
+  add_command<InspectCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -4,9 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/why/verdict_text.h"
+#include "app/why/verdict.h"
 #include "cli/report/text_layout.h"
-#include "cli/report/value_text.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

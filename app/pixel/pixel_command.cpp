@@ -1,24 +1,43 @@
 #include "app/pixel/pixel_command.h"
 
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/commands.h"
 #include "app/pixel/history_json.h"
 #include "app/pixel/history_text.h"
-#include "app/why/verdict_text.h"
+#include "app/why/verdict.h"
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/picture_question.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/number_json.h"
 #include "cli/report/shell_line.h"
 
+#include <glassbox/compare/pixels/differences.h>
+#include <glassbox/images/recipe.h>
 #include <glassbox/pipeline/unproject.h>
 #include <glassbox/render/trace/numbering.h>
 
 namespace glassbox::app {
+
+class PixelCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run() const;
+  Answer answer(const Scene& scene, const View& view) const;
+
+  PictureQuestion question_;
+  PixelAt at_;
+  bool all_ = false;  // list all triangles that narrowly miss the pixel's centre
+};
 
 namespace {
 
@@ -151,6 +170,10 @@ Answer PixelCommand::answer(const Scene& scene, const View& view) const {
   json["history"] = to_json(scene, history);
   return {json, fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
                             text_of(scene, seen), history_text(scene, history, all_))};
+}
+
+void add_pixel_command(CLI::App& app, int& exit_code) {
+  add_command<PixelCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -11,7 +11,6 @@
 #include "cli/report/shell_line.h"
 #include "cli/report/stage_report.h"
 #include "cli/report/text_layout.h"
-#include "cli/report/value_text.h"
 #include "views/commands/eye_error_json.h"
 
 #include <glassbox/base/counted.h>

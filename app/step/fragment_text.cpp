@@ -3,7 +3,7 @@
 
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
-#include "cli/report/value_text.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/matrices/decimal.h>
 

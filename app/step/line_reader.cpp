@@ -1,4 +1,4 @@
-#include "app/step/line_reader.h"
+#include "app/step/prompt.h"
 
 #include <histedit.h>
 

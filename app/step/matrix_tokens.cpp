@@ -1,4 +1,4 @@
-#include "app/step/matrix_tokens.h"
+#include "app/step/printed_matrix.h"
 
 #include <charconv>
 #include <cmath>

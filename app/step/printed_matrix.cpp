@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "app/step/matrix_tokens.h"
-
 #include <glassbox/base/counted.h>
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>

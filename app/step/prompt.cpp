@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/step/line_reader.h"
 #include "cli/options/arguments.h"
 #include "cli/options/command_tree.h"
 #include "cli/options/picture_options.h"

@@ -2,10 +2,14 @@
 // triangles, and what they change.
 #pragma once
 
+#include <functional>
+#include <istream>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/step/triangle_stages.h"
+#include "app/step/stepped_triangle.h"
 
 #include <glassbox/base/error.h>
 
@@ -21,5 +25,26 @@ struct StepChoice {
 // `terminal`, with line editing, history and completion; otherwise from any standard input.
 void step_by_hand(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
                   bool bits, bool terminal);
+
+// Reads the commands of a prompt from any stream, or from a terminal with line editing and history
+// (libedit).
+class LineReader {
+public:
+  virtual ~LineReader() = default;
+  // Shows the prompt, waits for a line and returns it without its line break; nothing at the end of
+  // the input.
+  virtual std::optional<std::string> read(const std::string& prompt) = 0;
+};
+
+std::unique_ptr<LineReader> lines_of(std::istream& in);
+
+// Returns all words that can complete `words.back()`, which is empty or the beginning of a word.
+// The words before it are complete.
+using Candidates = std::function<std::vector<std::string>(const std::vector<std::string>& words)>;
+
+// Reads from a terminal: the arrow keys move in the line and through earlier lines, Control-R
+// searches those, and the tab key completes words. If the terminal cannot do that (TERM unset or
+// dumb), behaves like lines_of.
+std::unique_ptr<LineReader> terminal_lines(Candidates candidates);
 
 }  // namespace glassbox::app

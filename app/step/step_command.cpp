@@ -1,20 +1,46 @@
-#include "app/step/step_command.h"
+// glassbox step: carries a triangle of a scene, or points with the user's own matrices, through
+// every space and shows each number.
+//
+// step_command reads the options and takes one of two ways. Each first computes everything and then
+// prints it:
+//
+//   glassbox step SCENE --triangle N | --pick X,Y
+//     stepped_triangle    the run for this triangle only (render/trace), with its error bounds
+//     triangle_stages     the texts of its stages, from object to picture; stage_parts.h lists the
+//                         longer ones: camera_text (the matrices), clipping_text, singular_text,
+//                         fragment_text
+//     prompt, line_reader the same stage by stage at a prompt, with other cameras and triangles
+//
+//   glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE
+//     matrix_tokens, printed_matrix  reads a matrix as some program printed it
+//     matrices/           what the matrices are, what is wrong with them, and which change of
+//                         convention would make the points visible
+//     point_step          all of this for some points, which pipeline/vertex_chain.h carries from
+//                         space to space
+//     point_matrices_text, point_walk_text, point_verdict_text, point_json   the answer
+//
+// number_text writes numbers for both.
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <unistd.h>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/commands.h"
+#include "app/step/point_step.h"
 #include "app/step/prompt.h"
 #include "app/trace/json.h"
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
@@ -22,8 +48,35 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/mesh/limits.h>
 
 namespace glassbox::app {
+
+class StepCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  // SCENE and the options that belong to it, with those of the picture.
+  void add_triangle(CLI::App& command);
+  int run();
+  int run_triangle();
+  int run_points();
+  Result<void> check_size(std::size_t fragments) const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  LoadLimits limits_;
+  std::optional<std::uint32_t> triangle_;
+  std::optional<int> vertex_;
+  std::optional<PixelAt> pick_;
+  bool interactive_ = false;
+
+  PointStepOptions points_;
+  bool bits_ = false;
+  std::optional<std::string> json_output_;
+  std::uint32_t max_megabytes_ = 200;  // limit for JSON
+};
 
 namespace {
 
@@ -295,6 +348,10 @@ int StepCommand::run_points() {
   }
   fmt::print("{}", point_step_text(*step));
   return kSuccess;
+}
+
+void add_step_command(CLI::App& app, int& exit_code) {
+  add_command<StepCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/options/picture_options.h"
 
@@ -52,5 +54,15 @@ Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& p
                  const std::string& dashes);
 
 const TracedDraw& draw_of(const SteppedTriangle& stepped);
+
+// The texts of all stages of a stepped triangle.
+struct StageText {
+  std::string name;  // one word, which the prompt can jump to: "clip"
+  std::string text;  // ends with a line break
+};
+
+// The texts from "object" to "picture"; fewer if the triangle ends in an earlier stage.
+std::vector<StageText> stage_texts(const Scene& scene, const SteppedTriangle& stepped,
+                                   const StepTarget& target, bool bits);
 
 }  // namespace glassbox::app

@@ -1,4 +1,4 @@
-#include "app/step/triangle_stages.h"
+#include "app/step/stepped_triangle.h"
 
 #include <algorithm>
 #include <cmath>

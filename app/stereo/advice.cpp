@@ -1,4 +1,4 @@
-#include "app/stereo/advice.h"
+#include "app/stereo/verdicts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-
-#include "app/stereo/verdicts.h"
 
 #include <glassbox/base/elementary.h>
 #include <glassbox/pipeline/stereo/comfort.h>

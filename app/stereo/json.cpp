@@ -1,4 +1,4 @@
-#include "app/stereo/json.h"
+#include "app/stereo/report.h"
 
 #include <nlohmann/json.hpp>
 

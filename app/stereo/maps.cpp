@@ -1,4 +1,4 @@
-#include "app/stereo/maps.h"
+#include "app/stereo/report.h"
 
 #include <algorithm>
 #include <cmath>

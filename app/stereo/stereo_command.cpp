@@ -1,18 +1,25 @@
-#include "app/stereo/stereo_command.h"
-
+// glassbox stereo SCENE: reports what two eyes see of a scene, what disturbs them, and what to
+// change.
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/stereo/json.h"
-#include "app/stereo/page.h"
+#include "app/commands.h"
+#include "app/stereo/findings.h"
+#include "app/stereo/report.h"
+#include "app/stereo/stereo_picture.h"
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/engine_options.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
@@ -23,6 +30,26 @@
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::app {
+
+class StereoCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run();
+  Result<void> check_options() const;
+  std::string command_line() const;
+  Result<void> write_outputs(const Scene& scene, const StereoFindings& found,
+                             const StereoWords& words) const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  AnaglyphOptions anaglyph_;
+  StereoQuestion question_;
+  EngineOptions engine_;
+  std::optional<std::string> html_output_, json_output_;
+  std::vector<const CLI::Option*> options_;  // those of the report that a command line repeats
+};
 
 namespace {
 
@@ -132,10 +159,9 @@ Result<void> StereoCommand::write_outputs(const Scene& scene, const StereoFindin
       {"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
   json.update(stereo_json(scene, found, words));
   if (html_output_) {
-    const Result<std::string> page =
-        make_stereo_page(found, json, {"glassbox " GLASSBOX_VERSION, command_line()});
-    if (!page) return tl::unexpected(page.error());
-    const auto written = write_file(*html_output_, std::as_bytes(std::span(*page)));
+    const auto written =
+        write_made(*html_output_,
+                   make_stereo_page(found, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
     if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
@@ -167,6 +193,10 @@ int StereoCommand::run() {
              picture_.size.height, stereo_text(*found, words));
   if (html_output_) fmt::print("\n{}: open it in a browser\n", printable(*html_output_, kLongPath));
   return kSuccess;
+}
+
+void add_stereo_command(CLI::App& app, int& exit_code) {
+  add_command<StereoCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

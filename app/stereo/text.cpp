@@ -1,4 +1,4 @@
-#include "app/stereo/text.h"
+#include "app/stereo/report.h"
 
 #include <algorithm>
 

@@ -28,4 +28,14 @@ std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found
 // The names of the objects that a violation cuts: "trunk, ground and 3 others".
 std::string names_of_cut(const Scene& scene, const WindowViolation& violation);
 
+// Suggests changes to a pair of eyes, in words and as options.
+struct Advice {
+  std::string text;
+  std::vector<std::string> options;  // options that replace the current ones; may be empty
+};
+
+// The suggestions; none if all is well. Separations and windows are computed by comfort.h for the
+// visible depths. They have three digits and are rounded such that the budget is kept.
+std::vector<Advice> advise(const Scene& scene, const StereoFindings& found);
+
 }  // namespace glassbox::app

@@ -1,30 +1,119 @@
-#include "app/trace/trace_command.h"
-
+// glassbox trace SCENE -o run.json|run.npz: writes a whole run as data.
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/commands.h"
 #include "app/trace/json.h"
 #include "app/trace/json_text.h"
-#include "app/trace/npz.h"
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
+#include "labs/framework/zip.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/error.h>
 #include <glassbox/base/near_word.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/render/trace/arrays.h>
 #include <glassbox/render/trace/numbering.h>
+#include <glassbox/render/trace/tracer.h>
 
 namespace glassbox::app {
+
+// Writes arrays in NumPy's .npz format: a zip archive with one .npy file for each
+// (numpy.lib.format, version 1.0).
+
+namespace {
+
+// The shape as a Python tuple: "(5, 3)", "(5,)", "()"
+std::string tuple_of(const std::vector<std::size_t>& shape) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    text += fmt::format("{}{}", i ? ", " : "", shape[i]);
+  return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+// The header that precedes an array's bytes.
+std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape) {
+  std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
+                                 tuple_of(shape));
+  // Magic number, version and length take 10 bytes. The size of the whole header must be a multiple
+  // of 64, and its last byte a line break.
+  constexpr std::size_t kBefore = 10, kMultiple = 64;
+  const std::size_t whole = (kBefore + text.size() + 1 + kMultiple - 1) / kMultiple * kMultiple;
+  text.resize(whole - kBefore - 1, ' ');
+  text += '\n';
+  const std::size_t length = text.size();
+  return std::string("\x93NUMPY\x01\x00", 8) + char(length & 0xffu) + char(length >> 8) + text;
+}
+
+labs::ZipEntry entry(const std::string& name, const std::string& type,
+                     const std::vector<std::size_t>& shape, const std::string& bytes) {
+  const std::string header = npy_header(type, shape);
+  labs::ZipEntry file{name + ".npy", {}, false};
+  file.text.reserve(header.size() + bytes.size());
+  file.text += header;
+  file.text += bytes;
+  return file;
+}
+
+}  // namespace
+
+// An archive of the wanted arrays, and of `about` as an array of bytes with this name. The bytes
+// are moved out of `arrays`.
+Result<std::vector<std::byte>> make_npz(TraceArrays& arrays, const std::string& about) {
+  std::vector<labs::ZipEntry> files;
+  files.push_back(entry("about", "|u1", {about.size()}, about));
+  for (Table& table : arrays.tables()) {
+    for (Array& array : table.arrays()) {
+      if (!array.wanted) continue;
+      files.push_back(
+          entry(array.name, array.type, table.shape_of(array), std::exchange(array.bytes, {})));
+    }
+  }
+  return labs::make_zip(files);
+}
+
+class TraceCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  void add_filter(CLI::App& command);
+  int run();
+  bool is_json() const;
+  Result<void> check_words() const;
+  Result<void> check_filter(const Scene& scene) const;
+  Result<void> check_size(std::uint64_t bytes, const TraceCounts& counts, Progress& progress) const;
+  // These return a sentence about what was written.
+  Result<std::string> write_json(const Scene& scene, const View& view, Progress& progress);
+  Result<std::string> write_npz(const Scene& scene, const View& view, Progress& progress);
+
+  std::string scene_;
+  std::string output_;
+  PictureOptions picture_;
+  TraceFilter filter_;
+  std::vector<std::string> arrays_;
+  std::uint32_t max_megabytes_ = 500;
+};
 
 namespace {
 
@@ -248,6 +337,10 @@ int TraceCommand::run() {
   if (!written) return refuse(written.error());
   if (output_ != "-") fmt::print("{}: {}\n", printable(output_), *written);
   return kSuccess;
+}
+
+void add_trace_command(CLI::App& app, int& exit_code) {
+  add_command<TraceCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

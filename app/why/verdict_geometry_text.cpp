@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/why/verdict_text.h"
+#include "app/why/verdict.h"
 
 namespace glassbox {
 

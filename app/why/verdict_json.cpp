@@ -1,4 +1,4 @@
-#include "app/why/verdict_json.h"
+#include "app/why/verdict.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,21 +1,47 @@
-#include "app/why/why_command.h"
-
+// glassbox why SCENE [--triangle N]: explains what became of a triangle, or of all of them.
 #include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/why/verdict_json.h"
-#include "app/why/verdict_text.h"
+#include "app/commands.h"
+#include "app/why/verdict.h"
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/picture_question.h"
 #include "cli/report/shell_line.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/error.h>
+#include <glassbox/render/trace/verdict.h>
 
 namespace glassbox::app {
+
+class WhyCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  Result<Answer> answer(const Scene& scene, const View& view) const;
+  Result<Answer> about_triangle(const Scene& scene, const View& view, std::uint64_t number) const;
+  Result<Answer> about_scene(const Scene& scene, const View& view) const;
+  std::string triangle_text(const Scene& scene, const View& view,
+                            const TriangleVerdict& verdict) const;
+  std::string scene_text(const SceneVerdict& found) const;
+  // The command line "glassbox SUBCOMMAND SCENE ... OPTION VALUE", with the options of this
+  // picture.
+  std::string command(const char* subcommand, const std::string& option,
+                      const std::string& value) const;
+
+  PictureQuestion question_;
+  std::optional<std::uint64_t> triangle_;
+};
 
 namespace {
 
@@ -151,6 +177,10 @@ Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) con
   answer.json["example"] = example->json;
   answer.text += "\n" + example->text;
   return answer;
+}
+
+void add_why_command(CLI::App& app, int& exit_code) {
+  add_command<WhyCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

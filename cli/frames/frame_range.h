@@ -1,7 +1,9 @@
-// --frames N, or FIRST-LAST/N: which frames of a sequence are drawn.
+// Which frames of a sequence are drawn (--frames N, or FIRST-LAST/N), and what their pictures are called.
 #pragma once
 
 #include <string>
+
+#include <glassbox/base/error.h>
 
 namespace glassbox {
 
@@ -14,5 +16,24 @@ struct FrameRange {
 
 // Throws CLI::ValidationError if the text has neither form.
 FrameRange parse_frames(const std::string& text);
+
+// The file names of the pictures of a sequence.
+class FrameNames {
+public:
+  // `output` is the value of -o: "walk.png" gives walk-0001.png; "walk%03d.png" gives walk001.png,
+  // with %% for a per cent sign; a directory (one that exists, or with a slash at the end) gives
+  // pictures in it named after `usual`. If it is empty, `usual` is used instead. Numbers have four
+  // digits, or more if `count` needs more.
+  static Result<FrameNames> of(const std::string& output, const std::string& usual, int count);
+
+  std::string name(int number) const;
+
+  // The plot's file: "walk.svg", or "frames.svg" if the pictures' names are only numbers.
+  std::string plot() const;
+
+private:
+  std::string before_, after_;
+  int digits_ = 4;
+};
 
 }  // namespace glassbox

@@ -1,14 +1,27 @@
-#include "cli/help/completion_command.h"
+// glassbox completion SHELL: prints the script that makes a shell complete command lines.
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "cli/help/completion.h"
+#include "cli/help/help_command.h"
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 
 #include <glassbox/base/printable.h>
 
 namespace glassbox {
+
+class CompletionCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run(const CLI::App& program) const;
+
+  std::string shell_;
+};
 
 void CompletionCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand("completion", "what makes a shell complete these words");
@@ -35,6 +48,10 @@ int CompletionCommand::run(const CLI::App& program) const {
                    "name bash, zsh or fish"});
   }
   return kSuccess;
+}
+
+void add_completion_command(CLI::App& app, int& exit_code) {
+  add_command<CompletionCommand>(app, exit_code);
 }
 
 }  // namespace glassbox

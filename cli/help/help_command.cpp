@@ -1,10 +1,11 @@
 #include "cli/help/help_command.h"
 
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "cli/help/completion_command.h"
-#include "cli/help/man_command.h"
 #include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 
@@ -12,6 +13,16 @@
 #include <glassbox/base/printable.h>
 
 namespace glassbox {
+
+class HelpCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run(const CLI::App& program) const;
+
+  std::vector<std::string> words_;
+};
 
 namespace {
 
@@ -66,8 +77,8 @@ int HelpCommand::run(const CLI::App& program) const {
 
 void add_help_commands(CLI::App& app, int& exit_code) {
   add_command<HelpCommand>(app, exit_code);
-  add_command<CompletionCommand>(app, exit_code);
-  add_command<ManCommand>(app, exit_code);
+  add_completion_command(app, exit_code);
+  add_man_command(app, exit_code);
 }
 
 }  // namespace glassbox

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
 
 namespace glassbox {
 
@@ -35,6 +36,10 @@ Result<void> write_json(const std::string& target, const nlohmann::ordered_json&
   // Names come from files and may not be valid UTF-8: invalid bytes are replaced.
   return write_text(
       target, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+Result<void> write_made(const std::string& path, const Result<std::string>& text) {
+  return text ? write_text(path, *text) : tl::unexpected(text.error());
 }
 
 Result<void> check_extension(const std::string& path, const std::string& extension) {
@@ -83,13 +88,35 @@ Result<void> check_outputs(const std::vector<std::string>& paths) {
 
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data) {
-  std::vector<std::string> paths;
-  if (page) {
-    if (const auto legal = check_extension(*page, ".html"); !legal) return legal;
-    paths.push_back(*page);
-  }
-  if (data && *data != "-") paths.push_back(*data);
-  return check_outputs(paths);
+  return Outputs().file(page, ".html").data(data).check();
+}
+
+void Outputs::add(const std::string& path, const Result<void>& legal) {
+  if (legal_ && !legal) legal_ = legal;
+  paths_.push_back(path);
+}
+
+Outputs& Outputs::file(const std::optional<std::string>& path, const std::string& extension) {
+  if (path) add(*path, extension.empty() ? Result<void>() : check_extension(*path, extension));
+  return *this;
+}
+
+Outputs& Outputs::files(const std::pair<std::string, std::string>& paths,
+                        const std::string& extension) {
+  return paths.first.empty() ? *this : file(paths.first, extension).file(paths.second, extension);
+}
+
+Outputs& Outputs::picture(const std::optional<std::string>& path) {
+  if (path) add(*path, check_image_path(*path));
+  return *this;
+}
+
+Outputs& Outputs::data(const std::optional<std::string>& path) {
+  return path == "-" ? *this : file(path);
+}
+
+Result<void> Outputs::check() const {
+  return legal_ ? check_outputs(paths_) : legal_;
 }
 
 }  // namespace glassbox

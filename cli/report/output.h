@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,6 +18,9 @@ Result<void> write_json(const std::string& target, const nlohmann::ordered_json&
 
 // Writes the text unchanged to such a target.
 Result<void> write_text(const std::string& target, const std::string& text);
+
+// Writes what could be made, and otherwise says why it could not.
+Result<void> write_made(const std::string& path, const Result<std::string>& text);
 
 // An error if `path` does not end in `extension` (".pfm"), in upper or lower case.
 Result<void> check_extension(const std::string& path, const std::string& extension);
@@ -34,5 +38,27 @@ Result<void> check_distinct(const std::vector<std::string>& outputs,
 // which may go to standard output.
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data);
+
+// The files that a command is asked for, named one after the other and then checked before a long run. Where there is no path,
+// that file is not asked for.
+class Outputs {
+public:
+  // A file with this extension (".pfm"); empty: any.
+  Outputs& file(const std::optional<std::string>& path, const std::string& extension = {});
+  // Both of a pair, or none.
+  Outputs& files(const std::pair<std::string, std::string>& paths, const std::string& extension);
+  // A picture, of a kind that write_image writes.
+  Outputs& picture(const std::optional<std::string>& path);
+  // Data, which may go to standard output ("-").
+  Outputs& data(const std::optional<std::string>& path);
+  // What is wrong with the first name that is wrong; otherwise as check_outputs.
+  Result<void> check() const;
+
+private:
+  void add(const std::string& path, const Result<void>& legal);
+
+  std::vector<std::string> paths_;
+  Result<void> legal_;
+};
 
 }  // namespace glassbox

@@ -3,11 +3,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <vector>
+
+#include <glassbox/html/blob.h>
+#include <glassbox/images/write.h>
 
 namespace glassbox {
 
@@ -56,6 +62,13 @@ Result<void> write_picture(const std::string& output, const std::optional<Stream
   if (format == StreamFormat::kPpm) return write_stream(encode_ppm(image));
   return encode_png(image, text).and_then([](const std::vector<std::byte>& bytes) {
     return write_stream(bytes);
+  });
+}
+
+Result<std::string> picture_uri(const Image<Rgba8>& image) {
+  return encode_png(image).map([](const std::vector<std::byte>& png) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(png.data());
+    return "data:image/png;base64," + base64(std::span(first, png.size()));
   });
 }
 

@@ -25,4 +25,9 @@ Result<void> check_picture_output(const std::string& output,
 Result<void> write_picture(const std::string& output, const std::optional<StreamFormat>& format,
                            const Image<Rgba8>& image, std::span<const TextEntry> text);
 
+// Pictures inside an HTML page.
+
+// The picture as data:image/png;base64,..., whose bytes a browser shows unchanged.
+Result<std::string> picture_uri(const Image<Rgba8>& image);
+
 }  // namespace glassbox

@@ -1,14 +1,19 @@
-// Command lines that the program suggests to the user.
+// Command lines that the program suggests, and the name under which the user called it.
 #pragma once
 
+#include <cstdlib>
 #include <string>
 #include <vector>
-
-#include "cli/report/program_name.h"
 
 #include <glassbox/images/recipe.h>
 
 namespace glassbox {
+
+// The program's name in suggested commands. The launcher script of a clone passes its own name on.
+inline std::string program_name() {
+  const char* invoked_as = std::getenv("GLASSBOX_INVOKED_AS");
+  return invoked_as != nullptr ? invoked_as : "glassbox";
+}
 
 // The program's name and the words of all parts, quoted for a POSIX shell. Empty if shell_quoted
 // cannot quote one of them.

@@ -1,8 +1,13 @@
 // Lays out text for a terminal, 100 columns wide.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/image.h>
 
 namespace glassbox {
 
@@ -31,6 +36,24 @@ inline std::string wrapped(std::string_view first, std::string_view text) {
     begun = true;
   }
   return out + "\n";
+}
+
+// The four bytes of a colour: "(255, 0, 0, 255)".
+inline std::string bytes_text(const Rgba8& c) {
+  return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
+}
+
+// An error or its bound with three digits; "unknown" if there is no bound.
+inline std::string number_or_unknown(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
+}
+
+// A field as in RFC 4180: in quotes if it contains a comma, a quote or a line break.
+inline std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
 }
 
 }  // namespace glassbox

@@ -44,7 +44,7 @@ struct CompareOptions {
 // The properties of a picture that are known before its samples are compared.
 struct PictureFacts {
   std::string path;
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   std::string channels;       // "RGB"
   std::string format;         // "8 bits"
 };

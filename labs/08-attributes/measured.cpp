@@ -33,7 +33,7 @@ double pixels_of(const Lines& lines) {
 }
 
 struct Errors {
-  double largest = 0, rms = 0;  // texels
+  double largest = 0, rms = 0;  // in texels
 };
 
 Result<Errors> errors_of(const Ask& ask, int every, const Lines& lines) {

@@ -118,7 +118,7 @@ struct Frame {
   double nearest = 1, farthest = 1, window = 1;
 };
 
-// The largest |parallax| in front of the window and behind it, px >= 0.
+// The largest |parallax| allowed in front of the window and behind it, px >= 0.
 struct Budget {
   double in_front_px = 0, behind_px = 0;
 };

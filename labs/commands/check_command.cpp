@@ -1,41 +1,73 @@
-#include "labs/commands/check_command.h"
+// glassbox lab check: builds a student's folder, runs its checks and reports what is right.
+// glassbox lab watch: does so again after every save, or draws a scene again.
+#include <unistd.h>
 
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <thread>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/choices.h"
-#include "cli/options/number_range.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "labs/commands/checker.h"
+#include "labs/commands/commands.h"
 #include "labs/commands/draw_picture.h"
+#include "labs/commands/find_lab.h"
 #include "labs/commands/for_students.h"
-#include "labs/commands/lab_dir.h"
 #include "labs/commands/report.h"
 
 namespace glassbox::labs {
+
+class LabCheckCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  AskedLab asked_;
+  std::optional<std::string> json_output_, html_output_;
+  CheckOptions options_;
+};
+
+class LabWatchCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  int watch_picture() const;
+
+  AskedLab asked_;
+  std::string scene_, output_;
+  PictureOptions picture_;
+  std::optional<std::string> html_output_;
+  CheckOptions options_;
+};
 
 namespace {
 
 namespace fs = std::filesystem;
 using labs::grading::Confinement;
 
-struct Outputs {
+struct ReportFiles {
   std::optional<std::string> json, html;
 };
 
 // Checks the folder once and reports the result. The exit code is kSuccess for full points.
-Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
+Result<int> check_once(LabChecker& checker, const ReportFiles& outputs) {
   const auto checked = checker.check();
   if (!checked) return tl::unexpected(checked.error());
   const LabReport report{checked->graded.result, checker.student().string(), checked->runner,
@@ -45,9 +77,7 @@ Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
       return tl::unexpected(written.error());
   }
   if (outputs.html) {
-    const auto page = lab_report_page(report);
-    if (!page) return tl::unexpected(page.error());
-    if (const auto written = write_text(*outputs.html, *page); !written)
+    if (const auto written = write_made(*outputs.html, lab_report_page(report)); !written)
       return tl::unexpected(written.error());
   }
   if (outputs.json != "-") fmt::print("{}", lab_report_text(report));
@@ -120,7 +150,7 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
 }
 
 int LabCheckCommand::run() const {
-  const Outputs outputs{json_output_, html_output_};
+  const ReportFiles outputs{json_output_, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
   const auto folder = open_lab_folder(asked_);
@@ -153,7 +183,7 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabWatchCommand::run() const {
   if (!scene_.empty()) return watch_picture();
-  const Outputs outputs{std::nullopt, html_output_};
+  const ReportFiles outputs{std::nullopt, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
   const auto folder = open_lab_folder(asked_);
@@ -175,6 +205,14 @@ int LabWatchCommand::watch_picture() const {
   const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   after_every_save(folder->student, [&] { draw_lab_picture(asked); });
+}
+
+void add_check_command(CLI::App& lab, int& exit_code) {
+  add_command<LabCheckCommand>(lab, exit_code);
+}
+
+void add_watch_command(CLI::App& lab, int& exit_code) {
+  add_command<LabWatchCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

@@ -1,6 +1,7 @@
 // The commands of labs/, as a program has them.
 #pragma once
 
+#include "cli/options/cli_fwd.h"
 #include "cli/run_program.h"
 
 namespace glassbox::labs {
@@ -10,5 +11,17 @@ inline constexpr CommandName kCommands[] = {
 };
 
 void add_commands(CLI::App& app, int& exit_code);
+
+// What that adds: subcommands of `lab`, each in a source of its name.
+void add_start_command(CLI::App& lab, int& exit_code);
+void add_export_command(CLI::App& lab, int& exit_code);
+void add_check_command(CLI::App& lab, int& exit_code);
+void add_watch_command(CLI::App& lab, int& exit_code);
+void add_render_command(CLI::App& lab, int& exit_code);
+void add_stiff_command(CLI::App& lab, int& exit_code);
+void add_quiz_command(CLI::App& lab, int& exit_code);
+void add_measure_command(CLI::App& lab, int& exit_code);
+void add_gradescope_command(CLI::App& lab, int& exit_code);
+void add_package_command(CLI::App& lab, int& exit_code);
 
 }  // namespace glassbox::labs

@@ -11,7 +11,6 @@
 #include "cli/report/output.h"
 #include "cli/report/picture_output.h"
 #include "cli/report/progress.h"
-#include "labs/commands/drawing_page.h"
 #include "labs/commands/drawing_report.h"
 #include "labs/commands/student_stages.h"
 
@@ -51,12 +50,9 @@ Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const Pictu
 Result<void> check_lab_picture(const LabPicture& asked) {
   if (const auto good = check_picture_output(asked.output, {}, asked.output); !good) return good;
   if (const auto good = check_report_outputs(asked.html, asked.json); !good) return good;
-  std::vector<std::string> files;
-  for (const std::optional<std::string>& file :
-       {std::optional(asked.output), asked.html, asked.json}) {
-    if (file && *file != "-") files.push_back(*file);
-  }
-  if (const auto good = check_outputs(files); !good) return good;
+  if (const auto good = Outputs().data(asked.output).data(asked.html).data(asked.json).check();
+      !good)
+    return good;
   if (!asked.picture.settings.wireframe) return {};
   return fail("--wireframe", "the labs' functions are of triangles, not of lines", "leave it out");
 }
@@ -117,9 +113,10 @@ int draw_lab_picture(const LabPicture& asked) {
       return refuse(made.error());
   }
   if (asked.html) {
-    const auto page = lab_drawing_page(report, *drawn, *both, words_given(asked.picture));
-    if (!page) return refuse(page.error());
-    if (const auto made = write_text(*asked.html, *page); !made) return refuse(made.error());
+    if (const auto made = write_made(
+            *asked.html, lab_drawing_page(report, *drawn, *both, words_given(asked.picture)));
+        !made)
+      return refuse(made.error());
   }
   progress.done();
   if (asked.json != "-")

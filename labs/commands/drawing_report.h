@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "labs/drawing/compare.h"
 #include "labs/framework/lab.h"
+
+#include <glassbox/base/error.h>
 
 namespace glassbox::labs {
 
@@ -30,5 +33,13 @@ Image<Rgba8> side_by_side(const labs::DrawingResult& result);
 
 // The colour in hexadecimal: "#8f2311"
 std::string colour_text(const Rgba8& colour);
+
+// The inspector page of a run that used a student's functions.
+
+// Makes the page. `words` are the picture's options, as the user gave them. In lab 9 the run is the
+// left eye's.
+Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Drawn& drawn,
+                                     const labs::DrawnBoth& both,
+                                     const std::vector<std::string>& words);
 
 }  // namespace glassbox::labs

@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "labs/commands/lab_dir.h"
-
 namespace glassbox::labs {
 
 namespace {

@@ -12,12 +12,11 @@
 
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
-#include "cli/options/number_range.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/scratch.h"
+#include "labs/commands/find_lab.h"
 #include "labs/commands/grade_files.h"
-#include "labs/commands/lab_dir.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/points.h"
 #include "labs/framework/vary.h"

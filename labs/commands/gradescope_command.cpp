@@ -1,17 +1,41 @@
-#include "labs/commands/gradescope_command.h"
-
+// glassbox lab gradescope: writes the archive from which Gradescope builds an autograder.
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "cli/options/number_range.h"
+#include "cli/options/add_command.h"
+#include "cli/options/choices.h"
 #include "cli/report/exit_codes.h"
+#include "labs/commands/commands.h"
+#include "labs/framework/lab.h"
+#include "labs/framework/sources.h"
 #include "labs/grading/autograder.h"
 
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::labs {
+
+class LabGradescopeCommand {
+public:
+  using FindSources = std::function<Result<labs::Sources>()>;
+  explicit LabGradescopeCommand(const std::vector<labs::Lab>& (*labs)() = labs::all_labs,
+                                FindSources find_sources = labs::find_sources)
+      : labs_(labs), find_sources_(std::move(find_sources)) {}
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  const std::vector<labs::Lab>& (*labs_)();
+  FindSources find_sources_;
+  int lab_ = 0;
+  std::string output_ = "autograder.zip";
+  double seconds_ = 10;
+  std::size_t memory_mib_ = 512;
+};
 
 void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand("gradescope", "the archive for Gradescope's autograder");
@@ -46,6 +70,10 @@ int LabGradescopeCommand::run() const {
   }
   return refuse(
       {"", "LAB", fmt::format("there is no lab {}", lab_), "`glassbox lab list` names them"});
+}
+
+void add_gradescope_command(CLI::App& lab, int& exit_code) {
+  add_command<LabGradescopeCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

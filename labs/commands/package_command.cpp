@@ -1,16 +1,31 @@
-#include "labs/commands/package_command.h"
+// glassbox lab package: writes a copy of this glassbox without the parts that students must not
+// see.
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "labs/commands/commands.h"
 #include "labs/framework/sources.h"
 #include "labs/grading/package.h"
 
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::labs {
+
+class LabPackageCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string output_;
+  bool students_ = false;
+};
 
 void LabPackageCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand("package", "a glassbox for students, as an archive");
@@ -39,6 +54,10 @@ int LabPackageCommand::run() const {
   fmt::print("{}: {} files, {} KiB, without solutions and hidden checks\n", output_,
              entries->size(), bytes->size() >> 10);
   return kSuccess;
+}
+
+void add_package_command(CLI::App& lab, int& exit_code) {
+  add_command<LabPackageCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

@@ -1,4 +1,4 @@
-#include "labs/commands/pictures.h"
+#include "labs/commands/report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,15 @@
-#include "labs/commands/quiz_command.h"
-
+// glassbox lab quiz: asks the slides' true/false questions and explains what is wrong with an
+// answer.
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
+#include "labs/commands/commands.h"
 #include "labs/commands/find_lab.h"
 #include "labs/quiz/quiz.h"
 
@@ -14,10 +17,19 @@
 
 namespace glassbox::labs {
 
-namespace {
+class LabQuizCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
 
-using labs::Quiz;
-using labs::QuizQuestion;
+private:
+  int run() const;
+
+  std::string lab_;
+  std::optional<std::string> answers_;
+  bool show_ = false;
+};
+
+namespace {
 
 Result<const Quiz*> find_quiz(const std::string& name) {
   const auto lab = find_lab(name);
@@ -106,6 +118,10 @@ int LabQuizCommand::run() const {
     fmt::print("\nglassbox lab quiz {} {} answers \"true\" to all of them.\n", (*quiz)->lab,
                std::string((*quiz)->questions.size(), 'T'));
   return kSuccess;
+}
+
+void add_quiz_command(CLI::App& lab, int& exit_code) {
+  add_command<LabQuizCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

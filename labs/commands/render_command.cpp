@@ -1,16 +1,36 @@
-#include "labs/commands/render_command.h"
+// glassbox lab render: draws a scene with the student's functions in the pipeline, next to the
+// reference's picture.
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
-#include "cli/options/number_range.h"
+#include "cli/options/choices.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
+#include "labs/commands/commands.h"
 #include "labs/commands/draw_picture.h"
-#include "labs/commands/lab_dir.h"
+#include "labs/commands/find_lab.h"
 
 namespace glassbox::labs {
+
+class LabRenderCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  AskedLab asked_;
+  std::string scene_, output_;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_, html_output_;
+  double seconds_ = 10;
+};
 
 void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
@@ -47,6 +67,10 @@ int LabRenderCommand::run() const {
   const LabPicture asked{asked_, scene_, output, picture_, json_output_, html_output_, seconds_};
   if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
   return draw_lab_picture(asked);
+}
+
+void add_render_command(CLI::App& lab, int& exit_code) {
+  add_command<LabRenderCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

@@ -7,8 +7,10 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "labs/framework/judge.h"
+#include "labs/framework/lab.h"
 
 #include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
 
 namespace glassbox::labs {
 
@@ -47,5 +49,20 @@ std::string outcome_text(const LabReport& report, const labs::CheckResult& check
 
 // The command that runs the failing case in a debugger; empty if there is no runner.
 std::string debugger_command(const LabReport& report, const labs::CheckResult& check);
+
+// Pictures of the expected result, the actual one, and where they differ.
+struct CoveragePictures {
+  Image<Rgba8> expected, actual, difference;
+};
+
+// Pictures of how often each pixel is covered: more coverage is lighter. In the difference, correct
+// pixels are grey, missing ones red, those covered too often orange, and those that should be empty
+// but are not, blue.
+CoveragePictures coverage_pictures(const labs::Expected& expected,
+                                   const std::vector<double>& actual);
+
+// An SVG of two polygons, x to the right and y up, after the division by w if there is one: the
+// expected polygon filled, the actual one as a dashed outline. Empty if neither can be drawn.
+std::string polygon_drawing(const labs::Expected& expected, const std::vector<double>& actual);
 
 }  // namespace glassbox::labs

@@ -11,8 +11,6 @@ namespace glassbox::labs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using labs::CheckResult;
-using labs::Divergence;
 
 Json number_json(double value) {
   if (std::isnan(value)) return "nan";

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/program_name.h"
 #include "cli/report/shell_line.h"
 #include "cli/report/text_layout.h"
 #include "labs/commands/report.h"
@@ -16,11 +15,6 @@
 namespace glassbox::labs {
 
 namespace {
-
-using labs::CheckResult;
-using labs::Divergence;
-using labs::FirstFailure;
-using labs::Verdict;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

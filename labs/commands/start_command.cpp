@@ -1,18 +1,20 @@
-#include "labs/commands/start_command.h"
-
+// glassbox lab start: makes a folder to do a lab in. glassbox lab export: writes the same as an
+// archive, for a class.
 #include <filesystem>
 #include <span>
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/scratch.h"
 #include "cli/report/shell_line.h"
+#include "labs/commands/commands.h"
 #include "labs/commands/find_lab.h"
-#include "labs/commands/lab_dir.h"
 #include "labs/commands/starter.h"
 #include "labs/framework/zip.h"
 #include "labs/grading/vpl.h"
@@ -20,6 +22,26 @@
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::labs {
+
+class LabStartCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string lab_, folder_, lab_dir_;
+};
+
+class LabExportCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string lab_, output_, for_ = "students";
+};
 
 namespace {
 
@@ -147,6 +169,14 @@ int LabExportCommand::run() const {
   fmt::print("{}: {} files of lab {}, {}\n", output_, entries.size(), starter->lab->number,
              starter->lab->title);
   return kSuccess;
+}
+
+void add_start_command(CLI::App& lab, int& exit_code) {
+  add_command<LabStartCommand>(lab, exit_code);
+}
+
+void add_export_command(CLI::App& lab, int& exit_code) {
+  add_command<LabExportCommand>(lab, exit_code);
 }
 
 }  // namespace glassbox::labs

@@ -17,7 +17,6 @@ namespace glassbox::labs {
 namespace {
 
 namespace fs = std::filesystem;
-using labs::SourceFile;
 
 // {0} is the lab's folder, {1} the folder with glassbox's headers.
 constexpr const char* kCMakeLists = R"(cmake_minimum_required(VERSION 3.20)

@@ -23,7 +23,7 @@ inline auto corner_as_modelled(const Tables& tables, const Corner& corner) {
   return at;
 }
 
-// Seen from behind, a surface is lit as if its normals pointed the other way.
+// A surface seen from behind is lit as if its normals pointed the other way.
 template <class Condition, Number F>
 inline std::array<F, 3> facing_viewer(Condition back, const std::array<F, 3>& n) {
   return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};

@@ -84,7 +84,7 @@ inline Color in_light(const Fragment& at, const Color& surface) {
              at.has_highlights());
 }
 
-// What the surface shines with by itself: its emission times the texture of that.
+// The light that the surface emits: its emission times the emission texture.
 template <class Fragment>
 inline auto own_light(const Fragment& at) {
   using F = typename Fragment::Float;
@@ -94,7 +94,7 @@ inline auto own_light(const Fragment& at) {
   return own;
 }
 
-// The surface in the light, and its own light with it.
+// The surface's colour after lighting, with its emission added.
 template <class Fragment, class Color>
 inline Color shining(const Fragment& at, const Color& surface) {
   Color color = in_light(at, surface);

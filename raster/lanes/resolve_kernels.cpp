@@ -1,6 +1,6 @@
 #include <glassbox/raster/lanes/compiled_targets.h>
 
-// This file is compiled once for each instruction set.
+// Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "resolve_kernels.cpp"
 #include <hwy/foreach_target.h>

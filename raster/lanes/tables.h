@@ -129,7 +129,7 @@ struct LargeTriangle {
   std::array<Varyings, 3> vertices;
   TexturePlanes texture;     // set if the base colour or the emission is textured
   std::uint32_t draw = 0;    // index into ResolveJob::draws
-  std::uint32_t number = 0;  // in the whole scene
+  std::uint32_t number = 0;  // number in the whole scene
   bool one_color = false;    // all its pixels have the same colour
 };
 

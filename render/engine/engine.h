@@ -26,8 +26,9 @@ struct EyePicture {
   Image<Rgba8>& color;
   Statistics& statistics;
   Observers observers = {};  // called at every stage, by engines that have them
-  // Of each pixel a depth code: what is there or nearer is not drawn, and nothing where it is kEmptyDepth. Null: all is drawn. (One sample of
-  // a pixel; nothing is blended.)
+  // A depth code for each pixel: only fragments behind it are drawn, and none where it is
+  // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
+  // blending.)
   const Image<std::uint32_t>* behind = nullptr;
 
   bool draws_over() const { return &color != &target.color; }

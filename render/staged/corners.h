@@ -36,8 +36,9 @@ inline bool shows_front(const Draw& draw, const TriangleSetup& setup) {
 // All attributes except the results of lighting.
 Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner);
 
-// The three corners as the fragments will interpolate them, lit where the shading is per face or per vertex. Seen from
-// behind, a surface is lit as if its normals pointed the other way.
+// The attributes of the three corners as the fragments will interpolate them, lit where the shading
+// is per face or per vertex. A surface seen from behind is lit as if its normals pointed the other
+// way.
 std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const Triangle& triangle,
                                             bool front);
 

@@ -35,7 +35,7 @@ struct ReadyPoint {
   FragmentSource source;
 };
 
-// From the corners to the screen, for one eye.
+// The data of the stages from the corners to the screen, for one eye.
 struct PrimitiveStage {
   const Draw& draw;
   const ClipTable* clip;  // null: vertices are projected when triangles need them

@@ -80,7 +80,7 @@ struct EyeSpace {
 // The results of the vertex stage for a draw.
 struct DrawTables {
   ClipTable clip;            // of one eye
-  EyeSpaceTables eye_space;  // of all eyes
+  EyeSpaceTables eye_space;  // for all eyes
 };
 
 // Whether the draw's colour depends on normals: lit shading of a lit material, or a picture of the

@@ -42,13 +42,13 @@ auto* at_least(Memory& memory, std::size_t size) {
   return memory.data();
 }
 
-// Calls visit(first, count) for each longest run, within `count` entries from `first` on, of
-// entries whose groups are in. Group g has entries g * size .. g * size + size - 1.
+// Calls visit(first, count) for each longest run of entries whose groups are included, within the
+// `count` entries from `first` on. Group g has entries g * size .. g * size + size - 1.
 template <class IsIn, class Visit>
 void for_each_run(std::size_t first, std::size_t count, std::size_t size, const IsIn& is_in,
                   const Visit& visit) {
   const std::size_t end = first + count;
-  std::size_t begin = first;  // of the run that is not yet visited
+  std::size_t begin = first;  // the beginning of the run that is not yet visited
   for (std::size_t at = first; at < end;) {
     const std::size_t group = at / size, next = std::min(end, (group + 1) * size);
     if (!is_in(group)) {
@@ -60,7 +60,7 @@ void for_each_run(std::size_t first, std::size_t count, std::size_t size, const 
   if (end > begin) visit(begin, end - begin);
 }
 
-// The vertices of a round's draws.
+// The transformed vertices of a round's draws.
 struct VertexTables {
   LineVector<SnappedEntry> screen;
   LineVector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw

@@ -21,7 +21,7 @@ struct CornerStage {
   const RenderSettings& settings;
 };
 
-// `front`: of the side that is seen.
+// `front`: whether the front of the face is seen.
 BoundedVaryings corner_of_face(const CornerStage& stage, std::uint32_t face, const Corner& corner,
                                bool front);
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner);

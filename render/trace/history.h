@@ -32,7 +32,7 @@ struct PixelEvent {
   FragmentSource source;       // its number has no meaning for lines and points
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces; only for triangles
-  float distance = 0;          // along the gaze, world units
+  float distance = 0;          // along the direction of view, world units
 
   // kClipped: the first plane that the point is outside of, and its signed distance from that plane
   // in clip space.

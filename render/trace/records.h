@@ -61,7 +61,7 @@ struct TracedPiece {
 };
 
 struct TracedTriangle {
-  std::uint32_t number = 0;    // in the whole scene
+  std::uint32_t number = 0;    // number in the whole scene
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces
   std::array<TracedCorner, 3> corners;

@@ -156,7 +156,7 @@ private:
                        });
   }
 
-  // Whether the triangle would reach the wanted pixels without the near and the far plane.
+  // Whether the triangle would reach the wanted pixels if the near and far planes did not clip it.
   bool would_reach_wanted_pixels() const {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -172,7 +172,7 @@ private:
     return !vertices.empty() && overlap(pixels_touched(vertices), *filter_.pixels);
   }
 
-  // What the run does not need to know, or does not tell.
+  // Computes what the run itself does not compute or does not pass to observers.
   void complete_current() {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -194,7 +194,7 @@ private:
     }
   }
 
-  // Where the corner is in the spaces that the run does not visit.
+  // Computes the corner in the spaces that the run does not use.
   void place(TracedCorner& corner) const {
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
@@ -206,12 +206,12 @@ private:
 
   const View& view_;
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
-  std::vector<ClipPlane> side_planes_;  // all but near and far
-  bool watching_ = false;               // the current triangle
-  bool was_cut_ = false;                // it is not what it was before clipping
+  std::vector<ClipPlane> side_planes_;  // all except near and far
+  bool watching_ = false;               // whether the current triangle is recorded
+  bool was_cut_ = false;                // the current triangle was changed by clipping
   TracedTriangle current_;              // reused, so that what is not kept costs no allocation
-  int polygon_count_ = 0;               // vertices that clipping left of it
-  bool of_polygon_ = false;             // the vertex that is divided is one of them
+  int polygon_count_ = 0;               // vertices that clipping left of the current triangle
+  bool of_polygon_ = false;             // the vertex that was divided last is one of them
 };
 
 // And its fragments.
@@ -263,7 +263,7 @@ public:
   }
 
 private:
-  bool tracing_ = false;  // the current fragment
+  bool tracing_ = false;  // whether the current fragment is recorded
   TracedFragment fragment_;
   Coverage coverage_;
 };

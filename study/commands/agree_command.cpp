@@ -1,16 +1,29 @@
-#include "study/commands/agree_command.h"
+// glassbox study agree ONE OTHER: checks whether two runs find the same configurations faster.
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/text_layout.h"
+#include "study/commands/commands.h"
 #include "study/experiment/agreement.h"
 #include "study/experiment/result_file.h"
 
 #include <glassbox/base/counted.h>
 
 namespace glassbox::study {
+
+class StudyAgreeCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string one_, other_;
+};
 
 void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand("agree", "whether two runs find the same ones faster");
@@ -38,6 +51,10 @@ int StudyAgreeCommand::run() const {
              found->contradictions.size(), found->by_one);
   for (const std::string& each : found->contradictions) fmt::print("{}", wrapped("  ", each));
   return found->contradictions.empty() ? kSuccess : kFailure;
+}
+
+void add_agree_command(CLI::App& study, int& exit_code) {
+  add_command<StudyAgreeCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -1,14 +1,16 @@
-#include "study/commands/collect_command.h"
-
+// glassbox study collect DIRECTORY: joins the parts of a run.
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "study/commands/commands.h"
 #include "study/experiment/collect.h"
 #include "study/experiment/result_file.h"
 #include "study/experiment/theory.h"
@@ -17,6 +19,17 @@
 #include <glassbox/base/printable.h>
 
 namespace glassbox::study {
+
+class StudyCollectCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string directory_, output_;
+  bool any_machine_ = false;
+};
 
 namespace {
 
@@ -83,6 +96,10 @@ int StudyCollectCommand::run() const {
     return study::count_unexplained(each) > 0;
   };
   return std::ranges::any_of(joined->experiments, unexplained) ? kFailure : kSuccess;
+}
+
+void add_collect_command(CLI::App& study, int& exit_code) {
+  add_command<StudyCollectCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

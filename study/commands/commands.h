@@ -1,6 +1,7 @@
 // The commands of study/, as a program has them.
 #pragma once
 
+#include "cli/options/cli_fwd.h"
 #include "cli/run_program.h"
 
 namespace glassbox::study {
@@ -11,5 +12,15 @@ inline constexpr CommandName kCommands[] = {
 };
 
 void add_commands(CLI::App& app, int& exit_code);
+
+// What that adds: subcommands of `study`, each in a source of its name.
+void add_run_command(CLI::App& study, int& exit_code);
+void add_collect_command(CLI::App& study, int& exit_code);
+void add_agree_command(CLI::App& study, int& exit_code);
+void add_report_command(CLI::App& study, int& exit_code);
+void add_extremes_command(CLI::App& study, int& exit_code);
+void add_scene_command(CLI::App& study, int& exit_code);
+void add_recommend_command(CLI::App& study, int& exit_code);
+void add_stiffness_command(CLI::App& study, int& exit_code);
 
 }  // namespace glassbox::study

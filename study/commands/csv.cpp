@@ -1,4 +1,4 @@
-#include "study/commands/csv.h"
+#include "study/commands/report.h"
 
 #include <cstddef>
 #include <map>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/csv_field.h"
+#include "cli/report/text_layout.h"
 #include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
@@ -14,9 +14,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::ConfigurationResult;
-using study::Timing;
 
 std::string comparison(const ConfigurationResult& result) {
   const auto check = study::check_theory(result);

@@ -1,29 +1,50 @@
-#include "study/commands/extremes_command.h"
-
+// glassbox study extremes: draws the cases that break pipelines, and measures how errors grow
+// (sweeps).
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/output_options.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "cli/report/program_name.h"
 #include "cli/report/progress.h"
+#include "cli/report/shell_line.h"
+#include "study/commands/commands.h"
+#include "study/commands/extremes/report.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::study {
 
-namespace {
+class StudyExtremesCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
 
-using study::ExtremeCase;
-using study::Sweep;
+private:
+  int run() const;
+  Result<void> check_options() const;
+  Result<std::vector<const study::ExtremeCase*>> chosen_cases() const;
+  Result<std::vector<const study::Sweep*>> chosen_sweeps() const;
+  Result<void> write_outputs(const ExtremesReport& report) const;
+  Result<void> write_pictures(const ExtremesReport& report) const;
+  std::string command() const;
+
+  std::vector<std::string> cases_;
+  std::optional<std::string> one_case_, sweep_, json_output_, html_output_, picture_directory_;
+};
+
+namespace {
 
 std::string sweep_names() {
   std::string names;
@@ -183,6 +204,10 @@ int StudyExtremesCommand::run() const {
     fmt::print("\n{}: open it in a browser\n", *html_output_);
   }
   return report.holds() ? kSuccess : kFailure;
+}
+
+void add_extremes_command(CLI::App& study, int& exit_code) {
+  add_command<StudyExtremesCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

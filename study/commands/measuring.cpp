@@ -8,7 +8,7 @@
 #include "cli/options/engine_options.h"
 #include "cli/report/progress.h"
 #include "study/bench/machine.h"
-#include "study/commands/build_id.h"
+#include "study/commands/report.h"
 #include "study/experiment/result_file.h"
 #include "study/experiment/study.h"
 
@@ -17,8 +17,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::Experiment;
 
 // More rounds give steadier quartiles. The quick run uses the least number that the protocol
 // allows.

@@ -1,16 +1,40 @@
-#include "study/commands/recommend_command.h"
+// glassbox study recommend: finds the cheapest way to draw a scene that is accurate enough, and
+// shows the evidence.
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
+#include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/camera_options.h"
 #include "cli/options/output_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "study/commands/commands.h"
+#include "study/commands/recommendation.h"
+
+#include <glassbox/base/error.h>
 
 namespace glassbox::study {
+
+class StudyRecommendCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string scene_, budgets_;
+  PictureOptions picture_;
+  std::vector<const CLI::Option*> picture_words_;
+  std::optional<std::string> json_output_;
+};
 
 void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
@@ -62,6 +86,10 @@ int StudyRecommendCommand::run() const {
   }
   if (json_output_ != "-") fmt::print("{}", recommendation_text(*found));
   return found->meets_all() ? kSuccess : kFailure;
+}
+
+void add_recommend_command(CLI::App& study, int& exit_code) {
+  add_command<StudyRecommendCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -21,13 +21,6 @@ namespace glassbox::study {
 
 namespace {
 
-using study::Candidate;
-using study::Comparison;
-using study::Knob;
-using study::Quantity;
-using study::SceneVertices;
-using study::Way;
-
 // Candidates, and the way of drawing that belongs to each.
 struct Compared {
   Comparison comparison;

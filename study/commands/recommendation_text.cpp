@@ -6,16 +6,13 @@
 
 #include "cli/report/table.h"
 #include "cli/report/text_layout.h"
-#include "study/commands/bench/text.h"
+#include "study/commands/bench/report.h"
 #include "study/commands/recommendation.h"
 #include "study/experiment/results_json.h"
 
 namespace glassbox::study {
 
 namespace {
-
-using study::Candidate;
-using study::Comparison;
 
 std::string table_of(const Judged& judged) {
   const Comparison& comparison = judged.comparison;

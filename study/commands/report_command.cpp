@@ -1,18 +1,37 @@
-#include "study/commands/report_command.h"
-
+// glassbox study report: writes the results as a page, and as pictures for papers and slides.
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/shell_line.h"
-#include "study/commands/page.h"
-#include "study/commands/svg.h"
+#include "study/commands/commands.h"
+#include "study/commands/measuring.h"
+#include "study/commands/report.h"
 #include "study/experiment/result_file.h"
 
+#include <glassbox/base/error.h>
+
 namespace glassbox::study {
+
+class StudyReportCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+  Result<void> check_options() const;
+  Result<study::StudyResults> results() const;
+  std::string command() const;
+
+  MeasuringOptions measuring_;
+  std::optional<std::string> from_, page_, svg_directory_;
+};
 
 void StudyReportCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command =
@@ -87,6 +106,10 @@ int StudyReportCommand::run() const {
     fmt::print("{}: {} charts\n", *svg_directory_, *written);
   }
   return kSuccess;
+}
+
+void add_report_command(CLI::App& study, int& exit_code) {
+  add_command<StudyReportCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -1,18 +1,37 @@
-#include "study/commands/run_command.h"
+// glassbox study run: measures experiments.
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/output_options.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "study/commands/csv.h"
-#include "study/commands/text.h"
+#include "study/commands/commands.h"
+#include "study/commands/measuring.h"
+#include "study/commands/report.h"
 #include "study/experiment/results_json.h"
 #include "study/experiment/theory.h"
 
+#include <glassbox/base/error.h>
+
 namespace glassbox::study {
+
+class StudyRunCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+  Result<void> check_options() const;
+  Result<void> write_outputs(const study::StudyResults& results) const;
+
+  MeasuringOptions measuring_;
+  std::optional<std::string> json_output_, csv_output_;
+};
 
 void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand("run", "measure experiments, or all of them");
@@ -35,11 +54,7 @@ Result<void> StudyRunCommand::check_options() const {
   if (json_output_ == "-" && csv_output_ == "-") {
     return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
   }
-  std::vector<std::string> paths;
-  for (const auto& output : {json_output_, csv_output_, measuring_.file}) {
-    if (output && *output != "-") paths.push_back(*output);
-  }
-  return check_outputs(paths);
+  return Outputs().data(json_output_).data(csv_output_).data(measuring_.file).check();
 }
 
 Result<void> StudyRunCommand::write_outputs(const study::StudyResults& results) const {
@@ -59,6 +74,10 @@ int StudyRunCommand::run() const {
     if (study::count_unexplained(each) > 0) return kFailure;
   }
   return kSuccess;
+}
+
+void add_run_command(CLI::App& study, int& exit_code) {
+  add_command<StudyRunCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -1,36 +1,134 @@
-#include "study/commands/scene_command.h"
-
+// glassbox study scene: measures error against time for every way to draw the user's own scene.
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/engine_options.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
 #include "study/bench/memory.h"
-#include "study/commands/build_id.h"
+#include "study/commands/commands.h"
 #include "study/commands/measuring.h"
-#include "study/commands/scene/pinned_camera.h"
+#include "study/commands/report.h"
+#include "study/commands/scene/curve_report.h"
 #include "study/experiment/runner.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/mesh/scene.h>
 
 namespace glassbox::study {
 
+// The camera that was chosen for a scene as options, so that other levels of the scene are seen by
+// the same camera.
+
 namespace {
 
-using study::Knob;
+void set_lens(CameraOptions& options, const PerspectiveLens& lens) {
+  options.fov_degrees = degrees_from_radians(lens.fovy_radians);
+  options.near = lens.near;
+  options.far = lens.far.value_or(std::numeric_limits<double>::infinity());
+}
+void set_lens(CameraOptions& options, const OrthographicLens& lens) {
+  options.ortho_height = 2 * lens.half_height;
+  options.near = lens.near;
+  options.far = lens.far;
+}
+void set_lens(CameraOptions& options, const FrustumLens& lens) {
+  options.frustum = {lens.left, lens.right, lens.bottom, lens.top};
+  options.near = lens.near;
+  options.far = lens.far.value_or(std::numeric_limits<double>::infinity());
+}
+
+// The numbers with the fewest digits that give the same doubles when they are read.
+std::string comma_separated(std::span<const double> numbers) {
+  return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+}  // namespace
+
+// The picture's options with this camera, instead of the options that chose it.
+PictureOptions pinned(PictureOptions picture, const Camera& camera) {
+  const auto& m = camera.world_from_eye;
+  CameraOptions options;
+  options.formulation = picture.camera.formulation;
+  options.eye = {m.at(0, 3), m.at(1, 3), m.at(2, 3)};
+  options.look_at = {m.at(0, 3) - m.at(0, 2), m.at(1, 3) - m.at(1, 2), m.at(2, 3) - m.at(2, 2)};
+  options.up = {m.at(0, 1), m.at(1, 1), m.at(2, 1)};
+  std::visit([&](const auto& lens) { set_lens(options, lens); }, camera.lens);
+  picture.camera = options;
+  return picture;
+}
+
+// The same as words: the given words without those about the camera, and the pinned camera's.
+std::vector<std::string> pinned_words(const PictureOptions& given, const PictureOptions& pinned) {
+  constexpr std::string_view kReplaced[] = {"--camera", "--eye",     "--look-at", "--up", "--fov",
+                                            "--ortho",  "--frustum", "--near",    "--far"};
+  std::vector<const CLI::Option*> kept;
+  for (const CLI::Option* option : given.options) {
+    if (std::ranges::find(kReplaced, option->get_name()) == std::end(kReplaced))
+      kept.push_back(option);
+  }
+  std::vector<std::string> words = glassbox::words_of(kept);
+  const CameraOptions& camera = pinned.camera;
+  const auto add = [&](const char* name, const auto& numbers) {
+    if (numbers) words.insert(words.end(), {name, comma_separated(*numbers)});
+  };
+  const auto add_number = [&](const char* name, const std::optional<double>& number) {
+    if (number) words.insert(words.end(), {name, fmt::to_string(*number)});
+  };
+  add("--eye", camera.eye);
+  add("--look-at", camera.look_at);
+  add("--up", camera.up);
+  add_number("--fov", camera.fov_degrees);
+  add_number("--ortho", camera.ortho_height);
+  add("--frustum", camera.frustum);
+  add_number("--near", camera.near);
+  add_number("--far", camera.far);
+  return words;
+}
+
+class StudySceneCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  Result<void> check_options() const;
+  Result<CurveReport> measure(const Scene& scene, Progress& progress) const;
+  SecondEyes measure_second_eyes(const Scene& scene, Progress& progress) const;
+  Result<void> write_outputs(const CurveReport& report) const;
+  std::string command() const;
+  int run() const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  bool quick_ = false;
+  int threads_ = 0;  // the largest number of threads; 0: all
+  std::optional<std::string> json_output_, csv_output_, page_;
+};
+
+namespace {
 
 bool is_given(const std::vector<std::string>& words, const char* option) {
   return std::ranges::find(words, option) != words.end();
@@ -104,14 +202,7 @@ Result<void> StudySceneCommand::check_options() const {
   if (json_output_ == "-" && csv_output_ == "-") {
     return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
   }
-  if (page_) {
-    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
-  }
-  std::vector<std::string> paths;
-  for (const auto& output : {json_output_, csv_output_, page_}) {
-    if (output && *output != "-") paths.push_back(*output);
-  }
-  return check_outputs(paths);
+  return Outputs().data(json_output_).data(csv_output_).file(page_, ".html").check();
 }
 
 // The command line that makes the page again.
@@ -202,8 +293,7 @@ Result<void> StudySceneCommand::write_outputs(const CurveReport& report) const {
       return written;
   }
   if (!page_) return {};
-  const auto page = curve_page(report);
-  return page ? write_text(*page_, *page) : tl::unexpected(page.error());
+  return write_made(*page_, curve_page(report));
 }
 
 int StudySceneCommand::run() const {
@@ -220,6 +310,10 @@ int StudySceneCommand::run() const {
     if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   }
   return report->curve.faults.empty() ? kSuccess : kFailure;
+}
+
+void add_scene_command(CLI::App& study, int& exit_code) {
+  add_command<StudySceneCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -1,24 +1,45 @@
-#include "study/commands/stiffness_command.h"
-
+// glassbox study stiffness: reports the condition numbers of a scene in one view, and the error
+// bounds that follow.
+#include <optional>
 #include <span>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
+#include "study/commands/commands.h"
 #include "study/commands/stiffness/report.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::study {
+
+struct StiffnessReport;
+
+class StudyStiffnessCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+  Result<void> write_outputs(const Scene& scene, const StiffnessReport& report) const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_, html_output_;
+};
 
 void StudyStiffnessCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
@@ -45,7 +66,7 @@ Result<void> StudyStiffnessCommand::write_outputs(const Scene& scene,
     const std::string page = stiffness_page(
         scene, report,
         shell_line({{"study", "stiffness", scene_}, report.picture, {"--html", *html_output_}}));
-    const auto written = write_file(*html_output_, std::as_bytes(std::span(page)));
+    const auto written = write_text(*html_output_, page);
     if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, stiffness_json(scene, report)) : Result<void>();
@@ -73,6 +94,10 @@ int StudyStiffnessCommand::run() const {
   fmt::print("{}", stiffness_text(*scene, report));
   if (html_output_) fmt::print("\n{}: open it in a browser\n", printable(*html_output_, 1000));
   return kSuccess;
+}
+
+void add_stiffness_command(CLI::App& study, int& exit_code) {
+  add_command<StudyStiffnessCommand>(study, exit_code);
 }
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-#include "study/commands/text.h"
+#include "study/commands/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/report/text_layout.h"
-#include "study/commands/bench/text.h"
+#include "study/commands/bench/report.h"
 #include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
@@ -19,11 +19,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::ConfigurationResult;
-using study::ExperimentResult;
-using study::Standing;
-using study::Timing;
 
 std::string mark_of(const ConfigurationResult& result, Standing standing) {
   const auto check = study::check_theory(result);

@@ -1,6 +1,7 @@
 // The commands of views/, as a program has them.
 #pragma once
 
+#include "cli/options/cli_fwd.h"
 #include "cli/run_program.h"
 
 namespace glassbox::views {
@@ -10,5 +11,18 @@ inline constexpr CommandName kCommands[] = {
 };
 
 void add_commands(CLI::App& app, int& exit_code);
+
+// What that adds: subcommands of `views`, each in a source of its name.
+void add_geometry_command(CLI::App& views, int& exit_code);
+void add_match_command(CLI::App& views, int& exit_code);
+void add_layers_build_command(CLI::App& views, int& exit_code);
+void add_layers_draw_command(CLI::App& views, int& exit_code);
+void add_ring_command(CLI::App& views, int& exit_code);
+void add_voxels_command(CLI::App& views, int& exit_code);
+void add_polygons_command(CLI::App& views, int& exit_code);
+void add_texture_command(CLI::App& views, int& exit_code);
+void add_klt_command(CLI::App& views, int& exit_code);
+void add_glyphs_command(CLI::App& views, int& exit_code);
+void add_layers_command(CLI::App& views, int& exit_code);
 
 }  // namespace glassbox::views

@@ -1,31 +1,66 @@
-#include "views/commands/geometry_command.h"
-
+// glassbox views geometry: computes the cameras of two pictures from the matches between them
+// (S2-02 to S2-12).
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/choices.h"
 #include "cli/options/output_options.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
-#include "views/commands/geometry_json.h"
-#include "views/commands/geometry_page.h"
-#include "views/commands/geometry_text.h"
+#include "views/commands/commands.h"
+#include "views/commands/geometry.h"
+#include "views/commands/rectified_pair.h"
 #include "views/files/match_file.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::views {
+
+class ViewsGeometryCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_question_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  Result<void> check_sources() const;
+  Result<void> check_question() const;
+  Result<void> check_outputs() const;
+  Result<GeometryInput> input(Progress& progress);
+  Result<void> write_scene(const SceneGeometry& made) const;
+  std::string command_line() const;
+  Result<std::optional<RectifiedPair>> rectified_pair(const GeometryInput& input,
+                                                      const GeometryReport& report) const;
+  Result<void> write_report(const GeometryInput& input, const GeometryReport& report,
+                            const std::optional<RectifiedPair>& rectified) const;
+  int run();
+
+  GeometryFiles files_;
+  GeometryScene scene_;
+  GeometryQuestion question_;
+  bool sigma_given_ = false;
+  std::pair<std::string, std::string> pair_output_, rectified_output_;
+  std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
+  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
+};
 
 namespace {
 
@@ -52,7 +87,6 @@ CLI::Option* add_real(CLI::App& command, const std::string& name, const std::str
 
 void ViewsGeometryCommand::add_question_options(CLI::App& command) {
   const std::string group = "Estimation";
-  using views::Estimator;
   add_choice<std::optional<Estimator>>(
       command, "--estimator", question_.estimator,
       {{"8", Estimator::kEightPoint}, {"7", Estimator::kSevenPoint}, {"5", Estimator::kFivePoint}},
@@ -188,10 +222,6 @@ Result<void> ViewsGeometryCommand::check_question() const {
 }
 
 Result<void> ViewsGeometryCommand::check_outputs() const {
-  std::vector<std::string> files;
-  for (const auto& target : {matches_output_, cameras_output_, json_output_}) {
-    if (target && *target != "-") files.push_back(*target);
-  }
   if (matches_output_ == "-" && json_output_ == "-") {
     return fail("--matches-out", "--json goes to standard output already", "give one a file");
   }
@@ -199,21 +229,16 @@ Result<void> ViewsGeometryCommand::check_outputs() const {
     if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
     if (!scene_.scene && !files_.has_pair())
       return fail("--draw", "there are no pictures to draw on", "add --pair");
-    files.push_back(*page_);
   }
   if (!rectified_output_.first.empty() && !scene_.scene && !files_.has_pair()) {
     return fail("--rectified-out", "there are no pictures to turn", "add --pair");
   }
-  for (const PairOfNames* names : {&pair_output_, &rectified_output_}) {
-    if (names->first.empty()) continue;
-    for (const std::string& path : {names->first, names->second}) {
-      const auto legal =
-          names == &pair_output_ ? check_image_path(path) : check_extension(path, ".png");
-      if (!legal) return legal;
-      files.push_back(path);
-    }
+  Outputs outputs;
+  outputs.data(matches_output_).file(cameras_output_).data(json_output_).file(page_);
+  if (!pair_output_.first.empty()) {
+    outputs.picture(pair_output_.first).picture(pair_output_.second);
   }
-  return glassbox::check_outputs(files);
+  return outputs.files(rectified_output_, ".png").check();
 }
 
 Result<void> ViewsGeometryCommand::write_scene(const SceneGeometry& made) const {
@@ -290,10 +315,8 @@ Result<void> ViewsGeometryCommand::write_report(
     }
   }
   if (page_) {
-    const Result<std::string> page =
-        make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()});
-    if (!page) return tl::unexpected(page.error());
-    const auto written = write_file(*page_, std::as_bytes(std::span(*page)));
+    const auto written = write_made(
+        *page_, make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
     if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
@@ -324,6 +347,10 @@ int ViewsGeometryCommand::run() {
   if (*rectified) fmt::print("\n{}", rectification_text((*rectified)->how));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
   return kSuccess;
+}
+
+void add_geometry_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsGeometryCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -1,4 +1,4 @@
-#include "views/commands/geometry_files.h"
+#include "views/commands/geometry.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "views/commands/geometry_report.h"
+#include "views/commands/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,6 @@
 namespace glassbox::views {
 
 namespace {
-
-using views::Estimator;
-using views::PairKind;
 
 constexpr int kFewest = 8;
 

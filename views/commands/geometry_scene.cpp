@@ -1,4 +1,4 @@
-#include "views/commands/geometry_scene.h"
+#include "views/commands/geometry.h"
 
 #include <cmath>
 

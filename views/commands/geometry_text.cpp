@@ -1,4 +1,4 @@
-#include "views/commands/geometry_text.h"
+#include "views/commands/geometry.h"
 
 #include <cmath>
 
@@ -13,9 +13,6 @@
 namespace glassbox::views {
 
 namespace {
-
-using views::Matrix3d;
-using views::Vector3d;
 
 std::string heading(const std::string& name, const std::string& what) {
   return wrapped(fmt::format("{:<12}", name), what);

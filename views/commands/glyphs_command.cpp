@@ -1,23 +1,35 @@
-#include "views/commands/glyphs_command.h"
-
+// glassbox views glyphs: finds walls of coloured discs in pictures, and computes the camera from
+// them.
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
 #include "cli/options/output_options.h"
 #include "cli/options/picture_options.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
+#include "views/commands/commands.h"
 #include "views/commands/glyphs_report.h"
+#include "views/glyphs/find.h"
+#include "views/glyphs/pose.h"
+#include "views/glyphs/sweep.h"
+#include "views/glyphs/wall.h"
 #include "views/layers/layer_sources.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/images/atomic_file.h>
@@ -27,11 +39,33 @@
 
 namespace glassbox::views {
 
+class ViewsGlyphsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_layout(CLI::App& command);
+  void add_rules(CLI::App& command);
+  // Switches a rule off, so that regions need not fulfil it.
+  void leave_out(const std::string& name);
+  int sheet();
+  int find();
+  int sweep();
+
+  views::WallLayout layout_;
+  std::optional<int> panel_;
+  std::optional<double> dpi_, fov_;
+  std::string output_, picture_;
+  std::optional<std::string> against_, page_, json_output_;
+  views::LensKnown known_ = views::LensKnown::kCentre;
+  views::FindSettings settings_;
+  views::SweepOf what_ = views::SweepOf::kSize;
+  std::vector<const CLI::Option*> options_;
+};
+
 namespace {
 
 using Json = nlohmann::ordered_json;
-using views::LensKnown;
-using views::SweepOf;
 
 Result<std::optional<views::PinholeCamera>> camera_in(const std::string& path,
                                                       const std::string& picture) {
@@ -220,9 +254,8 @@ int ViewsGlyphsCommand::sheet() {
                      "is neither a scene nor a picture that can be written",
                      "name it .glb or .png"});
   }
-  std::vector<std::string> files{output_};
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  if (const auto good = check_outputs(files); !good) return refuse(good.error());
+  if (const auto good = Outputs().file(output_).data(json_output_).check(); !good)
+    return refuse(good.error());
   const auto wall = views::make_wall(layout_);
   if (!wall) return refuse(wall.error());
   const int panel_number = panel_.value_or(1);
@@ -307,13 +340,12 @@ int ViewsGlyphsCommand::find() {
   progress.done();
   const Json json = glyphs_json(report, *wall);
   if (page_) {
-    const auto page = make_glyphs_page(
-        *picture, report, json,
-        shell_line(
-            {{"views", "glyphs", "find", picture_}, words_of(options_), {"--html", *page_}}));
-    if (!page) return refuse(page.error());
-    if (const auto written = write_file(*page_, std::as_bytes(std::span(*page))); !written)
-      return refuse(written.error());
+    const auto written =
+        write_made(*page_, make_glyphs_page(*picture, report, json,
+                                            shell_line({{"views", "glyphs", "find", picture_},
+                                                        words_of(options_),
+                                                        {"--html", *page_}})));
+    if (!written) return refuse(written.error());
   }
   if (json_output_) {
     if (const auto written = write_json(*json_output_, json); !written)
@@ -368,6 +400,10 @@ int ViewsGlyphsCommand::sweep() {
     fmt::print("\n");
   }
   return kSuccess;
+}
+
+void add_glyphs_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsGlyphsCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -20,7 +20,7 @@ namespace glassbox::views {
 
 struct GlyphsReport {
   std::string picture;
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   views::FoundGlyphs found;
   views::GlyphPoints points;
   views::LensKnown known = views::LensKnown::kCentre;

@@ -1,21 +1,26 @@
-#include "views/commands/klt_command.h"
-
+// glassbox views klt: finds the directions in which the bands of pictures vary.
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/output_options.h"
 #include "cli/options/picture_options.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
-#include "views/commands/klt_page.h"
+#include "views/commands/commands.h"
+#include "views/commands/klt_report.h"
 #include "views/klt/band_files.h"
 #include "views/klt/clouds.h"
 #include "views/klt/globe.h"
@@ -26,6 +31,33 @@
 #include <glassbox/mesh/gltf/write.h>
 
 namespace glassbox::views {
+
+class ViewsKltCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  int run();
+  Result<void> check_outputs() const;
+  // Checks the files in the output folder too: none may be an input or occur twice.
+  Result<void> check_files(int kept) const;
+  // Reads the sizes of the bands into files_.
+  Result<void> open();
+  Result<void> check_memory(int kept) const;
+  Result<KltInput> read() const;
+  Result<void> write_outputs(const KltInput& input, const KltReport& report) const;
+  Result<void> write_folder(const KltInput& input, const KltReport& report) const;
+
+  std::uint64_t most_bytes() const { return std::uint64_t(max_megabytes_) << 20; }
+
+  std::vector<std::string> bands_;
+  views::BandFiles files_;  // set for the generated planet too, which has no files
+  bool is_planet_ = false;
+  std::optional<int> kept_;
+  std::uint32_t max_megabytes_ = 2048;
+  std::optional<std::string> output_, globe_, json_output_, page_;
+  std::vector<const CLI::Option*> options_;
+};
 
 namespace {
 
@@ -98,21 +130,11 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
 }
 
 Result<void> ViewsKltCommand::check_outputs() const {
-  std::vector<std::string> files;
   std::error_code ignored;
   if (output_ && std::filesystem::exists(*output_, ignored) &&
       !std::filesystem::is_directory(*output_, ignored))
     return tl::unexpected(Error{*output_, "", "is no folder", "name another one"});
-  if (globe_) {
-    if (const auto good = check_extension(*globe_, ".glb"); !good) return good;
-    files.push_back(*globe_);
-  }
-  if (page_) {
-    if (const auto good = check_extension(*page_, ".html"); !good) return good;
-    files.push_back(*page_);
-  }
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  return glassbox::check_outputs(files);
+  return Outputs().file(globe_, ".glb").file(page_, ".html").data(json_output_).check();
 }
 
 Result<void> ViewsKltCommand::check_files(int kept) const {
@@ -219,10 +241,9 @@ Result<void> ViewsKltCommand::write_outputs(const KltInput& input, const KltRepo
   if (page_) {
     const std::string line =
         shell_line({{"views", "klt"}, bands_, words_of(options_), {"--html", *page_}});
-    const auto page = make_klt_page(input, report, json, {"glassbox " GLASSBOX_VERSION, line});
-    if (!page) return tl::unexpected(page.error());
-    if (const auto written = write_file(*page_, std::as_bytes(std::span(*page))); !written)
-      return written;
+    const auto written = write_made(
+        *page_, make_klt_page(input, report, json, {"glassbox " GLASSBOX_VERSION, line}));
+    if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
@@ -260,6 +281,10 @@ int ViewsKltCommand::run() {
   fmt::print("{}", klt_text(*input, *report));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   return exit;
+}
+
+void add_klt_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsKltCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -1,26 +1,34 @@
-#include "views/commands/layers_build_command.h"
-
+// glassbox views layers build: writes a file with the surfaces that one camera sees, and those
+// behind them.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
+#include "cli/options/choices.h"
 #include "cli/options/engine_options.h"
-#include "cli/options/number_range.h"
 #include "cli/options/output_options.h"
+#include "cli/options/picture_options.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
+#include "views/commands/commands.h"
 #include "views/layers/depth_peeling.h"
 #include "views/layers/layer_builder.h"
+#include "views/layers/layer_file.h"
 #include "views/layers/layer_sources.h"
+#include "views/layers/ray_layers.h"
 #include "views/layers/ray_surfaces.h"
 #include "views/layers/triangle_normals.h"
 
@@ -29,6 +37,44 @@
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox::views {
+
+class LayersBuildCommand {
+public:
+  void add_to(CLI::App& layers, int& exit_code);
+
+private:
+  // The layers, and the facts for the report about them.
+  struct Built {
+    views::StoredLayers layers;
+    std::size_t views = 1;
+    std::size_t beside = 0;  // samples of other views that are outside this camera's picture
+    std::vector<std::string> left_out;
+    std::optional<views::RayCounts> rays;
+  };
+
+  int run();
+  Result<void> check_sources() const;
+  Result<void> check_asked(const Scene& scene) const;
+  Result<Built> build(Progress& progress) const;
+  Result<Built> build_from_scene(Progress& progress) const;
+  Result<Built> build_from_pictures() const;
+  Result<void> check_rays() const;
+  Built build_by_rays(const Scene& scene, const Camera& camera, const View& view) const;
+  double epsilon() const;
+  double cube_side(const View& view) const;  // world units
+  views::SampleWishes wishes() const { return {normals_, ids_}; }
+
+  std::optional<std::string> scene_, views_, pictures_;
+  std::string output_;
+  std::optional<int> layers_;
+  std::optional<double> epsilon_;
+  std::optional<views::RaySampling> rays_;
+  std::optional<double> cube_;
+  std::optional<int> threads_;
+  bool ends_ = false, normals_ = false, ids_ = false;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_;
+};
 
 namespace {
 
@@ -356,6 +402,10 @@ int LayersBuildCommand::run() {
                rays_->count(), built->rays->followed, built->rays->hits);
   for (const std::string& what : built->left_out) fmt::print("  Left out: {}.\n", what);
   return kSuccess;
+}
+
+void add_layers_build_command(CLI::App& views, int& exit_code) {
+  add_command<LayersBuildCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

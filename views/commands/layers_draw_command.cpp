@@ -1,13 +1,19 @@
-#include "views/commands/layers_draw_command.h"
-
+// glassbox views layers draw: draws a layered depth image from one or many other views, and reports
+// the difference from the true picture.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/frames/frames_options.h"
+#include "cli/options/add_command.h"
+#include "cli/options/arguments.h"
+#include "cli/options/camera_options.h"
 #include "cli/options/choices.h"
 #include "cli/options/engine_options.h"
 #include "cli/options/output_options.h"
@@ -16,8 +22,10 @@
 #include "cli/report/output.h"
 #include "cli/report/picture_output.h"
 #include "cli/report/progress.h"
-#include "views/commands/layers_page.h"
-#include "views/commands/layers_shots.h"
+#include "views/commands/commands.h"
+#include "views/commands/layers.h"
+#include "views/layers/draw_layers.h"
+#include "views/layers/layer_file.h"
 #include "views/layers/second_eye_error.h"
 
 #include <glassbox/base/elapsed.h>
@@ -26,6 +34,40 @@
 #include <glassbox/images/read.h>
 
 namespace glassbox::views {
+
+class LayersDrawCommand {
+public:
+  void add_to(CLI::App& layers, int& exit_code);
+
+private:
+  struct Times {
+    double median_ms = 0, lower_ms = 0;  // over `count` pictures; lower_ms is the lower quartile
+    double processor_ms = 0;             // lower quartile of the time of all threads together
+    int count = 1;
+  };
+  struct Drawn {
+    views::LayerPicture picture;
+    Times times;
+    std::optional<LayersAgainst> against;
+  };
+
+  int run();
+  Result<void> check_options() const;
+  Result<Drawn> draw(const views::StoredLayers& layers, Progress& progress);
+  int run_frames(const views::StoredLayers& layers, Progress& progress);
+  int report(const Drawn& drawn) const;
+
+  const CLI::App* command_ = nullptr;  // tells which options were given
+  std::string file_;
+  std::optional<std::string> output_, page_;
+  std::optional<Size> size_;
+  CameraOptions camera_;
+  FramesOptions frames_;
+  views::LayerDrawing drawing_;
+  std::optional<Rgba8> holes_;
+  std::optional<int> repeat_;
+  std::optional<std::string> against_, json_output_;
+};
 
 namespace {
 
@@ -278,6 +320,10 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
         views::kVisibleDifference, percent(against->missing), percent(against->interior),
         against->render_ms);
   return kSuccess;
+}
+
+void add_layers_draw_command(CLI::App& views, int& exit_code) {
+  add_command<LayersDrawCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -1,4 +1,4 @@
-#include "views/commands/layers_page.h"
+#include "views/commands/layers.h"
 
 #include <algorithm>
 #include <cstring>

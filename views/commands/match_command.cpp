@@ -1,11 +1,17 @@
-#include "views/commands/match_command.h"
-
+// glassbox views match: finds for each point how far apart two pictures show it (the disparity).
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/choices.h"
@@ -16,9 +22,11 @@
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
-#include "views/commands/match_page.h"
+#include "views/commands/commands.h"
+#include "views/commands/match_input.h"
 #include "views/commands/match_report.h"
 #include "views/commands/rectified_pair.h"
+#include "views/matching/match.h"
 #include "views/matching/surface.h"
 
 #include <glassbox/base/printable.h>
@@ -27,9 +35,43 @@
 
 namespace glassbox::views {
 
-namespace {
+class ViewsMatchCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
 
-using views::MatchingCost;
+private:
+  void add_settings_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_sources() const;
+  Result<void> check_outputs() const;
+  Result<void> check_rectified() const;
+  Result<void> check_depth(const MatchInput& input) const;
+  Result<void> write_maps(const MatchInput& input, const views::DenseMatch& match) const;
+  Result<std::string> write_surface(const MatchInput& input, const views::DenseMatch& match) const;
+  Result<void> write_page(const MatchInput& input, const views::DenseMatch& match,
+                          const nlohmann::ordered_json& json) const;
+  std::string command_line() const;
+  views::MatchSettings settings(const MatchInput& input) const;
+
+  MatchSources sources_;
+  std::string method_ = "default";
+  std::optional<views::MatchingCost> cost_;
+  std::optional<int> window_, adaptive_, paths_, planes_, left_right_, speckle_;
+  std::optional<float> confidence_;
+  std::optional<views::DisparityRange> range_;
+  std::optional<views::Calibration> calibration_;
+  bool no_fill_ = false, no_subpixel_ = false, no_median_ = false, no_smooth_ = false,
+       no_check_ = false;
+  Target target_ = best_target();
+  int threads_ = 0;
+  std::uint32_t max_megabytes_ = 4096;
+  std::optional<std::string> output_, depth_output_, surface_output_, json_output_, page_;
+  std::pair<std::string, std::string> rectified_output_;
+  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
+};
+
+namespace {
 
 template <class Value>
 void add_value(CLI::App& command, const std::string& name, Value& value, const std::string& type,
@@ -47,10 +89,6 @@ views::DisparityRange parse_range(const std::string& text) {
         "needs two whole numbers of pixels from -1000000 to 1000000, not '" + text + "'");
   }
   return {int(first), int(last)};
-}
-
-std::optional<std::string> name_of_file(const std::string& path) {
-  return path.empty() ? std::nullopt : std::optional(path);
 }
 
 // The command line that draws the surface from the left picture's camera.
@@ -248,22 +286,14 @@ Result<void> ViewsMatchCommand::check_rectified() const {
 }
 
 Result<void> ViewsMatchCommand::check_outputs() const {
-  std::vector<std::string> files;
-  for (const auto& path : {output_, depth_output_}) {
-    if (!path) continue;
-    if (const auto legal = check_extension(*path, ".pfm"); !legal) return legal;
-    files.push_back(*path);
-  }
-  for (const auto& [path, extension] :
-       {std::pair{surface_output_, ".ply"}, std::pair{page_, ".html"},
-        std::pair{name_of_file(rectified_output_.first), ".png"},
-        std::pair{name_of_file(rectified_output_.second), ".png"}}) {
-    if (!path) continue;
-    if (const auto legal = check_extension(*path, extension); !legal) return legal;
-    files.push_back(*path);
-  }
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  return glassbox::check_outputs(files);
+  return Outputs()
+      .file(output_, ".pfm")
+      .file(depth_output_, ".pfm")
+      .file(surface_output_, ".ply")
+      .file(page_, ".html")
+      .files(rectified_output_, ".png")
+      .data(json_output_)
+      .check();
 }
 
 Result<void> ViewsMatchCommand::check_depth(const MatchInput& input) const {
@@ -357,10 +387,8 @@ std::string ViewsMatchCommand::command_line() const {
 Result<void> ViewsMatchCommand::write_page(const MatchInput& input, const views::DenseMatch& match,
                                            const nlohmann::ordered_json& json) const {
   if (!page_) return {};
-  const Result<std::string> page =
-      make_match_page(input, match, json, {"glassbox " GLASSBOX_VERSION, command_line()});
-  if (!page) return tl::unexpected(page.error());
-  return write_file(*page_, std::as_bytes(std::span(*page)));
+  return write_made(
+      *page_, make_match_page(input, match, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
 }
 
 int ViewsMatchCommand::run() {
@@ -402,6 +430,10 @@ int ViewsMatchCommand::run() {
   fmt::print("{}{}", match_text(*input, chosen, *match), *surface);
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
   return kSuccess;
+}
+
+void add_match_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsMatchCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/scene_input.h"
-#include "views/commands/geometry_files.h"
+#include "views/commands/geometry.h"
 #include "views/commands/rectified_pair.h"
 #include "views/matching/rendered.h"
 

@@ -12,7 +12,7 @@
 
 #include "cli/report/exit_codes.h"
 #include "cli/report/text_layout.h"
-#include "views/commands/geometry_report.h"
+#include "views/commands/geometry.h"
 #include "views/commands/rectified_pair.h"
 
 #include <glassbox/base/printable.h>

@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "cli/options/arguments.h"
+#include "cli/report/exit_codes.h"
 #include "views/rings/ring.h"
+
+#include <glassbox/base/printable.h>
 
 namespace glassbox::views {
 
@@ -143,6 +147,25 @@ Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& s
   if (!((box.high - box.low).minCoeff() > 0))
     return fail("--box", "the box is empty", "give its corner of least coordinates first");
   return box;
+}
+
+std::string left_out_text(const std::string& picture, const views::TextureErrors& errors) {
+  const std::string name = printable(picture, kLongestMessage);
+  if (errors.covered == 0)
+    return fmt::format("{}, which was left out: polygons cover no pixel of its object\n", name);
+  return fmt::format(
+      "{}, which was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that "
+      "polygons cover\n",
+      name, errors.psnr, errors.rms, 100 * errors.covered);
+}
+
+nlohmann::ordered_json left_out_json(const std::string& picture,
+                                     const views::TextureErrors& errors) {
+  return {{"picture", picture},
+          {"psnr", errors.psnr},
+          {"rms", errors.rms},
+          {"covered", errors.covered},
+          {"pixels", errors.pixels}};
 }
 
 }  // namespace glassbox::views

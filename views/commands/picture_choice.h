@@ -9,8 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "cli/options/cli_fwd.h"
 #include "views/rings/picture_set.h"
+#include "views/texture/textured_surface.h"
 
 namespace glassbox::views {
 
@@ -51,5 +54,12 @@ void add_box(CLI::App& command, AskedBox& box);
 
 // The box given by the user, or else the folder's.
 Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set);
+
+// Reports how well a picture that was left out is reconstructed from a surface.
+std::string left_out_text(const std::string& picture, const views::TextureErrors& errors);
+
+// psnr is null if it is infinite. psnr and rms are null if no pixel is covered.
+nlohmann::ordered_json left_out_json(const std::string& picture,
+                                     const views::TextureErrors& errors);
 
 }  // namespace glassbox::views

@@ -1,13 +1,18 @@
-#include "views/commands/polygons_command.h"
-
+// glassbox views polygons: reconstructs the surface of a shape from calibrated pictures.
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
 #include "cli/options/engine_options.h"
@@ -16,7 +21,10 @@
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
+#include "views/commands/commands.h"
+#include "views/commands/polygons_report.h"
 #include "views/commands/surface_page.h"
 #include "views/polygons/mesh_scene.h"
 
@@ -26,6 +34,30 @@
 #include <glassbox/mesh/gltf/write.h>
 
 namespace glassbox::views {
+
+class ViewsPolygonsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_input_options(CLI::App& command);
+  void add_surface_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  Result<void> complete_request(const views::PictureSet& set);
+  Result<void> write_outputs(const PolygonsInput& input, const PolygonsReport& report) const;
+  std::string command_line() const;
+
+  PictureChoice choice_;
+  std::optional<std::string> truth_;
+  AskedBox box_;
+  int resolution_ = 64;
+  PolygonsRequest request_;
+  std::optional<std::string> output_, left_out_output_, json_output_, page_;
+  std::vector<const CLI::Option*> options_;
+};
 
 void ViewsPolygonsCommand::add_input_options(CLI::App& command) {
   add_picture_choice(command, choice_);
@@ -135,23 +167,15 @@ Result<void> ViewsPolygonsCommand::check_asked() const {
 }
 
 Result<void> ViewsPolygonsCommand::check_outputs() const {
-  std::vector<std::string> files;
-  if (output_) {
-    if (!check_extension(*output_, ".glb") && !check_extension(*output_, ".ply"))
-      return fail(printable(*output_, kLongestMessage), "is neither .glb nor .ply",
-                  "name it surface.glb");
-    files.push_back(*output_);
-  }
-  if (left_out_output_) {
-    if (const auto good = check_image_path(*left_out_output_); !good) return good;
-    files.push_back(*left_out_output_);
-  }
-  if (page_) {
-    if (const auto good = check_extension(*page_, ".html"); !good) return good;
-    files.push_back(*page_);
-  }
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  return glassbox::check_outputs(files);
+  if (output_ && !check_extension(*output_, ".glb") && !check_extension(*output_, ".ply"))
+    return fail(printable(*output_, kLongestMessage), "is neither .glb nor .ply",
+                "name it surface.glb");
+  return Outputs()
+      .file(output_)
+      .picture(left_out_output_)
+      .file(page_, ".html")
+      .data(json_output_)
+      .check();
 }
 
 Result<void> ViewsPolygonsCommand::complete_request(const views::PictureSet& set) {
@@ -200,16 +224,14 @@ Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
   } else if (output_) {
     const auto ply = views::polygons_ply(report.coloring);
     if (!ply) return tl::unexpected(ply.error());
-    if (const auto written = write_file(*output_, std::as_bytes(std::span(*ply))); !written)
-      return written;
+    if (const auto written = write_text(*output_, *ply); !written) return written;
   }
   if (left_out_output_) {
     if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
       return written;
   }
   if (page_) {
-    if (const auto written = write_file(*page_, std::as_bytes(std::span(*text))); !written)
-      return written;
+    if (const auto written = write_text(*page_, *text); !written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
@@ -238,6 +260,10 @@ int ViewsPolygonsCommand::run() {
   fmt::print("{}", polygons_text(input, *report));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   return kSuccess;
+}
+
+void add_polygons_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsPolygonsCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/report/exit_codes.h"
-#include "views/commands/left_out_report.h"
+#include "views/commands/picture_choice.h"
 #include "views/polygons/mesh_scene.h"
 #include "views/texture/unlit_renderer.h"
 #include "views/voxels/truth.h"

@@ -1,9 +1,13 @@
-#include "views/commands/ring_command.h"
+// glassbox views ring: draws calibrated pictures of a scene from all around it.
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
+#include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/choices.h"
 #include "cli/options/output_options.h"
@@ -11,12 +15,32 @@
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
+#include "views/commands/commands.h"
 #include "views/rings/draw_ring.h"
+#include "views/rings/ring.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/settings.h>
 
 namespace glassbox::views {
+
+class ViewsRingCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  int run();
+
+  std::string scene_, output_;
+  Size size_{320, 320};
+  views::RingOptions ring_;
+  views::Matte matte_ = views::Matte::kDepth;
+  std::optional<Shading> shading_;
+  int samples_ = 1;
+  Rgba8 background_{0, 0, 0, 255};
+  std::optional<std::string> json_output_;
+};
 
 namespace {
 
@@ -177,6 +201,10 @@ int ViewsRingCommand::run() {
         "change colours\n  from picture to picture (--shade).\n");
   if (matte_ == views::Matte::kNone) fmt::print("  Left out: masks (--matte).\n");
   return kSuccess;
+}
+
+void add_ring_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsRingCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -1,13 +1,20 @@
-#include "views/commands/texture_command.h"
-
+// glassbox views texture: draws a surface from another eye, with the colours of pictures.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include "cli/options/add_command.h"
+#include "cli/options/arguments.h"
+#include "cli/options/camera_options.h"
 #include "cli/options/choices.h"
 #include "cli/options/ignored_options.h"
 #include "cli/options/output_options.h"
@@ -15,10 +22,13 @@
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
-#include "views/commands/left_out_report.h"
+#include "views/commands/commands.h"
+#include "views/commands/picture_choice.h"
 #include "views/commands/surface_page.h"
 #include "views/texture/static_texture.h"
+#include "views/texture/textured_surface.h"
 #include "views/texture/unlit_renderer.h"
 
 #include <glassbox/base/elementary.h>
@@ -26,10 +36,41 @@
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/gltf/write.h>
+#include <glassbox/mesh/scene.h>
 
 namespace glassbox::views {
 
-using views::Blend;
+class ViewsTextureCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  struct Found;
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  void tell_of_unused() const;
+  double bytes_for(const Scene& scene, const ChosenPictures& pictures) const;
+  Result<Found> find(const Scene& scene, const ChosenPictures& pictures, Progress& progress) const;
+  Result<void> write_outputs(const Scene& scene, const ChosenPictures& pictures,
+                             const Found& found) const;
+  std::string text(const ChosenPictures& pictures, const Found& found) const;
+  nlohmann::ordered_json json(const ChosenPictures& pictures, const Found& found) const;
+  std::string command_line() const;
+
+  std::string mesh_;
+  PictureChoice choice_;
+  bool each_ = false;
+  views::Blend blend_ = views::Blend::kBarycentric;
+  int neighbours_ = 4, texels_ = 8;
+  CameraOptions camera_;
+  std::optional<Size> size_;
+  Rgba8 background_{26, 31, 38, 255};
+  std::optional<std::string> output_, fixed_, left_out_output_, json_output_, page_;
+  const CLI::App* command_ = nullptr;
+  std::vector<std::string> camera_words_;  // names of the camera options
+  std::vector<const CLI::Option*> options_;
+};
 
 struct ViewsTextureCommand::Found {
   explicit Found(views::TexturedSurface of) : surface(std::move(of)) {}
@@ -147,22 +188,13 @@ Result<void> ViewsTextureCommand::check_asked() const {
 }
 
 Result<void> ViewsTextureCommand::check_outputs() const {
-  std::vector<std::string> files;
-  for (const auto* picture : {&output_, &left_out_output_}) {
-    if (!*picture) continue;
-    if (const auto good = check_image_path(**picture); !good) return good;
-    files.push_back(**picture);
-  }
-  if (fixed_) {
-    if (const auto good = check_extension(*fixed_, ".glb"); !good) return good;
-    files.push_back(*fixed_);
-  }
-  if (page_) {
-    if (const auto good = check_extension(*page_, ".html"); !good) return good;
-    files.push_back(*page_);
-  }
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  return glassbox::check_outputs(files);
+  return Outputs()
+      .picture(output_)
+      .picture(left_out_output_)
+      .file(fixed_, ".glb")
+      .file(page_, ".html")
+      .data(json_output_)
+      .check();
 }
 
 void ViewsTextureCommand::tell_of_unused() const {
@@ -357,8 +389,7 @@ Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const Chosen
     if (const auto written = write_glb(*found.fixed, *fixed_); !written) return written;
   }
   if (page_) {
-    if (const auto written = write_file(*page_, std::as_bytes(std::span(*made))); !written)
-      return written;
+    if (const auto written = write_text(*page_, *made); !written) return written;
   }
   return json_output_ ? write_json(*json_output_, json(pictures, found)) : Result<void>();
 }
@@ -386,6 +417,10 @@ int ViewsTextureCommand::run() {
   fmt::print("{}", text(*pictures, *found));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   return kSuccess;
+}
+
+void add_texture_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsTextureCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

@@ -1,13 +1,17 @@
-#include "views/commands/voxels_command.h"
-
+// glassbox views voxels: reconstructs a shape as voxels from calibrated pictures.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
 #include "cli/options/engine_options.h"
@@ -17,8 +21,14 @@
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
+#include "cli/report/progress.h"
 #include "cli/report/shell_line.h"
-#include "views/commands/voxels_page.h"
+#include "views/commands/commands.h"
+#include "views/commands/picture_choice.h"
+#include "views/commands/voxels_report.h"
+#include "views/rings/picture_set.h"
+#include "views/voxels/coloring.h"
+#include "views/voxels/voxel_file.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -26,10 +36,37 @@
 
 namespace glassbox::views {
 
-namespace {
+class ViewsVoxelsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
 
-using views::Consistency;
-using views::Footprint;
+private:
+  void add_input_options(CLI::App& command);
+  void add_coloring_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  void tell_of_unused() const;
+  Result<VoxelsInput> read(Progress& progress) const;
+  Result<void> complete_request(const views::PictureSet& set);
+  Result<void> write_outputs(const VoxelsInput& input, const VoxelsReport& report) const;
+  std::string command_line() const;
+
+  PictureChoice choice_;
+  std::optional<std::string> truth_;
+  AskedBox box_;
+  std::optional<double> voxel_size_, total_;
+  std::optional<int> resolution_;
+  bool against_full_ = false;
+  views::ColoringRequest request_;
+  std::optional<std::string> output_, left_out_output_, json_output_, page_;
+  views::VoxelShape shape_ = views::VoxelShape::kCubes;
+  const CLI::App* command_ = nullptr;
+  std::vector<const CLI::Option*> options_;
+};
+
+namespace {
 
 std::array<int, 2> parse_direction(const std::string& text) {
   const bool is_back = !text.empty() && text.front() == '-';
@@ -204,21 +241,12 @@ Result<void> ViewsVoxelsCommand::check_asked() const {
 }
 
 Result<void> ViewsVoxelsCommand::check_outputs() const {
-  std::vector<std::string> files;
-  if (output_) {
-    if (const auto good = check_extension(*output_, ".ply"); !good) return good;
-    files.push_back(*output_);
-  }
-  if (left_out_output_) {
-    if (const auto good = check_image_path(*left_out_output_); !good) return good;
-    files.push_back(*left_out_output_);
-  }
-  if (page_) {
-    if (const auto good = check_extension(*page_, ".html"); !good) return good;
-    files.push_back(*page_);
-  }
-  if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
-  return glassbox::check_outputs(files);
+  return Outputs()
+      .file(output_, ".ply")
+      .picture(left_out_output_)
+      .file(page_, ".html")
+      .data(json_output_)
+      .check();
 }
 
 void ViewsVoxelsCommand::tell_of_unused() const {
@@ -274,8 +302,7 @@ Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,
                                                const VoxelsReport& report) const {
   if (output_) {
     const std::string ply = views::voxels_ply(report.coloring.grid, report.coloring.voxels, shape_);
-    if (const auto written = write_file(*output_, std::as_bytes(std::span(ply))); !written)
-      return written;
+    if (const auto written = write_text(*output_, ply); !written) return written;
   }
   if (left_out_output_) {
     if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
@@ -283,11 +310,10 @@ Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,
   }
   const nlohmann::ordered_json json = voxels_json(input, request_, report);
   if (page_) {
-    const Result<std::string> page = make_voxels_page(
-        input, request_, report, json, {"glassbox " GLASSBOX_VERSION, command_line()});
-    if (!page) return tl::unexpected(page.error());
-    if (const auto written = write_file(*page_, std::as_bytes(std::span(*page))); !written)
-      return written;
+    const auto written =
+        write_made(*page_, make_voxels_page(input, request_, report, json,
+                                            {"glassbox " GLASSBOX_VERSION, command_line()}));
+    if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
@@ -311,6 +337,10 @@ int ViewsVoxelsCommand::run() {
   fmt::print("{}", voxels_text(*input, request_, *report));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   return kSuccess;
+}
+
+void add_voxels_command(CLI::App& views, int& exit_code) {
+  add_command<ViewsVoxelsCommand>(views, exit_code);
 }
 
 }  // namespace glassbox::views

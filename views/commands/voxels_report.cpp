@@ -16,7 +16,6 @@ namespace glassbox::views {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using views::Verdict;
 
 double box_sides(const views::VoxelGrid& grid) {
   const auto [nx, ny, nz] = grid.count;

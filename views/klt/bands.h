@@ -14,7 +14,7 @@ struct Band {
 
 // All bands have width * height samples.
 struct Bands {
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   std::vector<Band> bands;
 
   int count() const { return int(bands.size()); }

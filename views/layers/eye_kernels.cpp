@@ -6,7 +6,7 @@
 
 #include <glassbox/raster/lanes/compiled_targets.h>
 
-// This file is compiled once for each instruction set.
+// Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "views/layers/eye_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -14,7 +14,7 @@ namespace glassbox::views {
 // conditioned: the distance has the same relative error as the depth (C-37).
 struct LayerCamera {
   Eigen::Matrix4d screen_from_world = Eigen::Matrix4d::Identity();
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
 };
 
 LayerCamera layer_camera(const View& view);

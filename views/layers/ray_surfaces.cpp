@@ -110,7 +110,7 @@ Rgba RaySurfaces::texel_at(const LazyMipChain& texture, const Sampler& sampler,
   return sample(chain, sampler, texcoord_at(hit, draw, triangle), detail);
 }
 
-// In eye space, towards where the ray came from.
+// The normal in eye space, on the side from which the ray came.
 std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   const Place& place = places_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];

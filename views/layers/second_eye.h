@@ -23,7 +23,7 @@ struct LayerView {
   const Image<std::uint32_t>& depth;  // depth codes
 };
 
-// Keeps its threads and memory from one picture to the next.
+// The engine keeps its threads and memory from one picture to the next.
 class SecondEye {
 public:
   SecondEye();

@@ -42,7 +42,7 @@ struct UnwrittenAllocator : LineAllocator<T> {
 };
 
 struct CostVolume {
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   int first = 0;              // the disparity with number 0
   int count = 0;              // number of disparities
   int stride = 0;             // count, padded to whole vectors

@@ -14,7 +14,7 @@ namespace glassbox::views {
 // The planes of an 8-bit picture, as stored: the costs compare sRGB codes, not linear light. Alpha
 // is left out.
 struct Planes {
-  int width = 0, height = 0;  // px
+  int width = 0, height = 0;  // in px
   LineVector<std::uint8_t> r, g, b;
   LineVector<std::uint8_t> grey;  // (77 r + 150 g + 29 b + 128) / 256
 };

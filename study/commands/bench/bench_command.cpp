@@ -18,10 +18,8 @@
 #include "study/bench/machine.h"
 #include "study/bench/mesa/limits.h"
 #include "study/bench/peer_process.h"
-#include "study/commands/bench/json.h"
 #include "study/commands/bench/matching.h"
-#include "study/commands/bench/page.h"
-#include "study/commands/bench/text.h"
+#include "study/commands/bench/report.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -30,10 +28,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::BenchScene;
-using study::PeerProcess;
-using study::ScaledBy;
 
 constexpr const char* kPeerCommand = "bench-peer";
 constexpr int kMostFrames = 100000;

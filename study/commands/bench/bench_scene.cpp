@@ -18,9 +18,6 @@ namespace glassbox::study {
 
 namespace {
 
-using study::BenchScene;
-using study::RealScene;
-
 // The directory with real meshes, next to the repository.
 constexpr const char* kAssets = "../shared/assets";
 

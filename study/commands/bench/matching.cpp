@@ -10,7 +10,6 @@
 #include "cli/report/text_layout.h"
 #include "study/bench/machine.h"
 #include "study/bench/statistics.h"
-#include "study/commands/bench/matching_peer.h"
 #include "views/commands/match_input.h"
 #include "views/matching/match.h"
 

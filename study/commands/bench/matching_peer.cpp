@@ -1,4 +1,4 @@
-#include "study/commands/bench/matching_peer.h"
+#include "study/commands/bench/matching.h"
 
 #include <sys/wait.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 // The Python interpreter that Debian's package is made for; another one in PATH has other modules.
 constexpr const char* kPython = "/usr/bin/python3";
-constexpr int kMissing = 3;  // exit code
+constexpr int kMissing = 3;  // the script's exit code if OpenCV is missing
 constexpr ProcessLimits kPeerLimits{.seconds = 600};
 
 // Prints "version V", then "CPU WALL" in milliseconds for each repetition. Writes the disparities

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "study/bench/floor.h"
 #include "study/bench/measure.h"
 #include "study/bench/scaling.h"
@@ -23,5 +25,24 @@ struct BenchReport {
   // The floor with the result's number of threads; null if there is none.
   const study::Floor* floor_of(const study::Measurement& result) const;
 };
+
+// {machine, compiler, target, results: [{scene, threads, ms, peer, peer_ms, ratio, ...}], scaling:
+// [...]}, described in docs/benchmark.md.
+nlohmann::ordered_json bench_json(const BenchReport& report);
+
+// Bars that compare with the peer and the floor, curves of scaling, and the numbers as text.
+std::string bench_page(const BenchReport& report);
+
+// The benchmark's results as text.
+std::string bench_text(const BenchReport& report);
+
+// "12.3", "0.0123": three significant digits, since repeated measurements agree in no more.
+std::string three_digits(double value);
+
+// The result of the comparison with the peer: "5 edge pixels differ, the others by at most 1/255".
+std::string match_text(const study::PictureMatch& match);
+
+// The fitted growth of the time: "t = 0.12 x^0.98; from 3e+05 on x^1.03 instead of x^0.71"
+std::string scaling_text(const study::Scaling& scaling);
 
 }  // namespace glassbox::study

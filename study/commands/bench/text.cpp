@@ -1,4 +1,4 @@
-#include "study/commands/bench/text.h"
+#include "study/commands/bench/report.h"
 
 #include <cmath>
 
@@ -9,11 +9,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::Against;
-using study::Measurement;
-using study::Quartiles;
-using study::Scaling;
 
 std::string with_quartiles(const Quartiles& q) {
   return fmt::format("{:>8} ({} .. {})", three_digits(q.median), three_digits(q.lower),

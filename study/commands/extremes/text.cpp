@@ -10,10 +10,6 @@ namespace glassbox::study {
 
 namespace {
 
-using study::CaseResult;
-using study::Outcome;
-using study::SweepSeries;
-
 std::string number_text(double value) {
   if (std::isinf(value)) return "inf";
   return value == 0 ? "0" : fmt::format("{:.3g}", value);

@@ -10,7 +10,6 @@ namespace glassbox::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using study::CurvePoint;
 
 std::string scene_of(const CurveReport& report, const study::Way& way) {
   if (!way.level) return report.scene;

@@ -6,7 +6,7 @@
 #include "cli/report/exit_codes.h"
 #include "cli/report/table.h"
 #include "cli/report/text_layout.h"
-#include "study/commands/bench/text.h"
+#include "study/commands/bench/report.h"
 #include "study/commands/scene/curve_report.h"
 
 #include <glassbox/base/counted.h>
@@ -15,10 +15,6 @@
 namespace glassbox::study {
 
 namespace {
-
-using study::CurvePoint;
-using study::Knob;
-using study::Standing;
 
 std::string note_of(const CurvePoint& point) {
   std::string note = point.standing ? name_of(*point.standing) : "";

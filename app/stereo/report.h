@@ -1,0 +1,78 @@
+// The report: as one HTML page that needs nothing else, in the terminal, for programs; and its pictures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/stereo/findings.h"
+#include "app/stereo/verdicts.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox::app {
+
+struct StereoPageOrigin {
+  std::string program;  // "glassbox 0.1.0"
+  std::string command;  // the command line that made the page
+};
+
+// A page has about ten pictures. An error if they would be too large for a browser.
+Result<void> check_page_size(int width, int height);
+
+// `report` is the JSON of stereo_json, which follows the scene's name and the picture's size.
+Result<std::string> make_stereo_page(const StereoFindings& found,
+                                     const nlohmann::ordered_json& report,
+                                     const StereoPageOrigin& origin);
+
+// The parallax at a distance, and the name of what is there.
+struct ParallaxRow {
+  std::string name;
+  Parallax parallax;
+  DisplayedParallax displayed;
+};
+// The rows from near to far: the planes, the window, and the visible depths.
+std::vector<ParallaxRow> parallax_rows(const StereoFindings& found);
+
+// The parts of a report that are sentences.
+struct StereoWords {
+  std::vector<Verdict> verdicts;
+  std::vector<Advice> advice;
+};
+
+std::string stereo_text(const StereoFindings& found, const StereoWords& words);
+
+// The report as JSON, which is also the data for the page's script.
+nlohmann::ordered_json stereo_json(const Scene& scene, const StereoFindings& found,
+                                   const StereoWords& words);
+
+// The findings as pictures.
+
+// A picture with a colour for each disparity from -limit_px (orange, in front) over 0 (near white)
+// to limit_px (blue, behind). Disparities beyond the budget have stripes. Pixels where nothing is
+// drawn are dark grey.
+Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudget& budget,
+                               double limit_px);
+Rgba8 disparity_colour(double px, double limit_px);
+
+// The absolute values as a heat map from 0 (black) to `limit` (white).
+Image<Rgba8> heat_of(const Image<float>& values, double limit);
+
+// For each pixel, the larger absolute value of the two.
+Image<float> larger_of(const Image<float>& a, const Image<float>& b);
+
+// Edges that the eyes see at different positions in orange, other edges in blue, over the picture
+// in dark grey.
+Image<Rgba8> information_picture(const Image<Rgba8>& left, const Image<std::uint8_t>& marks);
+
+// The pixels of surfaces that the picture's edge cuts in red, over the picture in grey.
+Image<Rgba8> violation_picture(const Image<Rgba8>& eye, const Image<std::uint8_t>& marks);
+
+// Pixels that only this eye sees: hidden from the other eye in orange, outside the other picture in
+// blue, missing there in magenta.
+Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEye>& map);
+
+}  // namespace glassbox::app
