@@ -43,8 +43,8 @@ int run(std::span<const Subject> subjects, int (*without_words)(), int argc, cha
   app.set_version_flag("-V,--version", std::string("glassbox ") + GLASSBOX_VERSION);
   app.footer(
       "Without a subcommand the built-in teapot is rendered to teapot.png.\n"
-      "glassbox SUBCOMMAND --help shows the options and examples, glassbox help SUBCOMMAND the "
-      "same.");
+      "glassbox SUBCOMMAND --help shows its options and examples, as does glassbox help "
+      "SUBCOMMAND.");
 
   int exit_code = kSuccess;
   for (const Subject& subject : subjects) add_subject(subject, app, exit_code);
@@ -56,7 +56,7 @@ int run(std::span<const Subject> subjects, int (*without_words)(), int argc, cha
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are no errors; anything else is bad usage, whatever CLI11's exit code.
+    // Help and version are no errors. Anything else is bad usage; CLI11's exit code is not used.
     if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
     fmt::print(stderr, "glassbox: {}\n", usage_problem(app, error));
     return kBadInput;

@@ -1,6 +1,5 @@
-// The commands of glassbox, grouped by subject. A program has all of them, or those of one subject,
-// so that somebody who only wants to look at one picture need not wait until the rest is compiled
-// (docs/building.md).
+// Runs a program with the commands of all subjects, or of one: then somebody who needs only these
+// commands does not have to wait until the rest is compiled (docs/building.md).
 #pragma once
 
 #include <span>
@@ -9,7 +8,7 @@
 
 namespace glassbox {
 
-// Adds subcommands to `app`. The subcommand that is run writes its exit code to `exit_code`.
+// Adds subcommands to `app`. The one that is run writes its exit code to `exit_code`.
 using AddCommands = void (*)(CLI::App& app, int& exit_code);
 
 struct CommandName {
@@ -17,13 +16,13 @@ struct CommandName {
   const char* help;
 };
 
-// What a room of the house has for the command line, as a program has it.
+// The commands of one top-level folder (such as views/), as a program includes them.
 struct Subject {
-  std::span<const CommandName> commands;  // what --help says of those that it adds
-  AddCommands add;                        // null: the program only knows their names
+  std::span<const CommandName> commands;  // names and help texts of the commands that `add` adds
+  AddCommands add;                        // null: the program only lists their names
 };
 
-// Runs the program with the words of its command line, or calls `without_words` if there are none.
+// Runs the program with its command-line arguments, or calls `without_words` if there are none.
 // Returns the exit code.
 int run_program(std::span<const Subject> subjects, int (*without_words)(), int argc, char** argv);
 

@@ -1,7 +1,9 @@
-# Everything comes from the system; nothing is vendored. Debian package names are in cmake/packages.txt.
+# All libraries come from the system; the project contains none. cmake/packages.txt has the names of
+# the Debian packages.
 
-# needs(NAME AT_LEAST [WORDS ...]): a package of that version or of any later one. find_package(NAME AT_LEAST) is not it: a package
-# says itself which later versions it lets pass for an earlier one, and some let none (TinyGLTF's 2.9 refuses who asks for 2.7).
+# needs(NAME AT_LEAST [WORDS ...]) finds a package of this version or any later one.
+# find_package(NAME AT_LEAST) does not do this: a package decides itself which later versions it
+# accepts for an earlier one. Some accept none (TinyGLTF 2.9 refuses a request for 2.7).
 macro(needs name at_least)
   find_package(${name} REQUIRED ${ARGN})
   if(${name}_VERSION VERSION_LESS ${at_least})
@@ -17,13 +19,15 @@ find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
-needs(Boost 1.74 CONFIG)  # Boost's own file: CMake 3.30 deprecates the one that CMake brings (policy CMP0167)
+# This uses Boost's own file, because CMake 3.30 deprecates CMake's file (policy CMP0167).
+needs(Boost 1.74 CONFIG)
 find_package(TBB REQUIRED)
 needs(TinyGLTF 2.7 CONFIG)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
-# Highway's NEON has the AES instructions, by a pragma that g++ does not apply to the constructors which it writes itself.
+# Highway enables the AES instructions of NEON with a pragma. g++ does not apply the pragma to the
+# constructors that it generates.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set_property(TARGET PkgConfig::hwy APPEND PROPERTY INTERFACE_COMPILE_OPTIONS -march=armv8-a+crypto)
 endif()

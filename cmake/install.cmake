@@ -1,4 +1,5 @@
-# `cmake --install`: the program, the headers, the archives, and what find_package(glassbox) reads.
+# `cmake --install` installs the program, the headers, the archives, and the files for
+# find_package(glassbox).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -14,8 +15,8 @@ list(TRANSFORM archives PREPEND glassbox_)
 set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS glassbox glassbox_flags ${archives} EXPORT glassbox
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# What `glassbox lab` hands out and compiles students' code with; the judges are in the program. Solutions and hidden cases are among
-# it, unless it is for students.
+# `glassbox lab` hands out these files and compiles students' code with them. The judges are in the
+# program. Solutions and hidden cases are among these files, except in a glassbox for students.
 set(installed_labs ${PROJECT_SOURCE_DIR}/labs)
 if(GLASSBOX_STUDENT)
   set(installed_labs ${PROJECT_BINARY_DIR}/for-students/labs)
@@ -27,7 +28,7 @@ install(DIRECTORY ${installed_labs} DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbo
   REGEX "/grading/witness\\.cpp$")
 install(FILES ${PROJECT_SOURCE_DIR}/docs/references.md DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
-# What shells and man read: the program writes it from its own option tables.
+# The program writes the files for shells and for man from its own tables of options.
 function(install_what_it_writes file destination)
   list(JOIN ARGN " " words)
   install(CODE "execute_process(COMMAND \"$<TARGET_FILE:glassbox_program>\" ${words}

@@ -1,4 +1,5 @@
-# The library that users link: all parts, each an archive of its own. raster comes with render (raster_of_program).
+# Users link this library. It contains all parts, each as its own archive. raster comes together
+# with render (raster_of_program).
 add_library(glassbox INTERFACE)
 add_library(glassbox::glassbox ALIAS glassbox)
 foreach(part matrices render pipeline mesh compare html images base)

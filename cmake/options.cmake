@@ -1,16 +1,18 @@
-# How everything is compiled.
+# These options apply to everything that is compiled.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_OPTIMIZE_DEPENDENCIES ON)  # an archive does not wait for the archives that it is linked with
+# An archive does not wait for the archives with which it is linked.
+set(CMAKE_OPTIMIZE_DEPENDENCIES ON)
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
-# A second compilation of the same source, in another clone or with the tests, is a copy where ccache is installed. What is compiled with
-# -g is not copied between clones, which ccache sees to: a debugger would look for its sources in the other clone.
+# If ccache is installed, compiling the same source again, in another clone or with the tests, takes
+# a copy. ccache does not copy objects with -g between clones, because a debugger would look for
+# their sources in the other clone.
 find_program(GLASSBOX_CCACHE ccache DOC "Keeps what was compiled; empty: nothing does")
 if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${GLASSBOX_CCACHE})
@@ -20,7 +22,7 @@ option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12, 14 and clang+
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
 option(GLASSBOX_TOGETHER "Compile sources together where that is quicker" ON)
-# A package that `glassbox lab package --students` has made is for students, however it is configured.
+# A package from `glassbox lab package --students` is for students, however it is configured.
 set(is_package OFF)
 if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/for-students)
   set(is_package ON)
@@ -28,11 +30,12 @@ endif()
 option(GLASSBOX_STUDENT "A glassbox for students: labs without solutions, hidden checks and grading" ${is_package})
 option(GLASSBOX_FUZZ "Build the libFuzzer targets (needs clang++)" OFF)
 
-# The arithmetic contract: IEEE operations in the written order, so no contraction into FMA.
+# The arithmetic contract requires IEEE operations in the written order. Contraction into FMA is
+# therefore off.
 add_library(glassbox_flags INTERFACE)
 target_compile_options(glassbox_flags INTERFACE -ffp-contract=off)
-# g++ 12's vectorizer of straight-line code turns double(float(x)) into x where the float is used elsewhere too
-# (tests/base/conversion_test.cpp); loops are not affected.
+# g++ 12 vectorises straight-line code. It then turns double(float(x)) into x if the float is used
+# elsewhere too (tests/base/conversion_test.cpp). Loops do not have this problem.
 target_compile_options(glassbox_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_compile_features(glassbox_flags INTERFACE cxx_std_20)
 
@@ -41,12 +44,14 @@ string(REGEX MATCH "^(GNU 12|GNU 14|Clang 14|Clang 19)\\." known "${CMAKE_CXX_CO
 if(GLASSBOX_WERROR AND known)
   target_compile_options(glassbox_warnings INTERFACE -Werror)
 endif()
-# -Wsign-conversion is part of -Wconversion for clang++ and not for g++: what the one refuses, the other shall. g++ 12 warns of overlap
-# inside std::string's own operator+ and insert (-Wrestrict).
+# -Wconversion includes -Wsign-conversion in clang++ and not in g++. It is named here so that both
+# compilers refuse the same code. g++ 12 warns of overlap inside std::string's own operator+ and
+# insert (-Wrestrict).
 target_compile_options(glassbox_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
-# What runs a few times in a run of the program, and is not timed: half the compilation of -O3, for a microsecond or two.
+# This option is for code that runs a few times in a run of the program and is not timed. It takes
+# half of the compile time of -O3, and costs one or two microseconds at run time.
 add_library(glassbox_runs_once INTERFACE)
 target_compile_options(glassbox_runs_once INTERFACE $<$<CONFIG:Release>:-O1>)
 
@@ -56,7 +61,7 @@ if(GLASSBOX_SANITIZE)
   add_link_options(${sanitizers})
 endif()
 if(GLASSBOX_SOME_TESTS)
-  add_compile_definitions(GLASSBOX_FEW_TARGETS)  # raster/lanes/compiled_targets.h
+  add_compile_definitions(GLASSBOX_FEW_TARGETS)  # see raster/lanes/compiled_targets.h
 endif()
 if(GLASSBOX_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -65,10 +70,12 @@ if(GLASSBOX_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# add_part(NAME [FIRST ...] [SOURCES ...] [ONCE ...] [LINKS ...] [USES ...]): one folder of the library, glassbox::NAME. A folder
-# of headers only has no sources. FIRST are those sources that draw the first picture: a library of objects, which is built
-# without waiting for the rest. ONCE are those that nothing is timed by: what reads headers, and writes reports
-# (glassbox_runs_once). LINKS are parts, and what their headers include; USES is what the sources alone include.
+# add_part(NAME [FIRST ...] [SOURCES ...] [ONCE ...] [LINKS ...] [USES ...]) adds one folder of the
+# library, glassbox::NAME. A folder that has only headers has no sources. FIRST are the sources that
+# draw the first picture. They are a library of objects, which is built without waiting for the
+# rest. ONCE are sources that no measurement times, for example those that read headers or write
+# reports (glassbox_runs_once). LINKS are parts and other libraries that the headers include. USES
+# are libraries that only the sources include.
 function(add_part name)
   cmake_parse_arguments(PART "" "" "FIRST;SOURCES;ONCE;LINKS;USES" ${ARGN})
   set(part glassbox_${name})
@@ -107,8 +114,9 @@ function(add_part name)
   endif()
 endfunction()
 
-# write_entries(FILE NAME PATH ...): FILE in the current build directory has a line ENTRY(name) for each of the paths, in which the
-# regular expression NAME finds it. A source defines ENTRY and includes the file: so what is one file each is named nowhere else.
+# write_entries(FILE NAME PATH ...) writes FILE in the current build directory. For each path, FILE
+# has a line ENTRY(name), where the regular expression NAME finds the name in the path. A source
+# defines ENTRY and includes FILE. So no other file has to list them.
 function(write_entries file name)
   set(entries ${ARGN})
   list(TRANSFORM entries REPLACE "${name}" "ENTRY(\\1)")
@@ -116,20 +124,22 @@ function(write_entries file name)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${file} CONTENT "${entries}\n")
 endfunction()
 
-# How many sources are compiled at a time; docs/building.md has the times of 10 and of 40.
+# This many sources are compiled at a time. docs/building.md has the times for 10 and for 40.
 set(GLASSBOX_BATCH 40)
 
-# compile_together(TARGET ...): their sources are compiled some at a time, because the headers that they share take longer to
-# compile than they do. So the unnamed namespaces of two sources of a target must not have different things of the same name.
+# compile_together(TARGET ...) compiles several sources of a target at a time, because the shared
+# headers take longer to compile than the sources themselves. Two sources of a target must therefore
+# not define different things with the same name in unnamed namespaces.
 function(compile_together)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE ${GLASSBOX_BATCH})
   foreach(target ${ARGN})
-    # g++ takes included sources for headers, whose private types others would see.
+    # g++ treats included sources as headers, and warns that others would see their private types.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endforeach()
 endfunction()
 
-# compile_alone(FILE ...): what names something, privately, that another source of its target names too.
+# compile_alone(FILE ...) is for a source that privately uses a name which another source of its
+# target also uses.
 function(compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -1,9 +1,9 @@
-# Shell functions of ./glassbox and tests/run.sh: packages and builds. Sourced with $root set to the top of the clone.
-# Everything they say goes to stderr, and everything they write goes into $root/build.
+# These shell functions install packages and build. ./glassbox and tests/run.sh source this file
+# with $root set to the top of the clone. They print to stderr, and write only into $root/build.
 
 say() { printf '%s\n' "$*" >&2; }
 
-# Runs a command with its output in a log, which is shown only if it fails.
+# Runs a command with its output in a log. The log is shown only if the command fails.
 quietly() {
   log=$1
   shift
@@ -15,13 +15,15 @@ quietly() {
   return $status
 }
 
-# show_progress WHAT LOG: until it is killed, how far the build that writes LOG has come. On a terminal a line that moves,
-# elsewhere a line every ten seconds.
+# show_progress WHAT LOG shows, until it is killed, the progress of the build that writes LOG. On a
+# terminal it updates one line; otherwise it prints a line every ten seconds.
 show_progress() {
   seconds=0
   while sleep 1 && kill -0 $$ 2>/dev/null; do
     seconds=$((seconds + 1))
-    # "[12/340] Building CXX object mesh/CMakeFiles/glassbox_mesh.dir/gltf/load.cpp.o" -> "step 12 of 340: mesh/gltf/load.cpp"
+    # The sed command turns
+    # "[12/340] Building CXX object mesh/CMakeFiles/glassbox_mesh.dir/gltf/load.cpp.o"
+    # into "step 12 of 340: mesh/gltf/load.cpp".
     step=$(tail -n 1 "$2" | sed -n -e 's#CMakeFiles/[^/]*\.dir/##' -e 's#\.o$##' -e 's#^\[\([0-9]*\)/\([0-9]*\)\] [^ ]*.* \([^ ]*\)$#step \1 of \2: \3#p')
     if [ -t 2 ]; then
       printf '\r\033[K%s, %s s, %s' "$1" "$seconds" "$step" | cut -c "1-$(progress_columns)" | tr -d '\n' >&2
@@ -37,12 +39,13 @@ progress_columns() {
   echo $((columns + 3)) # the characters that clear the line take no room
 }
 
-# with_progress WHAT LOG COMMAND...: quietly, but for how far it has come.
+# with_progress WHAT LOG COMMAND... runs a command quietly, and shows only its progress.
 with_progress() {
   what=$1
   shift
   : >"$1"
-  show_progress "$what" "$1" 9>&- & # without the lock, which would outlast the build by a second
+  # The lock is closed here, because show_progress may outlast the build by a second.
+  show_progress "$what" "$1" 9>&- &
   watcher=$!
   status=0
   quietly "$@" || status=$?
@@ -52,7 +55,8 @@ with_progress() {
   return $status
 }
 
-# packages_of SECTION...: their names in cmake/packages.txt, alternatives as one word, "a|b".
+# packages_of SECTION... prints the names of the packages in cmake/packages.txt. Alternatives are
+# one word, "a|b".
 packages_of() {
   for section in "$@"; do
     sed -n "/^\[$section]/,/^\[/ { s/#.*//; s/[[:space:]]//g; /^\[/d; /^\$/d; p }" \
@@ -60,8 +64,9 @@ packages_of() {
   done
 }
 
-# missing_packages SECTION...: those not installed, alternatives as one word where none of them is. Where there is no dpkg, CMake will
-# say what it does not find.
+# missing_packages SECTION... prints the packages that are not installed. If no alternative of "a|b"
+# is installed, it prints them as one word. Without dpkg it prints nothing, and CMake reports what
+# it does not find.
 missing_packages() {
   command -v dpkg-query >/dev/null 2>&1 || return 0
   wanted=$(packages_of "$@")
@@ -73,8 +78,8 @@ missing_packages() {
   done
 }
 
-# choose_packages WORD...: of each word "a|b" the first that apt knows, the first of all where it knows none. What apt knows is read
-# by "apt-get update".
+# choose_packages WORD... prints, for each word "a|b", the first package that apt knows. If apt
+# knows none of them, it prints the first one. apt knows packages after "apt-get update".
 choose_packages() {
   for word in "$@"; do
     chosen=${word%%|*}
@@ -92,13 +97,14 @@ choose_packages() {
   done
 }
 
-# install_command WORD...: what installs these packages.
+# install_command WORD... prints the command that installs these packages.
 install_command() {
   # shellcheck disable=SC2046  # one word a package
   echo apt-get install --no-install-recommends -y $(choose_packages "$@")
 }
 
-# install_packages SECTION...: returns 3 after naming the command where it may not install.
+# install_packages SECTION... installs the missing packages. If it may not install, it prints the
+# command and returns 3.
 install_packages() {
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
@@ -129,7 +135,7 @@ install_packages() {
   done
 }
 
-# One run at a time sets up: a second one waits here for the first.
+# Only one run at a time sets up. A second run waits here for the first.
 locked() {
   mkdir -p "$root/build" || return 1
   (
@@ -141,7 +147,8 @@ locked() {
   ) 9>"$root/build/.lock"
 }
 
-# directory_of PRESET: the tests are built beside the program, from the same objects.
+# directory_of PRESET prints the build folder. The tests are built beside the program, from the same
+# objects.
 directory_of() {
   case $1 in
   test) echo "$root/build/release" ;;
@@ -149,28 +156,28 @@ directory_of() {
   esac
 }
 
-# configure_preset PRESET: where that is not done already.
+# configure_preset PRESET configures the build, unless this is already done.
 configure_preset() {
   directory=$(directory_of "$1")
   cache=$directory/CMakeCache.txt
-  # A build belongs to the place where it was made.
+  # A build works only in the place where it was made.
   if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     rm -rf "$directory"
   fi
   mkdir -p "$directory" || return 1
   if [ -f "$directory/build.ninja" ]; then
-    # A build with the tests has the program too.
+    # A build with the tests contains the program too.
     [ "$1" = release ] || grep -qx 'BUILD_TESTING:BOOL=ON' "$cache" && return 0
   fi
   (cd "$root" && quietly "$directory/configure.log" cmake --preset "$1")
 }
 
-# needs_work PRESET TARGET: whether building it would do anything.
+# needs_work PRESET TARGET says whether building the target would do anything.
 needs_work() {
   ! cmake --build "$(directory_of "$1")" --target "$2" -- -n 2>/dev/null </dev/null | grep -q 'no work to do'
 }
 
-# build_preset PRESET [TARGET]: configures where needed and builds.
+# build_preset PRESET [TARGET] configures if needed, and builds.
 build_preset() {
   configure_preset "$1" || return 1
   directory=$(directory_of "$1")

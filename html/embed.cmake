@@ -1,11 +1,12 @@
-# embed_page(NAME DIR [BODY ...] STYLES ... [LIBRARIES ...] [SCRIPTS ...]): makes name_page.h in the current build directory,
-# kNamePage of html/page.h: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy
-# allows the style and the script, and no others. Files, and those that a line "<!-- include FILE -->" of the body names, are
-# looked for in DIR, then beside this one, where lies what several pages share; LIBRARIES are paths, of scripts of any length that
-# stand before the others.
+# embed_page(NAME DIR [BODY ...] STYLES ... [LIBRARIES ...] [SCRIPTS ...]) makes name_page.h in the
+# current build directory, with kNamePage of html/page.h. It contains the files of an HTML page as
+# string literals. It also contains the hashes with which the page's Content-Security-Policy allows
+# its style and its script, and no others. A line "<!-- include FILE -->" of the body includes a
+# file. All files are looked for in DIR, and then beside this one, where the files that several
+# pages share are. LIBRARIES are paths of scripts of any length, which come before the others.
 set(GLASSBOX_HTML_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
-# base64 of bytes written as hexadecimal digits.
+# This function computes base64 from bytes in hexadecimal digits.
 function(base64_of_hex hex out)
   set(alphabet ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/)
   string(LENGTH ${hex} digits)
@@ -14,7 +15,7 @@ function(base64_of_hex hex out)
   string(APPEND hex ${zeros})
   set(text "")
   math(EXPR last "${digits} - 1")
-  foreach(at RANGE 0 ${last} 3) # three hexadecimal digits, two of base64
+  foreach(at RANGE 0 ${last} 3) # three hexadecimal digits make two of base64
     string(SUBSTRING ${hex} ${at} 3 group)
     foreach(shift 6 0)
       math(EXPR digit "(0x${group} >> ${shift}) & 63")
@@ -34,7 +35,8 @@ function(read_page_part dir file out)
   if(NOT EXISTS ${dir}/${file})
     set(dir ${GLASSBOX_HTML_DIR})
   endif()
-  file(REAL_PATH ${dir}/${file} path) # one spelling, or ninja takes it for two files
+  # A file must have one spelling of its path, or ninja takes it for two files.
+  file(REAL_PATH ${dir}/${file} path)
   file(READ ${path} text)
   string(LENGTH "${text}" length)
   string(FIND "${text}" ")glassbox\"" quote)
@@ -45,7 +47,7 @@ function(read_page_part dir file out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# As literals of a length that every compiler takes.
+# The text is cut into literals of a length that every compiler accepts.
 function(literals_of text out)
   string(FIND "${text}" ")glassbox\"" quote)
   if(quote GREATER_EQUAL 0)
@@ -100,7 +102,7 @@ function(embed_page name dir)
   endforeach()
   if(page_script STREQUAL "")
     set(page_script_hash "")
-    set(page_script_literals "    \"\",\n") # an array is not empty
+    set(page_script_literals "    \"\",\n") # an array must not be empty
   endif()
   string(TOLOWER ${name} file)
   configure_file(${GLASSBOX_HTML_DIR}/page.h.in ${CMAKE_CURRENT_BINARY_DIR}/${file}_page.h @ONLY)

@@ -27,7 +27,7 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
     remedy = "write to another place or change the permissions";
   }
   if (code == ENOSPC || code == EDQUOT || code == EFBIG)
-    remedy = "make room or write to another disk";
+    remedy = "free some space or write to another disk";
   return file_error(path, what + ": " + std::strerror(code), remedy);
 }
 

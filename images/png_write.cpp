@@ -285,7 +285,8 @@ Result<std::vector<std::byte>> encode_png(const StoredImage& image,
   }
   const std::size_t row = std::size_t(image.width) * std::size_t(image.channels);
   const auto wrong_count = [] {
-    return fail("", "the image has not as many samples as its size says", "fill all of it");
+    return fail("", "the image does not have as many samples as its size requires",
+                "give all of its samples");
   };
   return std::visit(
       [&]<class Sample>(const std::vector<Sample>& samples) -> Result<std::vector<std::byte>> {

@@ -263,7 +263,8 @@ Result<std::vector<std::byte>> encode_pfm(const StoredImage& image) {
                 "write a PNG instead");
   }
   if (samples->size() != image.pixels() * std::size_t(image.channels)) {
-    return fail("", "the image has not as many samples as its size says", "fill all of it");
+    return fail("", "the image does not have as many samples as its size requires",
+                "give all of its samples");
   }
   return encode_floats(image.width, image.height, image.channels, samples->data());
 }

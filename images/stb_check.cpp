@@ -142,7 +142,9 @@ Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const bool shifted = has_palette && number_at(bytes, 3, 2) != 0;
   const bool other_order = (number_at(bytes, 17, 1) & 0xd0) != 0;
   if (shifted || other_order) {
-    return fail("", shifted ? "TGA with a palette that does not start at 0" : "TGA in an odd order",
+    return fail("",
+                shifted ? "TGA with a palette that does not start at 0"
+                        : "TGA with an unusual order of pixels",
                 "convert it to PNG");
   }
   const std::uint64_t pixels_at = kHeaderBytes + number_at(bytes, 0, 1) + palette_bytes;

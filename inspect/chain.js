@@ -125,7 +125,7 @@ function verdictOf(run, chain) {
     const nearest = Math.max(...chain.corners.map(({clip}) => signedDistance(planes[plane], clip)));
     return `Removed: all corners lie outside the ${planes[plane].name} plane, the nearest by ${shortNumber(-nearest)} in clip space.`;
   }
-  if (m & marks.clippedAway) return "Removed: clipping left nothing of it.";
+  if (m & marks.clippedAway) return "Removed: clipping left no part of it.";
   const parts = [];
   if (m & marks.cut) parts.push(`Clipping made it a polygon of ${chain.polygon.length} vertices.`);
   if (m & marks.zeroArea) parts.push(m & (marks.setUp | marks.culled) ? "A piece of it has no area on the screen." :
@@ -142,7 +142,7 @@ function fateOfFragments(run, number) {
   const fate = run.columns["fragment.fate"], counts = [0, 0, 0, 0], [from, to] = fragmentsOfTriangle(run, number);
   for (let i = from; i < to; i++) counts[fate[i]]++;
   const total = counts.reduce((a, b) => a + b);
-  if (!total) return run.facts.rectangle ? "It covers no pixel's centre of the recorded rectangle." :
+  if (!total) return run.facts.rectangle ? "It covers no pixel's centre in the recorded rectangle." :
     "It covers no pixel's centre.";
   return `${count(total, "fragment")}: ` +
     counts.map((each, k) => each && `${each.toLocaleString("en")} ${fates[k]}`).filter(Boolean).join(", ") + ".";

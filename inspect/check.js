@@ -97,10 +97,10 @@ function offerCheck() {
   const {facts} = state.runs[0];
   byId("check").hidden = !facts.records_complete;
   byId("check-note").textContent = facts.recorded && !facts.records_complete ?
-    "The records of these pixels are too many for a page: name fewer with --rect." : "";
+    "These pixels have too many records for a page: choose fewer pixels with --rect." : "";
   byId("check-button").addEventListener("click", () => {
     const {numbers, bounds, wrong} = checkRun(state.runs[0]);
     byId("check-note").textContent = `${count(numbers, "number")} and ${count(bounds, "bound")} computed again: ` +
-      (wrong.length ? `${wrong.length.toLocaleString("en")} are not those of the run, first ${wrong[0]}.` : "all are those of the run.");
+      (wrong.length ? `${wrong.length.toLocaleString("en")} differ from the run's records, the first is ${wrong[0]}.` : "all are equal to the run's records.");
   });
 }

@@ -6,12 +6,12 @@ async function openOther(file) {
     const page = new DOMParser().parseFromString(await file.text(), "text/html"); // its scripts do not run
     const run = await loadRun(page, `B: ${file.name}`);
     if (run.width !== state.runs[0].width || run.height !== state.runs[0].height) {
-      throw new Error(`its picture has ${run.width} × ${run.height} pixels, this one ${state.runs[0].width} × ${state.runs[0].height}`);
+      throw new Error(`its picture has ${run.width} × ${run.height} pixels, but this page's has ${state.runs[0].width} × ${state.runs[0].height}`);
     }
     addRun(run);
     showDivergence();
   } catch (error) {
-    byId("compare-note").textContent = `${file.name} cannot be shown beside this one: ${error.message}.`;
+    byId("compare-note").textContent = `${file.name} cannot be compared with this page: ${error.message}.`;
   }
 }
 
@@ -66,7 +66,7 @@ function divergencesOf(a, b) {
   const fa = a.facts, fb = b.facts;
   if (!sameNumbers(fa.view.eye_from_world, fb.view.eye_from_world)) note("The view matrices differ.");
   if (!sameNumbers(fa.view.clip_from_eye, fb.view.clip_from_eye)) note("The projection matrices differ.");
-  if (fa.draws.length !== fb.draws.length) note(`${fa.draws.length} draws against ${fb.draws.length}.`);
+  if (fa.draws.length !== fb.draws.length) note(`The runs have ${fa.draws.length} and ${fb.draws.length} draws.`);
   const draw = fa.draws.findIndex((each, i) => fb.draws[i] && !sameNumbers(each.clip_from_anchored, fb.draws[i].clip_from_anchored));
   if (draw >= 0) note(`The matrices of draw ${draw} differ.`);
   for (const axis of letters.slice(0, 3)) {
@@ -80,7 +80,7 @@ function divergencesOf(a, b) {
   const mark = firstDifference(a.columns["triangle.marks"], b.columns["triangle.marks"]);
   if (mark >= 0 && mark !== row) {
     const triangle = a.columns["triangle.number"][mark];
-    note(`Triangle ${triangle} is the first that goes another way.`, {triangle, fragment: null});
+    note(`Triangle ${triangle} is the first with another result.`, {triangle, fragment: null});
   }
   const fragment = firstFragmentDivergence(a, b);
   if (fragment) note(`Fragment ${(fragment.at + 1).toLocaleString("en")} is the first that differs: ${fragment.what}.`, {fragment: fragment.at});
@@ -90,7 +90,7 @@ const ordinal = (n) => `${n.toLocaleString("en")}${["th", "st", "nd", "rd"][n % 
 
 function showDivergence() {
   const found = divergencesOf(state.runs[0], state.runs[1]);
-  byId("compare-note").textContent = found.length ? "In the order of the stages:" : "The two runs are the same, to the last byte.";
+  byId("compare-note").textContent = found.length ? "Differences in the order of the stages:" : "The two runs are equal, to the last byte.";
   byId("divergences").replaceChildren(...found.map(({text, choose}) => element("li", {},
     choose ? element("button", {type: "button", textContent: text, onclick: () => jumpTo(choose)}) : text)));
   const last = found.findLast(({choose}) => choose);

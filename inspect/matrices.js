@@ -39,7 +39,7 @@ function givenParameters(words, names) {
 }
 
 function projectionMatrix({camera: {lens}, view, options, width, height}) {
-  const {kind, near, far, ...others} = lens, named = {fovy_degrees: "vertical angle of view, degrees", half_height: "half the height seen"};
+  const {kind, near, far, ...others} = lens, named = {fovy_degrees: "vertical angle of view, degrees", half_height: "half of the visible height"};
   return opened("Projection matrix: clip from eye", "projection",
     matrixTable("clip from eye", view.clip_from_eye, "double"),
     parameters(["kind", kind], ...Object.entries(others).map(([key, value]) => [named[key] ?? key, doubleText(value)]),
@@ -57,10 +57,10 @@ function formulaOf({kind, far}, {reversed}) {
 
 function composedMatrix(draw) {
   const anchored = draw.anchor.some((value) => value !== 0);
-  return opened("What the run applies: clip from object, in float", "composed",
+  return opened("The matrix that the run applies: clip from object, in float", "composed",
     matrixTable("clip from object", draw.clip_from_anchored, "float"),
     element("p", {}, "Projection · view · model in double, rounded to float once" +
-      (anchored ? `, for positions less the anchor ${vectorText(draw.anchor)}.` : ".")));
+      (anchored ? `, for positions minus the anchor ${vectorText(draw.anchor)}.` : ".")));
 }
 
 function viewportMatrix({view: {viewport: [left, top, right, bottom]}}) {

@@ -13,11 +13,11 @@ const overlays = {
   id: {name: "Triangle id", paint: paintId, note: () => "One colour for each triangle."},
   depth: {name: "Depth", paint: paintDepth, note: (run, {least, greatest}) =>
     greatest >= least ? `Depth ${shortNumber(least)} white to ${shortNumber(greatest)} dark.` : "Nothing is drawn yet."},
-  ...(manifest.pictures.includes("made") ? {made: {name: "Yours", paint: paintOther("made"), note: () => "What your functions make of the run."}} : {}),
+  ...(manifest.pictures.includes("made") ? {made: {name: "Yours", paint: paintOther("made"), note: () => "The picture as your functions draw it."}} : {}),
   ...(manifest.student ? {
-    reference: {name: "Reference", paint: paintOther("reference"), note: () => "The picture as the reference's stages draw it."},
+    reference: {name: "Reference", paint: paintOther("reference"), note: () => "The picture as the reference draws it."},
     parts: {name: "Differences", paint: paintParts, note: (run, {pixels}) =>
-      pixels ? `${count(pixels, "pixel")} unlike the reference's.` : "Every pixel is the reference's."},
+      pixels ? `${count(pixels, "pixel")} differ from the reference.` : "Every pixel is equal to the reference."},
   } : {}),
   ...(manifest.pictures.includes("truth") ? {truth: {name: "What is there", paint: paintOther("truth"), note: () => "The scene itself, drawn from there."}} : {}),
   normals: {name: "Normals", paint: paintNormals, note: () => "Eye-space normals of the finished picture: x red, y green, z blue."},

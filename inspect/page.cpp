@@ -273,12 +273,11 @@ Image<Rgba8> normals_of(const Scene& scene, const View& view, RenderSettings set
 Result<void> check_limits(const ColumnRun& run, const InspectOptions& options) {
   const auto too_much = [&](const char* what, std::uint64_t count, std::uint64_t limit,
                             const char* option) {
-    return fail(
-        options.scene_name,
-        fmt::format("{} {} are more than the {} that a page is meant for", count, what, limit),
-        fmt::format("name a part of the picture with --rect X0,Y0,X1,Y1, or a smaller "
-                    "--size; {} allows more, in a page that opens slowly",
-                    option));
+    return fail(options.scene_name,
+                fmt::format("{} {} are more than the {} that a page may have", count, what, limit),
+                fmt::format("choose a part of the picture with --rect X0,Y0,X1,Y1, or a smaller "
+                            "--size; {} allows more, but the page then opens slowly",
+                            option));
   };
   if (run.triangle_count > options.max_triangles) {
     return too_much("triangles", run.triangle_count, options.max_triangles, "--max-triangles");

@@ -21,7 +21,7 @@ function counterpart(run, fragment) {
 }
 
 function nothingChosen(fragment) {
-  return element("p", {className: "quiet"}, fragment ? "This fragment comes from a line or a point: no triangle leads to it." :
+  return element("p", {className: "quiet"}, fragment ? "This fragment comes from a line or a point, not from a triangle." :
     state.cursor ? "No fragment came here so far: the pixel shows the background. Click on something that is drawn, or enter the number of a triangle." :
       "Click in the picture, or enter the number of a triangle.");
 }
@@ -33,7 +33,7 @@ function showPixel() {
   byId("pixel-fragments").replaceChildren();
   byId("pixel-title").textContent = cursor ? `Pixel (${cursor.x}, ${cursor.y})` : "Pixel";
   if (!cursor) {
-    byId("pixel-note").textContent = "None is chosen.";
+    byId("pixel-note").textContent = "No pixel is chosen.";
     return;
   }
   const list = fragmentsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
@@ -110,8 +110,8 @@ function chainSections(run, chain, fragment, other) {
   sections.push(
     step("ndc", "NDC: divided by w", numbersTable("NDC", [...coordinateRows(ndc.position, "float", bound?.ndc.position, otherVertex?.ndc.position),
       {name: "1/w", value: ndc.inverseW, kind: "float", bound: bound?.ndc.inverseW, other: otherVertex?.ndc.inverseW}]),
-    vertex.condition ? element("p", {className: "quiet"}, `A relative change of what came in is magnified by ${vertex.condition.map(shortNumber).join(", ")}.`) :
-      element("p", {className: "quiet"}, "Bounds are not carried through a cut."), viewportMatrix(facts)),
+    vertex.condition ? element("p", {className: "quiet"}, `A relative change of the input is magnified by ${vertex.condition.map(shortNumber).join(", ")}.`) :
+      element("p", {className: "quiet"}, "There are no bounds for vertices that clipping made."), viewportMatrix(facts)),
     step("screen", "Screen, pixels", numbersTable("screen", coordinateRows(screen.position, "float", bound?.screen, otherVertex?.screen.position))),
     step("snapped", "Snapped, 1/256 pixel", numbersTable("snapped", coordinateRows(snapped, "integer", null, otherVertex?.snapped)),
       bound ? element("p", {className: "quiet"}, snapText(bound.snap)) : null));
@@ -120,8 +120,8 @@ function chainSections(run, chain, fragment, other) {
 }
 
 function snapText(stabilities) {
-  return stabilities.map(({toBoundary, stable}, k) => `${letters[k]} is ${shortNumber(toBoundary)} pixels from where it would snap ` +
-    `elsewhere, ${stable ? "beyond" : "within"} its bound`).join("; ") + ".";
+  return stabilities.map(({toBoundary, stable}, k) => `${letters[k]} is ${shortNumber(toBoundary)} pixels from where it would snap to ` +
+    `another position, ${stable ? "beyond" : "within"} its bound`).join("; ") + ".";
 }
 
 function planesOpened({planes}, corner) {
@@ -140,7 +140,7 @@ function pieceSections(chain, fragment) {
   const piece = fragment?.piece ?? chain.pieces[0];
   if (!piece) return [];
   const {setup} = piece, name = chain.pieces.length > 1 ? ` (piece ${chain.pieces.indexOf(piece) + 1} of ${chain.pieces.length})` : "";
-  if (!setup) return [step("facing", "Facing" + name, element("p", {}, "No area: nothing to face."))];
+  if (!setup) return [step("facing", "Facing" + name, element("p", {}, "It has no area, so it faces nowhere."))];
   return [step("facing", "Facing" + name, element("p", {}, `${setup.clockwise ? "Clockwise" : "Counter-clockwise"} on the screen, ` +
     `${doubleText(setup.doubleArea / 131072)} square pixels: shows its ${piece.front ? "front" : "back"}, ` +
     (piece.culled ? "culled." : "kept."))),

@@ -10,8 +10,8 @@ function showStudent(run) {
     element("td", {title: functions}, name), element("td", {}, records.toLocaleString("en")), element("td", {}, wrong.toLocaleString("en"))));
   byId("student-stages").replaceChildren(head, ...rows);
   const pixel = student.first_pixel, record = student.records.find(({wrong, triangle}) => wrong && run.rowOf.has(triangle));
-  const rounding = student.stages.every(({wrong}) => !wrong) ? " Every record is within its bound: what differs is rounding." : "";
-  byId("student-note").textContent = pixel ? `${count(student.differing_pixels, "pixel")} unlike the reference's.${rounding}` : "Every pixel is the reference's.";
+  const rounding = student.stages.every(({wrong}) => !wrong) ? " Every record is within its bound: the differences are rounding." : "";
+  byId("student-note").textContent = pixel ? `${count(student.differing_pixels, "pixel")} differ from the reference.${rounding}` : "Every pixel is equal to the reference.";
   byId("student-pixel").hidden = !pixel;
   byId("student-pixel").onclick = () => { choosePixel(pixel.x, pixel.y); };
   byId("student-record").hidden = !record;
@@ -29,7 +29,7 @@ function groupedBy(records) {
 function studentSections(run, triangle) {
   if (!run.recordsOf) return [];
   const records = [...(run.recordsOf.get(null) ?? []), ...(triangle === null ? [] : run.recordsOf.get(triangle) ?? [])];
-  if (!records.length) return [step("student", "Yours and the reference's", element("p", {className: "quiet"}, "The page has no record of this triangle."))];
+  if (!records.length) return [step("student", "Your values and the reference", element("p", {className: "quiet"}, "The page has no record of this triangle."))];
   const ordered = [...records.filter(({wrong}) => wrong), ...records.filter(({wrong}) => !wrong)];
   return ordered.map((record) => recordSection(run, record));
 }
@@ -43,7 +43,7 @@ function recordSection(run, {stage, triangle, record, yours, reference, wrong}) 
   const table = element("table", {className: "answers"}, element("tr", {}, ...["", "yours", "reference"].map((word) => element("th", {scope: "col"}, word))), ...rows);
   return step("student", `${name} of ${place}`, element("p", {className: "quiet"}, functions),
     wrong ? element("p", {className: "wrong"}, wrongText(wrong)) :
-      element("p", {className: "quiet"}, differs ? "Unlike the reference's, but within its bound." : "The same, to the bit."),
+      element("p", {className: "quiet"}, differs ? "Different from the reference, but within its bound." : "Equal to the reference, to the bit."),
     opened(`${count(yours.length, "number")}${yours.length >= 48 ? " and more" : ""}`, `student-${stage}-${record}`, table));
 }
 

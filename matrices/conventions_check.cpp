@@ -77,19 +77,19 @@ void add_reason(Alternative& found, double weight, std::string reason = "") {
 
 void weigh_soundness(const Judged& before, const Judged& after, Alternative& found) {
   if (after.model.invertible() && !before.model.invertible()) {
-    add_reason(found, 8, "then the model matrix is affine, as given it is not");
+    add_reason(found, 8, "the model matrix is then affine, and as given it is not");
   }
   if (after.soundness_of_view() > before.soundness_of_view()) {
     add_reason(found, 8,
-               after.view.rigid() ? "then the view is rigid, as given it is not"
-                                  : "then the view is affine, as given it is not");
+               after.view.rigid() ? "the view is then rigid, and as given it is not"
+                                  : "the view is then affine, and as given it is not");
   }
   if (after.projection_sound && !before.projection_sound) {
     add_reason(found, 8,
-               std::string("then the projection is ") +
+               std::string("the projection is then ") +
                    (after.projection.kind == ProjectionKind::kPerspective ? "a perspective one"
                                                                           : "a parallel one") +
-                   ", as given it is none");
+                   ", and as given it is not");
   }
 }
 
@@ -97,13 +97,13 @@ void weigh_eyepoint(const Judged& before, const Judged& after, Alternative& foun
   if (!before.eye || !after.eye) return;
   if (after.eye->level != before.eye->level) {
     add_reason(found, after.eye->level ? 4 : -4,
-               after.eye->level ? "then the camera stands upright, as given it is rolled" : "");
+               after.eye->level ? "the camera is then upright, and as given it is rolled" : "");
   }
   const int saved = before.eye->digits - after.eye->digits;
   if (saved >= 3) {
     add_reason(found, 2,
-               "then the eye stands at " + position_text(*after.eye) + ", rounder numbers than " +
-                   position_text(*before.eye));
+               "the eye is then at " + position_text(*after.eye) +
+                   ", which has rounder numbers than " + position_text(*before.eye));
   } else if (saved <= -3) {
     add_reason(found, -2);
   }
@@ -122,7 +122,7 @@ void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing
   if (!drawn) return;
   if (changed.world) {
     add_reason(found, *changed.world == *drawn ? 4 : -4,
-               *changed.world == *drawn ? "then your world's handedness fits" : "");
+               *changed.world == *drawn ? "the handedness of your world then fits" : "");
   } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
     add_reason(found, *drawn == Hand::kRight ? 1 : -1);
   }
@@ -133,7 +133,7 @@ void weigh_range(const Judged& before, const MatrixSetup& changed, Alternative& 
   if (likely == nullptr || likely->from_minus_one != changed.dialect.z_from_minus_w) return;
   add_reason(found, 4,
              "for depth " + std::string(likely->from_minus_one ? "-1" : "0") + " .. 1 it has " +
-                 planes_text(*likely) + ", round numbers");
+                 planes_text(*likely) + ", which are round numbers");
 }
 
 void weigh(Change change, const MatrixSetup& changed, const Judged& judged, const Landing& before,

@@ -13,8 +13,8 @@ bool is_finite(const char* name, const GivenMatrix& matrix, Findings& found) {
   found.alarm("not-finite", name,
               "entry [" + std::to_string(entry->row) + "][" + std::to_string(entry->column) +
                   "] is " + brief(at(matrix.m, entry->row, entry->column)),
-              "look for 0/0: eye = target, up along the gaze, an axis that a cross product of "
-              "parallel vectors should give (E8), near = far, a width or height of 0");
+              "look for a division 0/0: eye = target, up along the gaze (the cross product of "
+              "parallel vectors is 0, E8), near = far, or a width or height of 0");
   return false;
 }
 
@@ -27,7 +27,7 @@ bool roles_are_exchanged(const MatrixSetup& setup, Findings& found) {
   found.alarm("exchanged", "",
               "the matrix given as view is a perspective projection, and the one given as "
               "projection is affine, as a view is",
-              "exchange --view and --proj, and look at the order of the factors in your program");
+              "exchange --view and --proj, and check the order of the factors in your program");
   return true;
 }
 
@@ -42,20 +42,22 @@ bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix&
                     ": it looks transposed, columns read as rows or a matrix for row vectors (E10)",
                 "read it in the other --order; where your program uses it as it is, transpose it");
   } else if (projection_facts(matrix).kind == ProjectionKind::kPerspective) {
-    found.alarm("is-a-projection", name,
-                "its last row is " + last_row + ": this is a perspective projection",
-                std::string("pass it as --proj, and look whether your program uses it as ") + name);
+    found.alarm(
+        "is-a-projection", name,
+        "its last row is " + last_row + ": this is a perspective projection",
+        std::string("pass it as --proj, and check whether your program uses it as ") + name);
   } else if (projection_facts(transposed(matrix)).kind == ProjectionKind::kPerspective) {
     found.alarm("is-a-projection", name, "this is a perspective projection, transposed",
                 "pass it as --proj, in the other --order");
   } else if (factor_projection(matrix)) {
-    found.alarm("is-a-projection", name, "it is a projection and a view in one",
+    found.alarm("is-a-projection", name, "it is the product of a projection and a view",
                 "pass it as --proj");
   } else {
     found.alarm(
         "not-affine", name,
         "its last row is " + last_row + " instead of 0 0 0 1, so that w does not stay 1 (E10)",
-        std::string("a ") + name + " matrix only turns, scales and moves: look what else is in it");
+        std::string("a ") + name +
+            " matrix only rotates, scales and translates: find what else is in it");
   }
   return false;
 }
@@ -70,8 +72,8 @@ void check_pose(const GivenMatrix& view, Findings& found) {
   if (!as_pose || eye->level || !as_pose->level || as_pose->digits + 3 > eye->digits) return;
   found.hint("pose", "view",
              "its translation " + brief_triple(glm::dvec3(view.m[3])) +
-                 " looks like the camera's position, and its first column is level: it may be the "
-                 "camera's pose, world from eye",
+                 " looks like the camera's position, and its first column is horizontal: it may be "
+                 "the camera's pose, world from eye",
              "a view matrix is the inverse of the pose");
 }
 
@@ -86,13 +88,12 @@ void check_world(const MatrixSetup& setup, Findings& found) {
   if (!setup.world) {
     found.note("world-hand", "", cause + (right ? "" : " (E7)"), "");
   } else {
-    found.alarm(
-        "world-mirrored", "",
-        cause + (right ? "" : ", as with a gaze that was turned to +z (E7)") + ". Your world is " +
-            other_word + "-handed",
-        right ? "use the look-at and projection for left-handed worlds, or turn one axis of the "
-                "world"
-              : "turn the gaze to -z and use a projection with w = -z, or negate x once");
+    found.alarm("world-mirrored", "",
+                cause + (right ? "" : ", as with a gaze that was turned to +z (E7)") +
+                    ". Your world is " + other_word + "-handed",
+                right ? "use the look-at and projection for left-handed worlds, or negate one axis "
+                        "of the world"
+                      : "turn the gaze to -z and use a projection with w = -z, or negate x once");
   }
 }
 
@@ -110,7 +111,7 @@ void check_model(const MatrixSetup& setup, Findings& found) {
     found.hint("mirror", "model",
                "its determinant is " + brief(facts.determinant) +
                    ", negative: it mirrors, and front faces become back faces (C-17, E18)",
-               "turn the winding for this object, or look for a negative scale");
+               "reverse the winding for this object, or look for a negative scale");
   }
   if (facts.shape == Shape::kScaledAfter) {
     found.hint("scale-after-rotation", "model",
@@ -132,16 +133,16 @@ void check_view(const MatrixSetup& setup, Findings& found) {
   if (facts.mirror() && !setup.world) {
     found.hint("mirror", "view",
                "its determinant is " + brief(facts.determinant) +
-                   ", negative: world and eye are of opposite hands",
-               "right if one of them is left-handed on purpose (Unity's worldToCameraMatrix is "
-               "such), then say --world; otherwise the picture is mirrored: look for an axis with "
-               "the wrong sign");
+                   ", negative: world and eye have opposite handedness",
+               "this is right if one of them is left-handed on purpose (as for Unity's "
+               "worldToCameraMatrix): then give --world; otherwise the picture is mirrored: look "
+               "for an axis with the wrong sign");
   }
   if (!facts.rigid() && facts.shape != Shape::kRigid) {
     found.hint("not-rigid", "view",
                "its axes are not perpendicular unit vectors (off by " +
                    brief(facts.orthogonality, 3) + ")",
-               "normalise gaze, right and up; scales belong into the model matrix");
+               "normalise gaze, right and up; scales belong in the model matrix");
   }
   check_pose(setup.view, found);
 }

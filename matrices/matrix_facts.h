@@ -26,7 +26,7 @@ inline double at(const glm::dmat4& m, int row, int column) {
 // Whether an entry is small compared with the largest of its row.
 bool is_small(const glm::dmat4& m, int row, int column);
 
-// A matrix as the user's program printed it: columns[column][row], whatever the order of the text,
+// A matrix as the user's program printed it: columns[column][row], for any order of the text,
 // with the uncertainty of each entry (half a unit of its last digit).
 struct GivenMatrix {
   glm::dmat4 m{1};

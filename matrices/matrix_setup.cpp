@@ -36,10 +36,10 @@ GuessedDialect guess_dialect(const GivenMatrix& projection) {
   const auto guess = [](const char* name, std::string reason) {
     return GuessedDialect{find_dialect(name), std::move(reason)};
   };
-  if (!projection.given) return guess("opengl", "there is no projection to tell");
+  if (!projection.given) return guess("opengl", "no projection is given");
   const ProjectionFacts facts = likely_facts(projection);
   if (facts.kind == ProjectionKind::kNone || facts.depth_lost) {
-    return guess("opengl", "nothing tells; say --dialect for another");
+    return guess("opengl", "the projection does not show it; choose another with --dialect");
   }
   const DepthReading* likely = facts.likely_range(1);
   if (facts.kind == ProjectionKind::kPerspective && facts.zero_to_one.possible &&
@@ -47,7 +47,7 @@ GuessedDialect guess_dialect(const GivenMatrix& projection) {
     return guess("reversed", "the projection's depth falls with distance");
   }
   if (likely == nullptr) {
-    return guess("opengl", "the projection may be for either range of depth; say --dialect");
+    return guess("opengl", "the projection fits either range of depth; choose with --dialect");
   }
   const std::string planes = planes_text(*likely);
   if (likely->from_minus_one) {

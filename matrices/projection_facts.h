@@ -38,7 +38,7 @@ struct ProjectionFacts {
   // does not show it; then this follows from the expected depth range.
   bool looks_down_minus_z = true;
   double w_scale = 1;   // k above
-  double w_offset = 0;  // w = k (d + w_offset); 0 for a projection that begins at the eye
+  double w_offset = 0;  // w = k (d + w_offset); 0 if the eye is the centre of projection
   // x_ndc = (scale x + shift)/d + centre (perspective) or scale x + centre (parallel). The gaze
   // meets the picture at `centre`, which is 0 for a symmetric frustum. A shift is that of one eye
   // of a stereo pair.

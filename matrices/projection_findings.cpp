@@ -13,11 +13,11 @@ constexpr const char* kProjection = "projection";
 void note_view_inside(const MatrixSetup& setup, Findings& found) {
   if (setup.view.given && facts_of(setup.view.m).shape != Shape::kIdentity) {
     found.hint("contains-view", kProjection,
-               "a view is in it already, and another was given: the camera acts twice",
+               "it already contains a view, and another one is given: the camera is applied twice",
                "give the projection alone, or leave out --view");
   } else {
-    found.note("contains-view", kProjection, "it is a projection and a view in one",
-               "pass the two apart to see more");
+    found.note("contains-view", kProjection, "it is the product of a projection and a view",
+               "pass the two separately to see more");
   }
 }
 
@@ -46,17 +46,16 @@ bool is_something_else(const GivenMatrix& given, Findings& found) {
                 "pass it as --view");
   } else if (has_transposed_skew(given.m)) {
     found.alarm("skew-transposed", kProjection,
-                "depth and w change with x, though nothing is turned: a skew was transposed before "
-                "it was multiplied in (E2)",
-                "the skew's two entries stand in the first row, x' = x + s - (s/f) z: in an array "
+                "depth and w change with x, although nothing is rotated: a skew was transposed "
+                "before it was multiplied in (E2)",
+                "the skew's two entries belong in the first row, x' = x + s - (s/f) z: in an array "
                 "m[column][row] they are m[3][0] and m[2][0]");
   } else if (is_transposed_projection(given)) {
     found.alarm("transposed", kProjection,
-                facts.affine_transposed
-                    ? "its last column is 0 0 0 1 and its last row " + row_text(given.m, 3) +
-                          ": it looks transposed (E10)"
-                    : "what makes w, a row with -1 or 1 or the gaze, stands in the last column, "
-                      "not in the last row: it looks transposed",
+                facts.affine_transposed ? "its last column is 0 0 0 1 and its last row " +
+                                              row_text(given.m, 3) + ": it looks transposed (E10)"
+                                        : "the coefficients of w (-1, 1 or the gaze) are in the "
+                                          "last column, not in the last row: it looks transposed",
                 "read it in the other --order; where your program uses it as it is, transpose it");
   } else {
     return false;
@@ -66,11 +65,11 @@ bool is_something_else(const GivenMatrix& given, Findings& found) {
 
 void alarm_unknown(const GivenMatrix& given, Findings& found) {
   const int rank = rank_of(given.m);
-  found.alarm("no-projection", kProjection,
-              rank < 4 ? "it is no projection: its rank is " + std::to_string(rank)
-                       : "it is no projection: x and y are not scaled on their own, or w depends "
-                         "on them",
-              "compare it with the table in docs/step.md, entry by entry");
+  found.alarm(
+      "no-projection", kProjection,
+      rank < 4 ? "it is not a projection: its rank is " + std::to_string(rank)
+               : "it is not a projection: x and y are not scaled separately, or w depends on them",
+      "compare it with the table in docs/step.md, entry by entry");
 }
 
 // ---- projections that contain a view ----
@@ -81,8 +80,8 @@ void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findin
     return found.alarm("w-leftover", kProjection,
                        "[3][3] is 1, so that w is not the distance but " +
                            std::string(lens.looks_down_minus_z ? "1 - z" : "1 + z"),
-                       "a perspective projection has 0 there: clear the identity before you fill "
-                       "it in");
+                       "a perspective projection has 0 there: start from a matrix of zeros, not "
+                       "from the identity");
   }
   if (lens.shift == glm::dvec2(0)) return;
   const auto without_parallax = lens.without_parallax();
@@ -90,14 +89,13 @@ void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findin
   const std::string moved = brief(-lens.shift.x / lens.scale.x);
   if (*without_parallax > 0) {
     found.note("stereo", kProjection,
-               "one eye of a stereo pair: it stands at x = " + moved +
-                   ", and what is at the distance " + brief(*without_parallax, 5) +
-                   " has no parallax (S0-11)",
+               "one eye of a stereo pair: it is at x = " + moved + ", and points at the distance " +
+                   brief(*without_parallax, 5) + " have no parallax (S0-11)",
                "");
   } else {
     found.hint("skew-sign", kProjection,
                "the eye moves to x = " + moved +
-                   " and the frustum leans further the same way: nothing in front of it is without "
+                   " and the frustum leans further the same way: no point in front of it has zero "
                    "parallax (E2)",
                "skew before the projection, P * S, with S[0][2] = +s/f for an eye that looks down "
                "-z and -s/f for one that looks down +z");
@@ -141,12 +139,13 @@ void check_direction(const MatrixSetup& setup, bool falls, Findings& found) {
     found.alarm("depth-direction", kProjection,
                 "depth falls with distance, but " + std::string(setup.dialect.title) +
                     " takes the smaller depth for the nearer one: far surfaces hide near ones",
-                "say --dialect reversed if that is meant (compare with GREATER, clear to 0); "
+                "give --dialect reversed if this is intended (compare with GREATER, clear to 0); "
                 "otherwise near and far are exchanged");
   } else {
-    found.alarm("depth-direction", kProjection,
-                "depth grows with distance, but reversed depth wants 1 at the near plane",
-                "exchange near and far in the projection, or say which dialect it was made for");
+    found.alarm(
+        "depth-direction", kProjection,
+        "depth grows with distance, but reversed depth needs 1 at the near plane",
+        "exchange near and far in the projection, or give the --dialect that it was made for");
   }
 }
 
@@ -159,14 +158,14 @@ void check_range(const MatrixSetup& setup, const DepthReading& ours, const Depth
   if (!ours.possible) {
     cause += "; for " + std::string(setup.dialect.title) + " there are no planes (E16)";
   } else {
-    cause += ", round numbers; read for " + std::string(setup.dialect.title) + " they are " +
-             planes_text(ours) + ". As it is, ";
-    cause += from_minus_w ? "half of the depth buffer is wasted, and what lies in front of the "
-                            "near plane may show (E16)"
+    cause += ", which are round numbers; read for " + std::string(setup.dialect.title) +
+             " they are " + planes_text(ours) + ". As it is, ";
+    cause += from_minus_w ? "half of the depth buffer is wasted, and surfaces in front of the near "
+                            "plane may be visible (E16)"
                           : "everything nearer than " + brief(ours.near) + " is clipped (E16)";
   }
   found.alarm("z-range", kProjection, std::move(cause),
-              from_minus_w ? "make it for depth -1 .. 1, or say --dialect d3d or vulkan"
+              from_minus_w ? "make it for depth -1 .. 1, or give --dialect d3d or vulkan"
                            : "make it for depth 0 .. 1 (GLM: define GLM_FORCE_DEPTH_ZERO_TO_ONE)");
 }
 
@@ -204,7 +203,7 @@ void check_angle(const ProjectionFacts& lens, Findings& found) {
                 "[1][1] = " + brief(lens.scale.y) + " is the cotangent of half of " + degrees +
                     " radians: " + degrees + " degrees were taken for radians" +
                     (lens.scale.y > 0 ? ", which makes " + brief(lens.fovy_degrees, 4) + " degrees"
-                                      : ", which turns the picture round"),
+                                      : ", which rotates the picture by 180 degrees"),
                 "pass radians(" + degrees + ")");
   } else if (lens.radians_taken_as_degrees) {
     const std::string degrees = std::to_string(*lens.radians_taken_as_degrees);
@@ -215,7 +214,7 @@ void check_angle(const ProjectionFacts& lens, Findings& found) {
   } else if (lens.degrees_of_half_window) {
     const std::string degrees = std::to_string(*lens.degrees_of_half_window);
     found.hint("half-window", kProjection,
-               "its angle of view is no round number, but in half of its window it would be " +
+               "its angle of view is not a round number, but for half of its window it would be " +
                    degrees +
                    " degrees: the window's full size may have been taken for half of it, "
                    "so that everything is drawn half as large (E13)",
@@ -241,7 +240,7 @@ void check_flips(const MatrixSetup& setup, const ProjectionFacts& lens, Findings
                "negate [1][1], or use a viewport of negative height");
   } else if (y_flipped) {
     found.alarm("upside-down", kProjection, "[1][1] is negative: the picture is upside down",
-                "right for Vulkan only; otherwise look for top and bottom exchanged");
+                "this is right for Vulkan only; otherwise look for top and bottom exchanged");
   }
 }
 

@@ -77,14 +77,14 @@ const std::array kSlips{
          "rows and columns are mixed up for this matrix only",
          [](MatrixSetup& s) { return transpose(s.projection); }},
     Slip{Change::kExchangeViewProjection, "exchange-view-projection",
-         "exchange view and projection", "look at the order of the factors in your program",
+         "exchange view and projection", "check the order of the factors in your program",
          [](MatrixSetup& s) { return exchange(s.view, s.projection); }},
-    Slip{Change::kDegrees, "degrees", "take the angle of view for degrees",
+    Slip{Change::kDegrees, "degrees", "read the angle of view as degrees",
          "pass the angle in radians",
          [](MatrixSetup& s) {
            return set_angle(s.projection, &ProjectionFacts::degrees_taken_as_radians);
          }},
-    Slip{Change::kRadians, "radians", "take the angle of view for radians",
+    Slip{Change::kRadians, "radians", "read the angle of view as radians",
          "pass the angle in degrees",
          [](MatrixSetup& s) {
            return set_angle(s.projection, &ProjectionFacts::radians_taken_as_degrees);
@@ -103,14 +103,14 @@ const std::array kSlips{
            return true;
          }},
     Slip{Change::kEyeHand, "eye-hand", "negate z between view and projection",
-         "handedness is mixed (E12): take the projection for the hand of the view",
+         "handedness is mixed (E12): use the projection for the view's handedness",
          [](MatrixSetup& s) {
            s.projection.m[2] = -s.projection.m[2];
            return true;
          }},
     Slip{Change::kTurnRound, "turn-round", "turn the camera round: negate x and z of the eye",
-         "handedness is mixed (E12): take the view for the hand of the projection; an eye that "
-         "looks down -z has eye - target for its z axis",
+         "handedness is mixed (E12): use the view for the projection's handedness; the z axis of "
+         "an eye that looks down -z is eye - target",
          [](MatrixSetup& s) {
            s.view.m = glm::dmat4(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, -1)) * s.view.m;
            return s.view.given;
@@ -119,7 +119,7 @@ const std::array kSlips{
          "the matrix is the camera's pose, world from eye; a view is its inverse",
          [](MatrixSetup& s) { return invert(s.view); }},
     Slip{Change::kViewFactors, "view-factors", "exchange the view's factors: R T instead of T R",
-         "first move the eye to the origin, then turn: R * T(-eye)",
+         "first translate the eye to the origin, then rotate: R * T(-eye)",
          [](MatrixSetup& s) { return exchange_factors(s.view, false); }},
     Slip{Change::kViewOffsetSign, "view-offset-sign", "negate the view's translation",
          "the world moves by minus the eye's position",
@@ -129,24 +129,27 @@ const std::array kSlips{
          }},
     Slip{Change::kViewFactorsBack, "view-factors-back",
          "exchange the view's factors: T R instead of R T",
-         "first turn, then step back: T * R, for a camera that circles the origin",
+         "first rotate, then move back: T * R, for a camera that circles the origin",
          [](MatrixSetup& s) { return exchange_factors(s.view, true); }},
     Slip{Change::kModelFactors, "model-factors", "exchange the model's factors: R T instead of T R",
-         "the matrix next to the vertex acts first; T R turns about the object's own origin (C-19)",
+         "the matrix next to the vertex acts first; T R rotates about the object's own origin "
+         "(C-19)",
          [](MatrixSetup& s) { return exchange_factors(s.model, false); }},
     Slip{Change::kModelFactorsBack, "model-factors-back",
          "exchange the model's factors: T R instead of R T",
-         "the matrix next to the vertex acts first; T R turns about the object's own origin (C-19)",
+         "the matrix next to the vertex acts first; T R rotates about the object's own origin "
+         "(C-19)",
          [](MatrixSetup& s) { return exchange_factors(s.model, true); }},
     Slip{Change::kInvertModel, "invert-model", "invert the model matrix",
-         "the matrix is object from world", [](MatrixSetup& s) { return invert(s.model); }},
+         "the given matrix is object from world, not world from object",
+         [](MatrixSetup& s) { return invert(s.model); }},
     Slip{Change::kExchangeModelView, "exchange-model-view", "exchange model and view",
-         "look at the order of the factors in your program: projection * view * model",
+         "check the order of the factors in your program: projection * view * model",
          [](MatrixSetup& s) { return exchange(s.model, s.view); }},
     Slip{Change::kFlipX, "flip-x", "mirror the picture left to right",
-         "look for a negated right axis, or world and eye of opposite hands (E7)",
+         "look for a negated right axis, or world and eye of opposite handedness (E7)",
          [](MatrixSetup& s) { return negate_row(s.projection, 0); }},
-    Slip{Change::kFlipY, "flip-y", "turn y of the window over",
+    Slip{Change::kFlipY, "flip-y", "flip y of the window",
          "the window's y is counted from the other edge, or the picture is upside down",
          [](MatrixSetup& s) { return negate_row(s.projection, 1); }},
 };

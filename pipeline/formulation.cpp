@@ -67,13 +67,16 @@ Transform<Clip, Eye> without_negative_zeros(Transform<Clip, Eye> m) {
 Result<Transform<Clip, Eye>> project(const Pyramid& p, DepthRange range, ProjectionForm form) {
   if (form == ProjectionForm::kFrustum) return frustum(p.window, {p.near, p.far, range});
   if (range == DepthRange::kReversed) {
-    return fail("projection form", "the slides' depth is 0 at the near plane, and reversed depth 1",
-                "leave out one of the two; the frustum has both");
+    return fail(
+        "projection form",
+        "the slides' projections have depth 0 at the near plane, but reversed depth is 1 there",
+        "leave out one of the two, or use frustum, which has both");
   }
   if (!p.is_centred) {
-    return fail("projection form",
-                "the window is not centred on the gaze, and the slides have no such",
-                "use the frustum, or a window with left = -right and bottom = -top");
+    return fail(
+        "projection form",
+        "the window is not centred on the gaze, which the slides' projections do not support",
+        "use frustum, or a window with left = -right and bottom = -top");
   }
   const auto made = form == ProjectionForm::kTPers ? from_t_pers(p) : from_alpha_beta(p);
   return made.map(without_negative_zeros);

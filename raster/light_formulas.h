@@ -1,4 +1,5 @@
-// The formulas of light and of the surfaces that it falls on, for one number at a time.
+// The formulas of light and of the surfaces that it falls on, for one number at a time
+// (not vectors).
 #pragma once
 
 #include <array>
@@ -13,10 +14,11 @@
 
 namespace glassbox {
 
-// Formulas of numbers with bounds would find these, too, by arguments that both have.
+// In a namespace of their own, because formulas of numbers with bounds (bounded_formulas.h) have
+// the same names: argument-dependent lookup would otherwise find both.
 namespace single {
 
-using glassbox::product;  // of directions; there is one of colours, too
+using glassbox::product;  // for directions; surface.h has one for colours
 
 #include <glassbox/raster/formulas/surface.h>
 

@@ -81,7 +81,7 @@ template <class F>
 struct VaryingsOf {
   std::array<F, 3> normal{};    // eye space, unit length at the vertices
   std::array<F, 3> position{};  // eye space
-  std::array<F, 3> diffuse{};   // light received, where lighting is done per vertex
+  std::array<F, 3> diffuse{};   // received light, where lighting is done per vertex
   std::array<F, 3> specular{};
   std::array<F, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
   std::array<F, 2> texcoord{};

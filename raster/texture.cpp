@@ -49,7 +49,9 @@ void append_texels(MipChain& chain, const Image<Rgba8>& image, Transfer transfer
 // The texels of a longer row that texel `i` of a shorter row covers, and their weights.
 struct Footprint {
   int first = 0;
-  int count = 0;  // at most 3: 2n + 1 texels over n, where texel i starts i/n of a texel late
+  // At most 3: if 2n + 1 texels become n, each new one covers 2 + 1/n old ones, and new texel i
+  // begins i/n of a texel after the old texel 2i.
+  int count = 0;
   std::array<float, 3> weight{};  // sums to 1
 };
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The tests: ./glassbox test [--all | PART ...]. The last line is "N passed, N failed", with ", N skipped" where parts were left
-# out. Ends with 0 if nothing failed.
+# Runs the tests: ./glassbox test [--all | PART ...]. The last line is "N passed, N failed", and
+# ", N skipped" if parts were left out. The exit code is 0 if nothing failed.
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
@@ -44,7 +44,7 @@ Parts, for one of them again:
 TEXT
 }
 
-# count NAME STATUS: one check that is not a Catch2 test.
+# count NAME STATUS counts one check that is not a Catch2 test.
 count() {
   if [ "$2" = 0 ]; then
     passed=$((passed + 1))
@@ -60,7 +60,7 @@ skip() {
   say "skipped: $*"
 }
 
-# run_suites PRESET WORDS [TARGET]: builds the preset, or one target of it, and runs its suites.
+# run_suites PRESET WORDS [TARGET] builds the preset, or one target of it, and runs its suites.
 run_suites() {
   say "$2: building ..."
   if ! build_preset "$1" "${3-}"; then
@@ -70,7 +70,8 @@ run_suites() {
   say "$2: testing ..."
   directory=$(directory_of "$1")
   rm -f "$directory/Testing/Temporary/LastTest.log"
-  # What never ends is found; sanitizers slow everything down, and their longest suite takes a quarter of an hour.
+  # A test that never ends is stopped. Sanitizers slow everything down, and the longest suite takes
+  # a quarter of an hour with them.
   limit=900
   if [ "$1" = sanitize ]; then limit=3600; fi
   status=0
@@ -95,7 +96,7 @@ run_suites() {
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# The tile engine's tests under ThreadSanitizer, which must find the race that is planted for it, and no other.
+# Runs the tile engine's tests under ThreadSanitizer. It must find the planted race, and no other.
 run_threads() {
   say "threads: building ..."
   if ! build_preset thread test_render; then
@@ -115,7 +116,7 @@ run_threads() {
   count "threads: a planted race is found" "$status"
 }
 
-# Each fuzzer starts from a copy of its corpus, and leaves what it finds in build/fuzz.
+# Each fuzzer starts from a copy of its corpus. Its findings go to build/fuzz.
 run_fuzzers() {
   have clang++ || { skip "fuzzers (no clang++)"; return 0; }
   say "fuzzers: building ..."
@@ -137,7 +138,8 @@ run_fuzzers() {
   done
 }
 
-# The pages of diff --html and inspect in Chromium. What drives it, playwright-core, goes to build/browser; so do the screenshots.
+# Tests the pages of diff --html and inspect in Chromium. playwright-core, which drives Chromium,
+# goes to build/browser, and so do the screenshots.
 run_browser() {
   have chromium || locked install_packages browser || true
   { have node && have npm; } || locked install_packages node || true
@@ -161,8 +163,8 @@ run_browser() {
   count "browser" "$status"
 }
 
-# The sources are formatted so that clang-format 14 and 19 both leave them as they are: one is Debian 12's usual one, the other
-# Debian 13's.
+# The sources have a format that clang-format 14 and 19 both leave unchanged. 14 is the default of
+# Debian 12, and 19 is the default of Debian 13.
 check_format() {
   checked=
   for formatter in clang-format-14 clang-format-19 clang-format; do
@@ -179,7 +181,8 @@ check_format() {
   [ -n "$checked" ] || skip "format (no clang-format 14 or 19)"
 }
 
-# run_long NAME SUITE TAG WHAT [FOLDER]: cases that take too long for the tests of every day, of a suite that is in tests/FOLDER.
+# run_long NAME SUITE TAG WHAT [FOLDER] runs cases that take too long for the daily tests. SUITE is
+# in tests/FOLDER.
 run_long() {
   build_preset test "test_$2" || { count "$1: build" 1; return 0; }
   say "$1: running ..."
@@ -190,7 +193,8 @@ run_long() {
   count "$1: $4" "$status"
 }
 
-# The library's pages (docs/api.md): made without a complaint, with the headers' comments in them, and no link to nowhere.
+# Doxygen must make the library's pages (docs/api.md) without a warning. They must contain the
+# headers' comments, and no link may be broken.
 run_doxygen() {
   have doxygen || { skip "API pages (no doxygen)"; return 0; }
   say "API pages: writing ..."
@@ -208,7 +212,8 @@ run_doxygen() {
   count "API pages" "$status"
 }
 
-# The program cross-compiled for 64-bit ARM and run by qemu gives the same bytes as this machine's (docs/building.md).
+# The program is cross-compiled for 64-bit ARM and run by qemu. It must give the same bytes as on
+# this machine (docs/building.md).
 run_arm64() {
   locked install_packages arm64 || true
   for command in aarch64-linux-gnu-g++ qemu-aarch64-static mmdebstrap; do
@@ -217,7 +222,7 @@ run_arm64() {
   sysroot=$root/build/arm64-root
   if [ ! -d "$sysroot" ]; then
     say "arm64: fetching its libraries ..."
-    # Libraries are that machine's, programs this one's.
+    # The libraries are for ARM, and the programs are for this machine.
     # shellcheck disable=SC2046  # one word a package
     if ! "$root/tests/arm64/make_sysroot.sh" "$sysroot" \
       $(packages_of needed tests | grep -E '^lib|-dev$|^catch2$') >"$root/build/arm64-root.log" 2>&1 </dev/null; then
@@ -246,7 +251,7 @@ run_arm64() {
   count "arm64: 1,000 small scenes" "$status"
 }
 
-# Checks that find bugs, none of style: .clang-tidy.
+# These checks find bugs, and none is about style: .clang-tidy.
 run_tidy() {
   have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
   say "clang-tidy: reading ..."
@@ -261,7 +266,8 @@ run_tidy() {
   count "clang-tidy" "$status"
 }
 
-# run_in_chroots PART SCRIPT: a script of tests/chroots, for each Debian that is known to work.
+# run_in_chroots PART SCRIPT runs a script of tests/chroots for each Debian version that is known to
+# work.
 run_in_chroots() {
   . "$root/tests/chroots/chroot.sh"
   why=$(why_no_chroots)
@@ -288,17 +294,19 @@ run_part() {
   clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
-  # Of which the tests have a share a day: one in eight of the labs' faults, and one in three or four of what has a program of its own.
+  # The daily tests run a share of these: one in eight of the labs' faults, and one in three or four
+  # of the cases that need a program of their own.
   faults)
     run_long faults all_labs "[.faults]" "all that are planted in the labs" labs/framework
     run_long faults-drawn lab_drawings "[.faults]" "every lab draws and is measured" labs/drawing
     run_long faults-graded lab_grading "[.faults]" "every hostile kind in every sandbox" labs/grading
     ;;
-  # Each fault against every extreme case. (The tests have one fault in four, and the case that is named for it.)
+  # Each fault is tried with every extreme case. (The daily tests try one fault in four, and only
+  # with the case that is named for it.)
   mutants) run_long mutants mutants "[.page]" "the page is what comes of it" ;;
-  # All of the small scenes of which the tests have the first.
+  # This part draws all small scenes, and the daily tests draw the first of them.
   scenes) run_long scenes render "[.small-scenes]" "100,000 small ones" ;;
-  # Whatever is computed from pictures, of more scenes than the tests have.
+  # This part uses more scenes than the daily tests, for everything that is computed from pictures.
   same-bytes) run_long same-bytes same_bytes "[.same-bytes]" "thousands of pictures in every way" ;;
   fuzz) run_fuzzers ;;
   browser) run_browser ;;
@@ -306,7 +314,7 @@ run_part() {
   api) run_doxygen ;;
   arm64) run_arm64 ;;
   tidy) run_tidy ;;
-  # README's two commands, and what is installed in place of them.
+  # These parts run README's two commands, and install the packages in place of them.
   chroots) run_in_chroots chroots fresh ;;
   package) run_in_chroots package package ;;
   esac
@@ -331,7 +339,7 @@ for word in "$@"; do
   esac
 done
 
-# Which share of the planted faults this run has (tests/support/share.h).
+# SEED decides which share of the planted faults this run has (tests/support/share.h).
 SEED=${SEED:-$(($(date +%s) / 86400))}
 case $SEED in *[!0-9]* | ??????????????????*)
   say "SEED is '$SEED', which is not a number of 1 to 17 digits: give one, or none"

@@ -115,8 +115,7 @@ bool is_input(const std::string& path, const PicturePaths& pair) {
 }  // namespace
 
 void DiffCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("diff", "compare pictures, exactly unless told otherwise");
+  CLI::App& command = *app.add_subcommand("diff", "compare pictures, exactly or with a tolerance");
   command.footer(
       "Exit: 0 the same (or within the tolerance asked for), 1 different, 2 bad usage, or a "
       "picture that\n"
@@ -131,9 +130,13 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
       "A file NAME.fuzzy beside the reference NAME holds its tolerance and the reason for it:\n"
       "  fuzzy: maxDifference=0-1;totalPixels=0-4\n"
       "  reason: four pixels of the rim are ties that the hardware breaks the other way");
-  command.add_option("REFERENCE", reference_, "the picture that is right, or a directory of them")
+  command
+      .add_option("REFERENCE", reference_,
+                  "the reference picture, or a directory of reference pictures")
       ->required();
-  command.add_option("TEST", test_, "the picture to judge, or a directory of the same names")
+  command
+      .add_option("TEST", test_,
+                  "the picture to compare with it, or a directory with pictures of the same names")
       ->required();
 
   const std::size_t before = command.get_options().size();
@@ -153,7 +156,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
           [this](const std::string& text) {
             options_.tolerance.max_ulp = value_or_refuse("--max-ulp", parse_max_ulp(text));
           },
-          "of pictures of floats: how many floats two samples may be apart")
+          "for pictures of floats: largest difference of two samples in ulps")
       ->type_name("N")
       ->group(tolerance);
   command
@@ -165,11 +168,12 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
               options_.metrics.insert(options_.metrics.end(), more.begin(), more.end());
             }
           },
-          "report absmax, rmse, psnr, ssim, flip; with a limit (flip.mean<0.05) also a tolerance")
+          "report absmax, rmse, psnr, ssim, flip; a metric with a limit (flip.mean<0.05) is also a "
+          "tolerance")
       ->allow_extra_args(false)
       ->type_name("LIST")
       ->group(tolerance);
-  command.add_flag("--nan-equal", options_.nan_equals_nan, "NaN is the same as NaN")
+  command.add_flag("--nan-equal", options_.nan_equals_nan, "NaN counts as equal to NaN")
       ->group(tolerance);
 
   const std::string selection = "What is compared";
@@ -181,7 +185,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
               options_.ignore.push_back(value_or_refuse("--ignore", parse_pixel_box(text)));
             }
           },
-          "a box of pixels to leave out; may be given again")
+          "a box of pixels to leave out; may be given several times")
       ->allow_extra_args(false)
       ->type_name("X,Y,WxH")
       ->group(selection);
@@ -194,11 +198,12 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
 
   const std::string reports = "Reports";
   command
-      .add_option("-o,--output", heat_, "heat map, .png or .ppm; of directories, a folder of them")
+      .add_option("-o,--output", heat_,
+                  "heat map, .png or .ppm; for directories, a folder of heat maps")
       ->type_name("FILE")
       ->group(reports);
   add_choice(command, "--heat", heat_of_, {{"steps", HeatOf::kSteps}, {"flip", HeatOf::kFlip}},
-             "what the heat map shows: differences, or what FLIP says one sees [steps]")
+             "what the heat map shows: steps of difference, or the visible error by FLIP [steps]")
       ->group(reports);
   add_html_output(command, page_, "one page with everything, to open in a browser")->group(reports);
   add_json_output(command, json_, "everything")->group(reports);
@@ -209,7 +214,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
       ->group(reports);
   command
       .add_flag("--approve", approve_,
-                "copy TEST over REFERENCE where they differ or there is no reference")
+                "copy TEST over REFERENCE where they differ or REFERENCE is missing")
       ->group("Approval (refused where the environment variable CI is set)");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -230,18 +235,19 @@ Result<void> DiffCommand::check_output_paths(const Pairing& pairing) const {
     files.push_back(*heat_);
   }
   if (heat_ && directories_ && exists(*heat_) && !is_directory(*heat_)) {
-    return tl::unexpected(
-        Error{*heat_, "-o", "is a file, and two directories have many heat maps", "name a folder"});
+    return tl::unexpected(Error{
+        *heat_, "-o", "is a file, but two directories give several heat maps", "name a folder"});
   }
   if (heat_ && directories_ && (is_same_file(*heat_, reference_) || is_same_file(*heat_, test_))) {
     return tl::unexpected(Error{*heat_, "-o", "is one of the directories to compare",
                                 "name another folder for the heat maps"});
   }
   if (page_ == "-") {
-    return fail("--html", "the page goes to a file only", "name a file");
+    return fail("--html", "the page cannot go to standard output", "name a file");
   }
   if (json_ == "-" && junit_ == "-") {
-    return fail("--json, --junit", "both would go to standard output", "give one a file");
+    return fail("--json, --junit", "both would go to standard output",
+                "name a file for one of them");
   }
   for (const std::string& path : files) {
     const bool input = is_same_file(path, options_.mask) ||
@@ -363,13 +369,14 @@ int DiffCommand::approve_all(const std::vector<Comparison>& comparisons) const {
 
 int DiffCommand::run() {
   if (approve_ && on_ci_server()) {
-    return refuse({"", "--approve", "the environment variable CI is set, where nobody looks",
+    return refuse({"", "--approve",
+                   "the environment variable CI is set, so nobody looks at the pictures",
                    "approve the pictures on your own machine"});
   }
   directories_ = is_directory(reference_) || is_directory(test_);
   if (directories_ && !(is_directory(reference_) && is_directory(test_))) {
     return refuse({is_directory(reference_) ? test_ : reference_, "",
-                   "is no directory, and the other is one",
+                   "is not a directory, but the other one is",
                    "name two pictures or two directories"});
   }
   const auto pairing = pair_up();

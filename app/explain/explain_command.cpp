@@ -108,7 +108,7 @@ private:
 
 void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "explain", "what a picture needs and what is left out of it, and why; what every stage did");
+      "explain", "which steps a picture needs, which are left out and why; what every stage did");
   command.footer(
       "Examples:\n"
       "  glassbox explain teapot\n"
@@ -116,13 +116,16 @@ void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox explain teapot --no-plan --analyze --json -\n"
       "  glassbox explain teapot --engine staged\n"
       "  glassbox explain forest --stereo anaglyph --analyze\n\n"
-      "Nothing is written but what is printed. The options are those of glassbox render: the same\n"
-      "words make the same picture. docs/plan.md has the proofs.\n\n" +
+      "No file is written. The options are those of glassbox render: the same options make the "
+      "same\n"
+      "picture. docs/plan.md has the proofs.\n\n" +
       builtin_help());
   question_.add_to(command);
   add_stereo_picture_options(command, stereo_);
   add_engine_options(command, engine_);
-  command.add_flag("--analyze", analyze_, "draw it too: items, times and bytes of every stage")
+  command
+      .add_flag("--analyze", analyze_,
+                "draw the picture too, and print items, times and bytes of every stage")
       ->group("Engine");
   command.callback([this, &exit_code] {
     exit_code = question_.answer_of_scene([this](const Scene& scene) { return answer(scene); });
@@ -137,8 +140,8 @@ Result<Answer> ExplainCommand::answer(const Scene& scene) const {
     return tl::unexpected(legal.error());
   }
   if (stereo_.second_eye) {
-    return fail("--second-eye", "an eye that is warped has no stages",
-                "leave it out, or see render --report");
+    return fail("--second-eye", "a warped eye does not go through the stages",
+                "leave it out, or use render --report");
   }
   if (stereo_.form.wanted) return explain_pair(scene);
   const Result<ChosenView> chosen = choose_view(scene, question_.picture());

@@ -15,7 +15,6 @@
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/render/plan/decisions.h>
-#include <glassbox/render/plan/planned_picture.h>
 
 namespace glassbox::app {
 
@@ -116,7 +115,7 @@ std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& ey
     text += lines_of(groups[i].decisions);
   }
   if (draws_not_shown > 0) {
-    text += fmt::format("\nand {} more of {} with {}: --json has them all\n",
+    text += fmt::format("\nand {} more of {} with {}: --json lists them all\n",
                         counted_with_separators(groups.size() - kShownGroups, "group"),
                         counted_with_separators(draws_not_shown, "draw"),
                         counted_with_separators(triangles_not_shown, "triangle"));

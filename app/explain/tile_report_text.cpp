@@ -61,7 +61,7 @@ std::string tile_text(const Statistics& s, const TileReport& report) {
                         grouped(report.draws), grouped(report.runs));
   }
   if (report.textures > 0) {
-    text += fmt::format("  textures: {} of {} looked at, and their levels made\n",
+    text += fmt::format("  textures: {} of {} used, and their mip levels made\n",
                         grouped(report.textures_made), grouped(report.textures));
   }
   text += fmt::format("\n  {:<26}{:>12}      {:>25}   {}\n", "time", "", "bytes of tables",

@@ -139,12 +139,12 @@ private:
       progress_.say("note: the path has one keyframe: the camera stands still");
     } else if (path_.clock == PathClock::kFrames && end > count()) {
       progress_.say(
-          fmt::format("note: the path goes on to frame {}, beyond --frames {}", end, count()));
+          fmt::format("note: the path continues to frame {}, but --frames is {}", end, count()));
     }
     std::error_code ignored;
     const std::string next = names_.name(count() + 1);
     if (std::filesystem::exists(next, ignored)) {
-      progress_.say("note: " + next + " is there from a longer sequence, and stays");
+      progress_.say("note: " + next + " exists from a longer sequence and is not removed");
     }
   }
 
@@ -222,12 +222,13 @@ private:
       ++flat;
     }
     if (nothing > 0) {
-      progress_.say(fmt::format("note: nothing of the scene is in {} of the frames", nothing));
+      progress_.say(
+          fmt::format("note: no part of the scene is in view in {} of the frames", nothing));
     }
     if (flat > 0) {
       progress_.say(fmt::format(
-          "note: in {} of the frames the eyes are less than a hundredth of the path's largest "
-          "separation apart; in frame {} something is {:.3g} in front of the camera",
+          "note: in {} of the frames the eye separation is less than a hundredth of the path's "
+          "largest; in frame {} something is only {:.3g} in front of the camera",
           flat, flattest->number, flattest->seen->nearest));
     }
   }

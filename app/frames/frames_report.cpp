@@ -57,7 +57,7 @@ std::string eyes_text(const FramesReport& report) {
                       "largest parallax in front, measured", in_front, percent(in_front),
                       percent(report.budget.in_front_px));
   text += fmt::format("  {:<36}{:>9.2f} px{:>7.2f} % of the width (budget {:.2f} %)\n",
-                      "and behind the window", behind, percent(behind),
+                      "largest parallax behind, measured", behind, percent(behind),
                       percent(report.budget.behind_px));
   text += fmt::format("  {:<36}{:>9.4g} (bound {:.4g})\n", "largest change of the separation",
                       largest_step(report), report.eyes->step_bound);

@@ -218,11 +218,9 @@ std::string in_words(const FramesReport& report) {
   };
   const double per_px = 100.0 / report.size.width;
   return fmt::format(
-      "Over {} frames the eyes are {:.4g} apart at first, at most {:.4g} and {:.4g} at last. The "
-      "largest "
-      "parallax in front of the window is {:.2f} per cent of the width, of {:.2f} allowed, and "
-      "behind it "
-      "{:.2f}, of {:.2f} allowed.",
+      "Over {} frames the eye separation begins at {:.4g}, is at most {:.4g} and ends at {:.4g}. "
+      "The largest parallax in front of the window is {:.2f} per cent of the width ({:.2f} "
+      "allowed), and behind it {:.2f} ({:.2f} allowed).",
       report.frames.size(), 2 * report.frames.front().pair.half_separation,
       largest([](const FrameRecord& f) { return 2 * f.pair.half_separation; }),
       2 * report.frames.back().pair.half_separation,

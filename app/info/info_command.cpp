@@ -96,7 +96,7 @@ std::vector<std::string> findings(const MeshReport& report) {
   count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
   count(report.duplicate_faces, "duplicate face", "duplicate faces");
   if (report.non_planar_faces > 0) {
-    found.push_back(fmt::format("{} (face {} by {:.3g})",
+    found.push_back(fmt::format("{} (the worst is face {}, by {:.3g})",
                                 counted(report.non_planar_faces, "bent face"),
                                 report.worst_planarity_face, report.worst_planarity_deviation));
   }
@@ -272,8 +272,8 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
       "  glassbox info teapot --write teapot.glb\n"
       "  glassbox info room.ldi\n\n"
-      "Of a layered depth image (docs/layers.md) it says how many samples there are, and from "
-      "where.\n\n" +
+      "For a layered depth image (docs/layers.md) it prints the number of samples and the "
+      "camera.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_json_output(command, json_output_);
@@ -283,7 +283,7 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
 
 int InfoCommand::tell_of_layers() const {
   if (glb_output_)
-    return refuse({scene_, "--write", "a layered depth image is no scene", "leave it out"});
+    return refuse({scene_, "--write", "a layered depth image is not a scene", "leave it out"});
   const Result<LayersInfo> info = layers_info(scene_);
   if (!info) return refuse(info.error());
   if (json_output_) {

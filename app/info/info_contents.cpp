@@ -148,9 +148,10 @@ double box_pixels(const Scene& scene, const View& view) {
 }
 
 std::vector<std::string> not_asked(const std::string& because) {
-  return {fmt::format(
-      "how exact the usual view is was not asked, because of {}; glassbox study stiffness does it",
-      because)};
+  return {
+      fmt::format("the error bounds of the default view were not computed, because of {}; glassbox "
+                  "study stiffness computes them",
+                  because)};
 }
 
 }  // namespace

@@ -101,7 +101,8 @@ Result<LayersInfo> layers_info(const std::string& file) {
     const double nearest = views::distance_of(view, double(greatest)),
                  farthest = views::distance_of(view, double(least));
     info.text += "  pixels: " + depth_text(by_samples) + "\n";
-    info.text += fmt::format("  from {:.6g} to {:.6g} along the gaze\n", nearest, farthest);
+    info.text +=
+        fmt::format("  distances from {:.6g} to {:.6g} along the gaze\n", nearest, farthest);
     info.json["nearest"] = nearest;
     info.json["farthest"] = farthest;
   }

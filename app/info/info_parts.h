@@ -14,7 +14,8 @@
 
 namespace glassbox::app {
 
-// Adds "animations", "skins", "primitives" (with the file's vertex attributes and morph targets) and "textures".
+// Adds "animations", "skins", "primitives" (with the file's vertex attributes and morph targets)
+// and "textures".
 void add_contents(const GltfContents& contents, nlohmann::ordered_json& json);
 
 // Animations, skins, primitives and textures, one per line; primitives with the same attributes

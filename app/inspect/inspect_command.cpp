@@ -51,7 +51,7 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox inspect room --size 640x360 --pixel 320,180\n"
       "  glassbox inspect huge.glb --rect 600,300,680,380 -o part.html\n\n"
       "The page needs no network and no other file. The options of the picture are those of\n"
-      "glassbox render: the same words show the same picture.\n\n" +
+      "glassbox render: the same options show the same picture.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, "the page, .html [SCENE.html]")->type_name("FILE");
@@ -59,24 +59,26 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
       .add_option_function<std::string>(
           "--pixel",
           [this](const std::string& text) { page_.pixel = parse_pixel("--pixel", text); },
-          "the pixel chosen on opening, with every number of its fragments")
+          "the pixel that is selected when the page opens; all numbers of its fragments are "
+          "recorded")
       ->type_name("X,Y");
   command
       .add_option_function<std::string>(
           "--rect",
           [this](const std::string& text) { page_.rectangle = parse_rectangle("--rect", text); },
-          "only what reaches into these pixels, x0 <= x < x1, with every number")
+          "record only what reaches into these pixels, X0 <= x < X1 and Y0 <= y < Y1, with all "
+          "numbers")
       ->type_name("X0,Y0,X1,Y1");
   add_picture_options(command, picture_);
   const std::string group = "Limits";
   command
       .add_option("--max-triangles", page_.max_triangles,
-                  fmt::format("in a page [{}]", page_.max_triangles))
+                  fmt::format("most triangles in a page [{}]", page_.max_triangles))
       ->type_name("N")
       ->group(group);
   command
       .add_option("--max-fragments", page_.max_fragments,
-                  fmt::format("in a page [{}]", page_.max_fragments))
+                  fmt::format("most fragments in a page [{}]", page_.max_fragments))
       ->type_name("N")
       ->group(group);
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -91,8 +93,8 @@ Result<void> InspectCommand::check_pixels() const {
   if (const auto legal = check_pixel("--pixel", *page_.pixel, picture_.size); !legal) return legal;
   const auto [x, y] = *page_.pixel;
   if (r && (x < r->x0 || x >= r->x1 || y < r->y0 || y >= r->y1)) {
-    return fail(fmt::format("--pixel {},{}", x, y), "the pixel lies outside of --rect",
-                "name a pixel inside");
+    return fail(fmt::format("--pixel {},{}", x, y), "the pixel is outside --rect",
+                "name a pixel inside it");
   }
   return {};
 }

@@ -48,7 +48,7 @@ std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& e
   if (!event.stored_by) return {};
   const PixelEvent& by = events[*event.stored_by];
   if (event.code == event.stored) {
-    return fmt::format("as deep as #{} to the bit, and of equal depths the first drawn stays",
+    return fmt::format("the same depth code as #{}; at equal depths the first one drawn stays",
                        *event.stored_by);
   }
   return fmt::format("behind #{}: {:08x} is not below {:08x}; {:.9g} further along the gaze",
@@ -60,8 +60,9 @@ std::string note_of(const PixelHistory& history, const PixelEvent& event) {
   std::string text;
   switch (event.touch) {
     case Touch::kClipped:
-      return fmt::format("the {} plane cut off its {}, which would be here (by {:.9g})",
-                         event.plane, event.front ? "front" : "back", -event.inside);
+      return fmt::format(
+          "the {} plane cut off its {}, which would be at this pixel (it is {:.9g} outside)",
+          event.plane, event.front ? "front" : "back", -event.inside);
     case Touch::kTurnedAway:
       return fmt::format("shows its {}: signed area {:.9g} px^2, counter-clockwise is positive",
                          event.front ? "front" : "back", event.area_px2);
@@ -111,7 +112,7 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
     const PixelMiss& missed = history.misses[i];
     const std::string how =
         missed.miss.value == 0
-            ? std::string("on an edge that belongs to the neighbour")
+            ? std::string("the centre is on an edge that belongs to the neighbour")
             : fmt::format("outside an edge by {} (E = {})", subpixels_text(missed.miss.subpixels),
                           missed.miss.value);
     PixelEvent event;
@@ -126,7 +127,7 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
 std::string last_line(const Scene& scene, const PixelHistory& history) {
   const std::string bytes = bytes_text(history.shown);
   if (!history.shows_bytes) {
-    return fmt::format("the picture shows {}: --show paints it anew after the last fragment\n",
+    return fmt::format("the picture shows {}, which --show computes after the last fragment\n",
                        bytes);
   }
   if (!history.shows) return fmt::format("the picture shows {}: the background\n", bytes);
@@ -135,7 +136,7 @@ std::string last_line(const Scene& scene, const PixelHistory& history) {
                                ? fmt::format("triangle {}", event.source.number)
                                : "a line or a point of " + mesh_text(scene, event.instance);
   return fmt::format("the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
-                     event.touch == Touch::kBlended ? ", and what it was laid over" : "");
+                     event.touch == Touch::kBlended ? ", blended over what was there before" : "");
 }
 
 }  // namespace
@@ -147,10 +148,11 @@ std::string history_text(const Scene& scene, const PixelHistory& history, bool a
   for (std::size_t i = 0; i < history.events.size(); ++i) text += event_text(scene, history, i);
   if (!history.misses.empty()) text += misses_text(scene, history, all_misses);
   if (history.without_area > 0) {
-    text += fmt::format("\n{} more reach into it, but have no area after snapping\n",
-                        history.without_area);
+    text += fmt::format("\nnot listed: {} without area after snapping\n",
+                        counted(history.without_area, "triangle"));
   }
-  if (!history.complete) text += "\nthe history is cut off: it takes too much memory\n";
+  if (!history.complete)
+    text += "\nthe history is incomplete: all of it would take too much memory\n";
   return text + "\n" + last_line(scene, history);
 }
 

@@ -135,7 +135,7 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
       "The history has every fragment that touched the pixel, in drawing order, and triangles "
       "that\n"
       "were culled or clipped where they would have covered it, or that miss its centre.\n"
-      "The options are those of glassbox render: the same words show the same picture.\n\n" +
+      "The options are those of glassbox render: the same options show the same picture.\n\n" +
       builtin_help());
   command
       .add_option_function<std::string>(

@@ -108,33 +108,31 @@ struct Doubt {
 };
 
 std::vector<Doubt> doubts_of(const PictureErrors& e) {
-  return {
-      {"vertices_snapped_elsewhere", e.vertices_snapped_elsewhere,
-       "vertex may belong on another place of the snap's grid",
-       "vertices may belong on another place of the snap's grid"},
-      {"fragments_near_edge", e.fragments_near_edge,
-       "fragment is so near an edge that the exact triangle may miss it",
-       "fragments are so near an edge that the exact triangle may miss them"},
-      {"fragments_as_deep", e.fragments_as_deep,
-       "depth test may go the other way with exact depths",
-       "depth tests may go the other way with exact depths"},
-      {"fragments_at_cutoff", e.fragments_at_cutoff,
-       "fragment has an alpha that may be on the other side of the cutoff",
-       "fragments have an alpha that may be on the other side of the cutoff"},
-      {"pixels_undecided", e.pixels_undecided,
-       "pixel shows what one of these fragments or tests decided: its bytes are bounded for what "
-       "it shows",
-       "pixels show what one of these fragments or tests decided: their bytes are bounded for what "
-       "they show"}};
+  return {{"vertices_snapped_elsewhere", e.vertices_snapped_elsewhere,
+           "vertex may snap to another grid point with exact numbers",
+           "vertices may snap to another grid point with exact numbers"},
+          {"fragments_near_edge", e.fragments_near_edge,
+           "fragment is so near an edge that the exact triangle may miss it",
+           "fragments are so near an edge that the exact triangle may miss them"},
+          {"fragments_as_deep", e.fragments_as_deep,
+           "depth test may be decided differently with exact depths",
+           "depth tests may be decided differently with exact depths"},
+          {"fragments_at_cutoff", e.fragments_at_cutoff,
+           "fragment has an alpha that may be on the other side of the cutoff",
+           "fragments have an alpha that may be on the other side of the cutoff"},
+          {"pixels_undecided", e.pixels_undecided,
+           "pixel shows the result of one of these decisions: the bound of its bytes holds for "
+           "what it shows",
+           "pixels show the results of these decisions: the bounds of their bytes hold for what "
+           "they show"}};
 }
 
 std::vector<std::string> left_out(const ErrorReport& report) {
   std::vector<std::string> notes;
   if (samples_drawn(report.settings) > 1) {
-    notes.push_back(
-        fmt::format("the {} samples of a pixel: all numbers are those of pixel centres, as "
-                    "--samples 1 draws them",
-                    report.settings.samples));
+    notes.push_back(fmt::format(
+        "the {} samples per pixel: all numbers are for pixel centres, as with --samples 1",
+        report.settings.samples));
   }
   if (report.settings.show != Show::kColor) {
     notes.push_back("colours: the picture shows another quantity (--show)");
@@ -180,7 +178,7 @@ std::string commands_text(const ErrorReport& report) {
     const std::string command = command_for(report, bounds->place());
     if (!command.empty()) text += "  " + command + "\n";
   }
-  return text.empty() ? "" : "to look there\n" + text;
+  return text.empty() ? "" : "commands that show these places\n" + text;
 }
 
 std::string doubts_text(const PictureErrors& errors) {
@@ -191,11 +189,11 @@ std::string doubts_text(const PictureErrors& errors) {
           wrapped("  ", grouped(doubt.count) + " " + (doubt.count == 1 ? doubt.one : doubt.many));
     }
   }
-  return text.empty() ? "" : "what exact numbers might decide otherwise\n" + text;
+  return text.empty() ? "" : "what exact numbers might decide differently\n" + text;
 }
 
 std::string left_out_text(const ErrorReport& report) {
-  std::string text = "what the bounds leave out\n";
+  std::string text = "what the bounds do not cover\n";
   for (const std::string& note : left_out(report)) text += wrapped("  ", note);
   return text;
 }
@@ -207,7 +205,7 @@ std::string second_eye_text(const ErrorReport& report) {
     return 100 * double(count) / double(std::max<std::size_t>(eye.pixels, 1));
   };
   return fmt::format(
-      "the right eye, warped from {} of the left one, against drawing it\n"
+      "the right eye warped from {} of the left one, compared with drawing it\n"
       "  {:<40}{:>9.2f} %  (the left picture in its place: {:.2f} %)\n"
       "  {:<40}{:>9.2f}    ({:.2f})\n"
       "  {:<40}{:>9}    ({})\n"
@@ -217,10 +215,10 @@ std::string second_eye_text(const ErrorReport& report) {
       "  {:<40}{:>9.2f} ms, {:.2f} times one\n",
       counted(std::uint64_t(eye.layers), "layer"), "pixels that differ by more than 8/255",
       percent(eye.warped.wrong), percent(eye.left.wrong), "root mean square, 1/255", eye.warped.rms,
-      eye.left.rms, "largest, 1/255", eye.warped.largest, eye.left.largest, "filled from behind",
-      percent(eye.holes), "one eye", eye.one_eye_ms, "both eyes drawn", eye.both_drawn_ms,
-      eye.both_drawn_ms / eye.one_eye_ms, "the right one warped", eye.both_warped_ms,
-      eye.both_warped_ms / eye.one_eye_ms);
+      eye.left.rms, "largest, 1/255", eye.warped.largest, eye.left.largest,
+      "holes, filled from behind", percent(eye.holes), "one eye", eye.one_eye_ms, "both eyes drawn",
+      eye.both_drawn_ms, eye.both_drawn_ms / eye.one_eye_ms, "left eye drawn, right eye warped",
+      eye.both_warped_ms, eye.both_warped_ms / eye.one_eye_ms);
 }
 
 // ---- JSON ----

@@ -152,9 +152,11 @@ Statistics times_of_all(const DrawnPicture& drawn) {
 const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
   settings.cull = Cull::kNone;
   if (renderer.render(view, settings).statistics.covered > 0) {
-    return "every face in view is turned away; --cull none shows it from behind";
+    return "every face in view is turned away from the camera; --cull none shows faces from behind "
+           "too";
   }
-  return "nothing of the scene is in this picture; without camera options it is framed whole";
+  return "no part of the scene is in this picture; without camera options the whole scene is in "
+         "view";
 }
 
 }  // namespace
@@ -173,9 +175,9 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n"
       "  glassbox render duck.glb --frames 36 --turntable -o turn/\n"
       "  glassbox render - -o - < duck.glb > duck.png\n\n"
-      "No engine option changes a byte (docs/engines.md). step, pixel, why and inspect look at "
-      "one\n"
-      "stage after the other, and so at the staged engine.\n\n" +
+      "Engine options never change a byte of the picture (docs/engines.md). step, pixel, why and "
+      "inspect\n"
+      "always use the staged engine, because they look at one stage after the other.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
@@ -184,7 +186,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE|-");
   add_choice<std::optional<StreamFormat>>(
       command, "--format", format_, {{"png", StreamFormat::kPng}, {"ppm", StreamFormat::kPpm}},
-      "of -o - [png]");
+      "format of the picture that -o - writes [png]");
   add_picture_options(command, picture_);
   add_stereo_picture_options(command, stereo_);
   add_frames_options(command, frames_);
@@ -196,13 +198,15 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
                   "distance along the gaze, +inf where nothing was drawn")
       ->type_name("FILE.pfm")
       ->group(outputs);
-  command.add_option("--id-out", id_output_, "1 + the number of the triangle seen, 0 for none")
+  command
+      .add_option("--id-out", id_output_,
+                  "for each pixel 1 + the number of the visible triangle, 0 for none")
       ->type_name("FILE.pfm")
       ->group(outputs);
   command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
   command
       .add_option("--report", report_output_,
-                  "how far each stage's numbers may be off, and its time: JSON in a .json, else a "
+                  "error bounds and time of each stage: JSON if the name ends in .json, else a "
                   "table; - is standard output")
       ->type_name("FILE|-")
       ->group(outputs);
@@ -212,7 +216,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
 
 Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
   if (stereo_.form.wanted && (depth_output_ || id_output_)) {
-    return fail(depth_output_ ? "--depth-out" : "--id-out", "each eye has its own",
+    return fail(depth_output_ ? "--depth-out" : "--id-out", "it would be different for each eye",
                 "render one eye at a time, with --seen-by left and --seen-by right");
   }
   std::vector<std::string> paths{image};
@@ -222,7 +226,7 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
     paths.push_back(*plane);
   }
   if (stereo_.form.wanted && report_output_ && !stereo_.second_eye) {
-    return fail("--report", "each eye has its own",
+    return fail("--report", "it would be different for each eye",
                 "render one eye at a time, with --seen-by left and --seen-by right");
   }
   std::vector<std::string> at_standard_output;
@@ -301,21 +305,24 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
 
 int RenderCommand::run_frames(const std::string& usual_output) {
   if (depth_output_ || id_output_) {
-    return refuse({"", depth_output_ ? "--depth-out" : "--id-out", "each frame has its own",
-                   "leave it out; one frame's picture says how it is rendered alone"});
+    return refuse({"", depth_output_ ? "--depth-out" : "--id-out",
+                   "it would be different for each frame",
+                   "leave it out; a frame's PNG file holds the options that render it alone"});
   }
   if (stats_) {
-    return refuse({"", "--stats", "each frame has its own", "leave it out, or see --json"});
+    return refuse(
+        {"", "--stats", "it would be different for each frame", "leave it out, or use --json"});
   }
   if (report_output_) {
-    return refuse({"", "--report", "each frame has its own",
-                   "leave it out; one frame's picture says how it is rendered alone"});
+    return refuse({"", "--report", "it would be different for each frame",
+                   "leave it out; a frame's PNG file holds the options that render it alone"});
   }
   if (output_ == "-") {
-    return refuse({"", "-o -", "frames are many pictures", "name a file or a directory"});
+    return refuse(
+        {"", "-o -", "several frames cannot go to standard output", "name a file or a directory"});
   }
   if (format_) {
-    return refuse({"", "--format", "it is about -o -", "end the name in .png or .ppm"});
+    return refuse({"", "--format", "it is only for -o -", "end the name in .png or .ppm"});
   }
   if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
     return refuse(legal.error());
@@ -352,10 +359,12 @@ int RenderCommand::run() {
   const double load_ms = elapsed_ms(start);
 
   if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {
-    return refuse({scene_, "--id-out",
-                   fmt::format("the scene has {} triangles, and floats are exact only up to {}",
-                               count_triangles(*scene), kMaxIdTriangles + 1),
-                   "leave --id-out out, or split the scene"});
+    return refuse(
+        {scene_, "--id-out",
+         fmt::format(
+             "the scene has {} triangles, but floats hold whole numbers exactly only up to {}",
+             count_triangles(*scene), kMaxIdTriangles + 1),
+         "leave --id-out out, or split the scene"});
   }
 
   progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
@@ -377,7 +386,7 @@ int RenderCommand::run() {
   }
   const RunTimes times{load_ms, elapsed_ms(start)};
   if (report_output_) {
-    progress.phase("finding how exact the picture is");
+    progress.phase("computing error bounds");
     const auto written = write_error_report(*scene, renderer, *drawn);
     progress.done();
     if (!written) return refuse(written.error());

@@ -89,8 +89,8 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   std::string text = sentence(fmt::format("the eye stands at {} and looks along {}",
                                           triple(glm::dvec3(pose[3])), triple(gaze + 0.0)));
   text += sentence(
-      "eye_from_world = R_z(roll) R(a, theta) T(-eye): moved, turned until the gaze is -z, rolled "
-      "until up lies in the upper half of the yz plane");
+      "eye_from_world = R_z(roll) R(a, theta) T(-eye): translate, rotate until the gaze is -z, "
+      "roll until up is in the upper half of the yz plane");
   text += sentence("T(-eye)") + rows(factors.moved.columns);
   text += sentence(fmt::format("R(a, theta): {} degrees about a = gaze x (-z) = {}", brief(turn, 9),
                                triple(axis + 0.0)));
@@ -109,10 +109,10 @@ std::string view_difference_text(const SteppedTriangle& stepped) {
   const auto distance = [](double x, double y) { return std::abs(x - y); };
   double moved = 0;
   for (int row = 0; row < 3; ++row) moved = std::max(moved, distance(a[3][row], b[3][row]));
-  return sentence(fmt::format(
-      "[U; V; N] T(-eye) is the same but for rounding: entries of the rotation differ by up to "
-      "{:.1e}, of the translation by up to {:.1e}; {}",
-      largest_over(3, a, b, distance), moved, other_floats(a, b)));
+  return sentence(
+      fmt::format("[U; V; N] T(-eye) is the same except for rounding: entries of the rotation "
+                  "differ by up to {:.1e}, of the translation by up to {:.1e}; {}",
+                  largest_over(3, a, b, distance), moved, other_floats(a, b)));
 }
 
 // ---- clip from eye ----
@@ -125,8 +125,9 @@ struct LensText {
   double aspect;
   std::string operator()(const PerspectiveLens& lens) const {
     const double degrees = degrees_from_radians(lens.fovy_radians);
-    return fmt::format("a perspective: vertical angle of view {} degrees, aspect ratio {}",
-                       brief(degrees, 9), brief(aspect, 9));
+    return fmt::format(
+        "a perspective projection: vertical angle of view {} degrees, aspect ratio {}",
+        brief(degrees, 9), brief(aspect, 9));
   }
   std::string operator()(const OrthographicLens& lens) const {
     return fmt::format("a parallel projection: half height {} world units, aspect ratio {}",
@@ -158,7 +159,8 @@ std::string entries_text(const View& view, ProjectionForm form) {
   const double a = view.clip_from_eye.at(0, 0), b = view.clip_from_eye.at(1, 1);
   const double n = view.near, f = view.far, aspect = b / a;
   const auto number = [](double value) { return brief(value, 9); };
-  const char* const left_handed = "; times diag(1, 1, -1, 1), for the slides' eye looks along +z";
+  const char* const left_handed =
+      "; times diag(1, 1, -1, 1), because the slides' eye looks along +z";
   switch (form) {
     case ProjectionForm::kPerspective:
       return "";
@@ -228,8 +230,8 @@ std::string projection_difference_text(const SteppedTriangle& stepped) {
   const std::uint64_t ulps =
       largest_over(4, a, b, [](double x, double y) { return ulp_distance(x, y); });
   return sentence(
-      fmt::format("the lens's own matrix is the same but for rounding: entries differ by up to "
-                  "{}; {}",
+      fmt::format("the usual matrix of this lens is the same except for rounding: entries differ "
+                  "by up to {}; {}",
                   counted(ulps, "ulp"), other_floats(a, b)));
 }
 
@@ -268,8 +270,8 @@ std::string projection_factors_text(const SteppedTriangle& stepped) {
 
 std::string composed_text(const TracedDraw& draw, const DrawBounds& bounds) {
   std::string text = sentence(
-      "all three composed in double and rounded to float once, which is what the run multiplies "
-      "with:");
+      "the product of all three in double, rounded to float once, which is the matrix that the "
+      "renderer uses:");
   text += rows(glm::dmat4(draw.clip_from_anchored.columns));
   double largest = 0;
   for (int column = 0; column < 4; ++column) {
@@ -280,10 +282,9 @@ std::string composed_text(const TracedDraw& draw, const DrawBounds& bounds) {
                                largest == 0 ? "exactly" : "to " + bound_text(largest)));
   if (draw.anchor.x == 0 && draw.anchor.y == 0 && draw.anchor.z == 0) return text;
   return text +
-         sentence(fmt::format(
-             "applied to the vertex less the anchor {}, near the mesh, so that a mesh far from its "
-             "origin does not shake",
-             triple({draw.anchor.x, draw.anchor.y, draw.anchor.z})));
+         sentence(fmt::format("applied to the vertex minus the anchor {}, a point near the mesh, "
+                              "so that rounding does not make a mesh far from its origin jitter",
+                              triple({draw.anchor.x, draw.anchor.y, draw.anchor.z})));
 }
 
 }  // namespace glassbox::app

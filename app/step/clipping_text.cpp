@@ -80,9 +80,9 @@ std::string early_culling_text(const SteppedTriangle& stepped) {
   const ObjectCull::Judgement judged =
       cull.judge({corners[0].object, corners[1].object, corners[2].object});
   const bool whole = std::ranges::all_of(corners, [](const auto& c) { return c.outcode == 0; });
-  const char* verdict = !judged.removed ? "it is left to the snapped area"
-                        : whole         ? "it is removed, and the stages below see nothing of it"
-                                        : "but a plane cuts it, and it is left to the snapped area";
+  const char* verdict = !judged.removed ? "uncertain here, so the snapped area decides"
+                        : whole         ? "it is removed, and does not reach the stages below"
+                                        : "but a plane cuts it, so the snapped area decides";
   const double rounding = judged.test.bound + judged.test.viewer_error_bound;
   std::string text = fmt::format("culling in object space, before clipping: (P - eye).m = {} {}",
                                  brief(judged.test.value, 9), bound_text(rounding));
@@ -120,7 +120,7 @@ std::string clipping_text(const SteppedTriangle& stepped, const StepTarget& targ
   text += cut_text(stepped);
   return text + sentence(stepped.triangle->polygon.empty()
                              ? "decided: nothing is left"
-                             : fmt::format("decided: a polygon of {} vertices goes on",
+                             : fmt::format("decided: a polygon of {} vertices remains",
                                            stepped.triangle->polygon.size()));
 }
 

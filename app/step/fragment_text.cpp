@@ -45,10 +45,10 @@ std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& tra
     text += line(fmt::format("{:<4} {:>16}  {:<12}  distance along the gaze", "w",
                              brief(distance, 9), bound_text(bounds.distance)));
     text += sentence(
-        fmt::format("the bound of z stands for a distance of {} here",
+        fmt::format("the bound of z corresponds to a distance of {} here",
                     brief(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
   }
-  const std::string stored = traced.stored == kEmptyDepth ? "that of the cleared buffer"
+  const std::string stored = traced.stored == kEmptyDepth ? "the code of the cleared buffer"
                                                           : fmt::format("{:#010x}", traced.stored);
   return text + sentence(fmt::format("depth test: code {:#010x} is {}below {}", traced.code,
                                      traced.fate == Fate::kHidden ? "not " : "", stored));
@@ -67,7 +67,7 @@ std::string colour_text(const TracedFragment& traced, const RenderSettings& sett
                                brief(double(b))));
     }
     text += line("lit      " + color_text(traced.light) + ", linear" +
-                 (emits ? ", with what is emitted" : ""));
+                 (emits ? ", with the emitted light" : ""));
   }
   text += sentence(
       fmt::format("pixel   {} -> {}{}", bytes_text(traced.before), bytes_text(traced.after),

@@ -206,7 +206,7 @@ private:
       ++length;
     }
     if (!ends_at(length)) {
-      return refuse(word_length(), "is no number",
+      return refuse(word_length(), "is not a number",
                     peek(length) == 'j' || peek(length) == 'i'
                         ? "print the real part alone"
                         : "separate numbers by blanks or commas, with a point before decimals");

@@ -15,7 +15,7 @@ namespace {
 
 std::string turn_text(const MatrixFacts& facts) {
   if (!facts.rotation || facts.rotation->radians < kSmall) return {};
-  return fmt::format("a turn by {} degrees about {}",
+  return fmt::format("a rotation by {} degrees about {}",
                      brief(degrees_from_radians(facts.rotation->radians), 5),
                      brief_triple(facts.rotation->axis, 4));
 }
@@ -57,7 +57,7 @@ std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens)
                                brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
   if (lens.kind == ProjectionKind::kNone) {
     return text + indented(fmt::format("it looks along {} if it looks down -z, and the other way "
-                                       "if down +z: a projection decides",
+                                       "if down +z: the projection decides",
                                        brief_triple(-eye->back, 4)));
   }
   return text +
@@ -90,8 +90,8 @@ std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   if (p.oblique_depth) return indented("depth depends on x and y: an oblique near plane");
   const DepthReading &ours = dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one,
                      &other = dialect.z_from_minus_w ? p.zero_to_one : p.minus_one_to_one;
-  return indented(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
-         indented(fmt::format("read for {} instead, the same numbers mean {}",
+  return indented(fmt::format("depth in the range of {}: {}", dialect.title, reading_text(ours))) +
+         indented(fmt::format("read for the range {} instead: {}",
                               other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
 }
 
@@ -119,7 +119,7 @@ std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   return indented("parallel: w is the same everywhere") +
          indented(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
                               edge(0, 1), edge(1, -1), edge(1, 1))) +
-         indented(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
+         indented(fmt::format("with the depth range of {} the eye looks down {}z", dialect.title,
                               p.looks_down_minus_z ? "-" : "+"));
 }
 
@@ -144,9 +144,8 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect)
            lens_text(lens, dialect);
   }
   const MatrixFacts facts = facts_of(given.m);
-  return text + indented(facts.affine
-                             ? "as a matrix: " + affine_sentence(facts)
-                             : fmt::format("no projection as it stands (rank {})", facts.rank));
+  return text + indented(facts.affine ? "as a matrix: " + affine_sentence(facts)
+                                      : fmt::format("not a projection (rank {})", facts.rank));
 }
 
 }  // namespace
@@ -177,7 +176,7 @@ std::string affine_sentence(const MatrixFacts& facts) {
                      moved}) +
              mirror;
     case Shape::kScaledAfter:
-      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
+      return joined({"a rotation, then scales along fixed axes: a shear", moved}) + mirror;
     case Shape::kSheared:
       return joined({"affine, with a shear", moved}) + mirror;
     case Shape::kFlat:

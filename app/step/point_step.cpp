@@ -47,7 +47,7 @@ Result<void> read_matrices(const PointStepOptions& o, MatrixSetup& s) {
 void choose_dialect(const ApiDialect* asked, PointStep& step) {
   if (asked != nullptr) {
     step.setup.dialect = *asked;
-    step.dialect_reason = "as asked";
+    step.dialect_reason = "as given";
   } else {
     const GuessedDialect guess = guess_dialect(step.setup.projection);
     step.setup.dialect = *guess.dialect;
@@ -94,11 +94,10 @@ PointStep::Walk walk_point(const glm::vec4& point, const PointStep& step) {
 
 Result<PointStep> step_points(const PointStepOptions& o) {
   if (!o.model && !o.view && !o.projection) {
-    return fail("", "there is no matrix to go through",
-                "give at least one of --model, --view and --proj");
+    return fail("", "no matrix is given", "give at least one of --model, --view and --proj");
   }
   if (o.expected.size() > o.points.size()) {
-    return fail("--expect", "there are more expected places than points", "give one for each");
+    return fail("--expect", "there are more expected positions than points", "give one for each");
   }
   PointStep step;
   step.bits = o.bits;

@@ -37,7 +37,7 @@ std::string where_text(const PointStep::Walk& walk, const PointStep& step) {
       line += fmt::format(", expected at ({:.2f}, {:.2f})", walk.expected->x, walk.expected->y);
     }
   } else {
-    line += fmt::format("at {} in the eye's space; without --proj nothing is projected",
+    line += fmt::format("at {} in eye space; without --proj nothing is projected",
                         brief_triple(glm::dvec3(chain.to_eye.after)));
   }
   if (chain.object.w == 0) line += "; w = 0 makes it a direction, which no translation moves";
@@ -81,8 +81,9 @@ std::string alternatives_text(const ConventionsReport& report) {
   }
   if (report.spoiling > 0) {
     text +=
-        wrapped("  ", fmt::format("{} more would do, but {} a matrix that is sound as it stands",
-                                  report.spoiling, inflected(report.spoiling, "spoils", "spoil")));
+        wrapped("  ", fmt::format("{} would also work, but {} a matrix that is correct as given",
+                                  counted(report.spoiling, "other change"),
+                                  inflected(report.spoiling, "damages", "damage")));
   }
   return text;
 }
@@ -91,10 +92,10 @@ std::string no_change_text(const PointStep& step) {
   const bool alarmed =
       std::any_of(step.findings.begin(), step.findings.end(),
                   [](const Finding& finding) { return finding.severity == Severity::kAlarm; });
-  return wrapped("  ", alarmed ? "No other change of convention brings it into the picture: mend "
-                                 "what is wrong first"
-                               : "No change of convention that is tried here brings it into the "
-                                 "picture: look where it stands, and what the camera sees");
+  return wrapped("  ", alarmed ? "No change of convention that was tried brings it into the "
+                                 "picture: correct what is WRONG first"
+                               : "No change of convention that was tried brings it into the "
+                                 "picture: check its position, and what the camera sees");
 }
 
 std::string changes_text(const PointStep& step) {
@@ -102,11 +103,11 @@ std::string changes_text(const PointStep& step) {
   const bool expects = step.walks.front().expected.has_value();
   const bool pairs = report.alternatives.front().second.has_value();
   const std::string line = fmt::format(
-      "If the {} ought to be {}, {} would do{}:", inflected(report.points, "point"),
+      "If the {} should be {}, {} would work{}:", inflected(report.points, "point"),
       expects ? "where it is expected" : "in the picture",
       pairs ? "two changes together" : "one of these changes",
       report.alternatives.size() == 1 ? ""
-                                      : " (the likeliest first; what was meant only you know)");
+                                      : " (the likeliest first; only you know what was meant)");
   return "\n" + wrapped("  ", line) + alternatives_text(report);
 }
 

@@ -116,7 +116,7 @@ std::string planes_table(const VertexChain& chain) {
     text += fmt::format("     {:<7}{:>5} = {:<15} {:<12} {}{}\n", at.plane.name,
                         plane_form(at.plane), brief(at.distance, 9), bound_text(at.bound),
                         at.outside() ? "outside" : "inside",
-                        at.sure() ? "" : ", as far as rounding lets one tell");
+                        at.sure() ? "" : ", uncertain because of rounding");
   }
   return text;
 }
@@ -141,8 +141,7 @@ std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
   const double a = ((-1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   const double b = ((1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   return fmt::format(
-      "{} distance {} the picture spans {} from {} to {} in the eye's space, and the "
-      "point is at {}",
+      "{} distance {} the picture spans {} from {} to {} in eye space, and the point is at {}",
       p.kind == ProjectionKind::kPerspective ? "at its" : "at any", brief(distance), kAxes[axis],
       brief(std::min(a, b)), brief(std::max(a, b)), brief(double(eye[axis])));
 }
@@ -154,8 +153,8 @@ std::string decision_of(const VertexChain& chain) {
       return "a coordinate is not finite, so nothing can be said";
     case VertexFate::kBehindEye:
       return fmt::format(
-          "w = {} is negative: behind the eye. Dividing by it would turn the point round to the "
-          "front (S3-13)",
+          "w = {} is negative: behind the eye. Dividing by it would flip the point to the front "
+          "(S3-13)",
           w);
     case VertexFate::kInEyePlane:
       return "w = 0: the point lies in the plane of the eye, and its image at infinity";
@@ -198,12 +197,11 @@ std::string divide_text(const VertexChain& chain, bool bits) {
 }
 
 std::string snap_text(const SnapStability& snap) {
-  return fmt::format("snapped to {} ({})", brief(snap.snapped, 10),
-                     snap.stable
-                         ? fmt::format("stable: {:.1e} px from the next step", snap.to_boundary)
-                         : fmt::format("not stable: rounding may send it to a neighbour, {:.1e} "
-                                       "px off",
-                                       snap.to_boundary));
+  return fmt::format(
+      "snapped to {} ({})", brief(snap.snapped, 10),
+      snap.stable ? fmt::format("stable: {:.1e} px from the next step", snap.to_boundary)
+                  : fmt::format("not stable: rounding may move it to a neighbour, {:.1e} px away",
+                                snap.to_boundary));
 }
 
 std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
@@ -237,8 +235,8 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
   // If it is smaller than the bounds, it is not worth reporting.
   if (walk.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
     text +=
-        sentence(fmt::format("the digits of the matrices as printed leave this open by {:.1e} px "
-                             "more (%.9g prints a float without loss)",
+        sentence(fmt::format("the matrices are printed with too few digits, which adds an "
+                             "uncertainty of {:.1e} px (%.9g prints a float without loss)",
                              walk.open_px));
   }
   return text;

@@ -64,14 +64,15 @@ bool is_key(const Tokens& tokens, std::size_t i) {
 
 Error count_error(const std::string& name, std::size_t count) {
   std::string remedy = "give one matrix of four rows and four columns";
-  if (count == 32) remedy = "two matrices? give each its own; or decimal commas? print points";
-  if (count == 48) remedy = "three matrices? give each its own file or text";
+  if (count == 32)
+    remedy = "give two matrices separately; print decimal points, not decimal commas";
+  if (count == 48) remedy = "give three matrices separately, each as its own file or text";
   if (count == 12) remedy = "if the last row is missing, add 0 0 0 1";
-  if (count == 9) remedy = "a 3x3 matrix becomes one of ours with a column 0 0 0 and a row 0 0 0 1";
+  if (count == 9) remedy = "extend a 3x3 matrix by a column 0 0 0 and a row 0 0 0 1";
   return {name, "",
           fmt::format("has {}{}", count > 64 ? "more than " : "",
                       counted(std::min<std::size_t>(count, 64), "number")) +
-              ", and a matrix has 16",
+              ", but a matrix has 16",
           remedy};
 }
 
@@ -98,7 +99,7 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
       if (numbers.empty() || tokens[i - 1].kind != Kind::kNumber) {
         return tl::unexpected(
             Error{name, fmt::format("line {}, column {}", token.line, token.column),
-                  "what is repeated is not a number", "set print repeats 0 in gdb"});
+                  "what is repeated is not a number", "use set print repeats 0 in gdb"});
       }
       const Labelled last = numbers.back();
       for (double k = 1; k < *repeats && numbers.size() <= 64; ++k) numbers.push_back(last);

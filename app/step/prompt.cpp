@@ -23,8 +23,8 @@ constexpr const char* kHelp =
     "fragments\n"
     "  all         every stage from the first\n"
     "  triangle N  another triangle of the scene, by its number\n"
-    "  pick X,Y    the triangle that is seen in this pixel, and its fragment there\n"
-    "  vertex K    only this corner: 0, 1 or 2; all of them again with vertex all\n"
+    "  pick X,Y    the triangle that is visible in this pixel, and its fragment there\n"
+    "  vertex K    only this corner: 0, 1 or 2; vertex all shows all of them again\n"
     "  --eye 1,2,3 --fov 60 ...          other picture options; shows what they change, stage by "
     "stage\n"
     "  reset       the options and the triangle as they were at the start\n"
@@ -247,7 +247,7 @@ private:
   // Turns "triangle 7" into "--triangle 7" and applies it.
   void aim(std::vector<std::string> words) {
     if (words.size() != 2) {
-      fmt::print("  {} needs one word more: {}\n", words[0],
+      fmt::print("  {} needs one more word: {}\n", words[0],
                  words[0] == "triangle" ? "a number"
                  : words[0] == "pick"   ? "X,Y"
                                         : "0, 1, 2 or all");

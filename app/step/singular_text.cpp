@@ -38,7 +38,7 @@ std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorne
                                    p.y / (d / view.clip_from_eye.at(1, 1))};
   const std::uint64_t ulps = std::max(ulp_distance(float(over[0]), ndc.position.x),
                                       ulp_distance(float(over[1]), ndc.position.y));
-  return fmt::format("over the half sides ({}, {}): NDC's x and y{}", brief(over[0], 9),
+  return fmt::format("divided by the half sides ({}, {}): NDC's x and y{}", brief(over[0], 9),
                      brief(over[1], 9),
                      ulps == 0 ? std::string(", the same floats") : " to " + counted(ulps, "ulp"));
 }
@@ -77,14 +77,14 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
                         [&](const TracedCorner& corner) {
                           return std::vector{point_text(divided(m, corner.eye))};
                         }) +
-           sentence("z is lost: what is drawn so cannot hide anything");
+           sentence("z is lost, so nothing that is drawn this way can hide anything");
   }
   const double d = view.near;
   const Transform<Clip, EyeLeft> m = singular_projection(d);
-  std::string text = sentence(
-      fmt::format("without depth, as the slides draw first, onto the view plane z = d = {} (the "
-                  "near plane; z along the gaze), and divided by w:",
-                  brief(d, 9)));
+  std::string text =
+      sentence(fmt::format("without depth, as in the slides' first projection, onto the view plane "
+                           "z = d = {} (the near plane; z along the gaze), divided by w:",
+                           brief(d, 9)));
   text += matrix_rows(m.columns, kIndent, 9);
   std::uint64_t ulps = 0;
   text += corners_text(stepped, target, [&](const TracedCorner& corner) {
@@ -96,13 +96,12 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
     return lines;
   });
   return text +
-         sentence(fmt::format(
-             "the other way to write it, the identity but for a last row of (0, 0, 1/d, 0), draws "
-             "the same to {} of double",
-             counted(ulps, "ulp"))) +
+         sentence(fmt::format("the other way to write it, the identity except for a last row of "
+                              "(0, 0, 1/d, 0), gives the same up to {} in double",
+                              counted(ulps, "ulp"))) +
          sentence(
-             "z_s is d at every vertex: of the matrix's rank 3 nothing is left for depth, so this "
-             "picture can be drawn, and nothing in it hidden");
+             "z_s is d at every vertex: the matrix has rank 3 and keeps no depth, so this picture "
+             "can be drawn, but nothing in it can be hidden");
 }
 
 }  // namespace glassbox::app

@@ -128,7 +128,7 @@ void add_points(CLI::App& command, PointStepOptions& o) {
           [&o](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) o.points.push_back(parse_point(text));
           },
-          "the point in object space; again for more points")
+          "the point in object space; may be given several times")
       ->type_name("X,Y,Z[,W]")
       ->allow_extra_args(false)
       ->group(kGroup);
@@ -141,7 +141,8 @@ void add_points(CLI::App& command, PointStepOptions& o) {
               o.expected.push_back({x, y});
             }
           },
-          "where the point ought to appear; again for further points, in order")
+          "where in the window the point should appear; may be given several times, in the order "
+          "of the points")
       ->type_name("X,Y")
       ->allow_extra_args(false)
       ->group(kGroup);
@@ -151,22 +152,22 @@ void add_matrices(CLI::App& command, PointStepOptions& o) {
   const auto add = [&](const char* name, std::optional<std::string>& source, const char* help) {
     command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group(kGroup);
   };
-  add("--model", o.model, "world from object; the identity where it is not given");
-  add("--view", o.view, "eye from world; the identity where it is not given");
-  add("--proj", o.projection, "clip from eye; a product with the view will do, too");
+  add("--model", o.model, "world from object [the identity]");
+  add("--view", o.view, "eye from world [the identity]");
+  add("--proj", o.projection, "clip from eye; a product with the view is accepted too");
   add_choice<std::optional<NumberOrder>>(
       command, "--order", o.order,
       {{"rows", NumberOrder::kRows}, {"columns", NumberOrder::kColumns}},
-      "what the numbers list first: rows of p' = M p, or columns (rows of p M)")
+      "how the numbers are listed: row by row of p' = M p, or column by column (the rows of p M) "
+      "[as the layout says, else rows]")
       ->group(kGroup);
 }
 
 void add_conventions(CLI::App& command, PointStepOptions& o) {
   Choices<const ApiDialect*> dialects;
   for (const ApiDialect& dialect : api_dialects()) dialects.push_back({dialect.name, &dialect});
-  add_choice<const ApiDialect*>(
-      command, "--dialect", o.dialect, dialects,
-      "whose clip space and window; else what the projection looks made for")
+  add_choice<const ApiDialect*>(command, "--dialect", o.dialect, dialects,
+                                "the API of clip space and window [guessed from the projection]")
       ->group(kGroup);
   add_choice<std::optional<Hand>>(command, "--world", o.world,
                                   {{"right", Hand::kRight}, {"left", Hand::kLeft}},
@@ -198,7 +199,7 @@ constexpr const char* kStepFooter =
     "prints them: brackets, commas and names do not matter. The first four are the first row of\n"
     "p' = M p, unless --order columns is given or the layout says otherwise (GLM's to_string "
     "does).\n"
-    "Several points tell more than one. docs/step.md has the whole story.";
+    "Several points give a better diagnosis than one. docs/step.md explains everything.";
 
 // Whether the option has an effect: for points through the user's own matrices (`of_points`), or
 // else for a scene's triangle.
@@ -228,10 +229,10 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   add_matrices(command, points_);
   add_conventions(command, points_);
   add_window(command, points_);
-  command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
+  command.add_flag("--bits", bits_, "print the bits of each float too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
-  add_max_megabytes(command, max_megabytes_, " of JSON than that");
+  add_max_megabytes(command, max_megabytes_, " of JSON than this");
   command.callback([this, &command, &exit_code] {
     const bool asks_for_points = !points_.points.empty();
     if (scene_.empty() == asks_for_points) tell_of_ignored(command, asks_for_points);
@@ -242,23 +243,24 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
 void StepCommand::add_triangle(CLI::App& command) {
   command.add_option("SCENE", scene_, kSceneHelp);
   CLI::Option* triangle =
-      command.add_option("--triangle", triangle_, "its number in the scene, counted from 0")
+      command
+          .add_option("--triangle", triangle_, "the triangle's number in the scene, counted from 0")
           ->type_name("N")
           ->group(kSceneGroup);
   command
       .add_option_function<std::string>(
           "--pick", [this](const std::string& text) { pick_ = parse_pixel("--pick", text); },
-          "the triangle that is seen in this pixel, and its fragment there")
+          "the triangle that is visible in this pixel, and its fragment there")
       ->type_name("X,Y")
       ->group(kSceneGroup)
       ->excludes(triangle);
-  command.add_option("--vertex", vertex_, "only this corner of it: 0, 1 or 2")
+  command.add_option("--vertex", vertex_, "show only this corner: 0, 1 or 2")
       ->type_name("K")
       ->check(CLI::Range(0, 2))
       ->group(kSceneGroup);
   command
       .add_flag("--interactive", interactive_,
-                "stage by stage, even where the input is no terminal")
+                "show stage by stage, even if the input is not a terminal")
       ->group(kSceneGroup);
   add_picture_options(command, picture_);
 }
@@ -270,7 +272,7 @@ int StepCommand::run() {
   }
   if (points_.points.empty()) return run_triangle();
   if (scene_.empty()) return run_points();
-  return refuse({"", "--point", "a scene is named, too",
+  return refuse({"", "--point", "a scene is given as well",
                  "give a scene and a triangle, or points and matrices"});
 }
 
@@ -283,7 +285,7 @@ Result<void> StepCommand::check_size(std::size_t fragments) const {
   return fail(fmt::format("--max-mb {}", max_megabytes_),
               fmt::format("the triangle has {}, about {:.0f} MB of JSON",
                           counted(fragments, "fragment"), megabytes),
-              fmt::format("choose a smaller --size, or allow as much with --max-mb {:.0f}",
+              fmt::format("choose a smaller --size, or allow more with --max-mb {:.0f}",
                           std::ceil(megabytes)));
 }
 
@@ -298,7 +300,7 @@ int StepCommand::run_triangle() {
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   if (!triangle_ && !pick_) {
-    return refuse({"", "", "no triangle is named",
+    return refuse({"", "", "no triangle is chosen",
                    "give --triangle N, or --pick X,Y for what a pixel shows"});
   }
   StepTarget target;

@@ -39,8 +39,9 @@ Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, Pi
   const Rendering rendering = render_staged(scene, chosen->view, settings);
   const std::uint32_t id = rendering.buffers.id.at(pixel.x, pixel.y);
   if (id == 0) {
-    return fail(fmt::format("--pick {},{}", pixel.x, pixel.y), "no triangle is seen in this pixel",
-                "glassbox pixel tells what passes there; --triangle N names a triangle");
+    return fail(fmt::format("--pick {},{}", pixel.x, pixel.y),
+                "no triangle is visible in this pixel",
+                "glassbox pixel shows what was drawn there; --triangle N chooses a triangle");
   }
   return id - 1;
 }

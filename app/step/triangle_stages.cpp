@@ -102,8 +102,8 @@ std::string clip_text(const Context& c) {
     const TracedCorner& corner = c.triangle().corners[k];
     auto lines = number_lines(to_glm(corner.clip), c.stepped.bounds.corners[k].clip, c.bits);
     const std::uint64_t ulps = ulps_from_chain(view, corner);
-    lines.push_back(ulps == 0 ? "the same bits as by way of world and eye space in double"
-                              : fmt::format("by way of world and eye space in double: {} away",
+    lines.push_back(ulps == 0 ? "the same bits as via world and eye space in double"
+                              : fmt::format("via world and eye space in double: {} away",
                                             counted(ulps, "ulp")));
     return lines;
   });
@@ -164,9 +164,8 @@ std::string way_back_text(const Context& c) {
     return "";
   }
   return sentence(
-             "back to object space in double, from x, y and depth in float: what they still know "
-             "of "
-             "the place") +
+             "back to object space in double, from x, y and depth in float: how well they give the "
+             "position") +
          corners_text(c, [&](std::size_t k) {
            return corners[k].round_trip
                       ? round_trip_lines(*corners[k].round_trip, c.bits)
@@ -215,7 +214,7 @@ std::string facing_text(const Context& c, const TracedPiece& piece, double area_
       "twice the area {}/65536 = {} px^2, {} on the screen{}{}: the {} is seen, and the piece {}",
       setup.double_area, brief(area, 9), setup.clockwise ? "clockwise" : "counter-clockwise",
       area > area_bound ? "" : fmt::format(" (not sure: {})", bound_text(area_bound)),
-      draw_of(c.stepped).mirrored ? ", by a model matrix that mirrors" : "",
+      draw_of(c.stepped).mirrored ? ", with a model matrix that mirrors" : "",
       piece.front ? "front" : "back", piece.culled ? "is culled" : "goes on"));
   return text;
 }
@@ -237,11 +236,11 @@ std::string setup_text(const Context& c) {
     if (pieces[i].culled) continue;
     const PixelRect& box = pieces[i].setup->bounds;
     text += edges_text(*pieces[i].setup);
-    text += sentence(fmt::format("centres to look at: columns {} to {}, rows {} to {}", box.x0,
+    text += sentence(fmt::format("pixel centres to test: columns {} to {}, rows {} to {}", box.x0,
                                  box.x1 - 1, box.y0, box.y1 - 1));
   }
   if (const auto& test = c.stepped.bounds.back_face) {
-    text += sentence(fmt::format("the same asked in object space: (P - eye).m = {} {}{}: {}",
+    text += sentence(fmt::format("the same test in object space: (P - eye).m = {} {}{}: {}",
                                  brief(test->value, 9),
                                  bound_text(test->bound + test->viewer_error_bound),
                                  test->used_exact ? ", decided exactly" : "",

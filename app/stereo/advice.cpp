@@ -95,15 +95,16 @@ void advise_on_cuts(const Scene& scene, const StereoFindings& found, std::vector
       fmt::format("({}, at {:.4g})", names_of_cut(scene, *nearest), nearest->nearest);
   const auto eyes = eyes_before(found, nearest->nearest);
   if (!eyes) {
-    all.push_back({"Move the camera: the edges cut what stands right before it " + what + ".", {}});
+    all.push_back(
+        {"Move the camera: the edges cut something directly in front of it " + what + ".", {}});
     return;
   }
-  all.push_back({fmt::format("Bring the window to the nearest thing that an edge cuts {}: then "
-                             "nothing that is cut stands in front of it, and the parallax seen is "
-                             "at most {:.2f} %. Or move the camera, so that the edges cut nothing "
-                             "near.",
-                             what, largest_parallax_percent(found, *eyes)),
-                 options_of(*eyes)});
+  all.push_back(
+      {fmt::format("Move the window to the nearest thing that an edge cuts {}: then nothing that "
+                   "is cut is in front of it, and the visible parallax is at most {:.2f} %. Or "
+                   "move the camera, so that the edges cut nothing near.",
+                   what, largest_parallax_percent(found, *eyes)),
+       options_of(*eyes)});
 }
 
 void advise_on_budget(const StereoFindings& found, std::vector<Advice>& all) {
@@ -115,20 +116,21 @@ void advise_on_budget(const StereoFindings& found, std::vector<Advice>& all) {
   if (!broken) {
     constexpr double kMuchMore = 2;
     if (!same || same->separation < kMuchMore * apart) return;
-    all.push_back({fmt::format("There is room for more depth: the eyes may be {:.4g} apart in "
-                               "place of {:.4g}.",
-                               same->separation, apart),
-                   options_of(*same)});
+    all.push_back(
+        {fmt::format(
+             "There is room for more depth: the eyes may be {:.4g} apart instead of {:.4g}.",
+             same->separation, apart),
+         options_of(*same)});
     return;
   }
   if (same) {
-    all.push_back({fmt::format("Bring the eyes closer together: {:.4g} apart in place of {:.4g}, "
+    all.push_back({fmt::format("Move the eyes closer together: {:.4g} apart instead of {:.4g}, "
                                "with the window where it is, keeps the budget.",
                                same->separation, apart),
                    options_of(*same)});
   }
   if (!best || (same && best->separation <= 1.05 * same->separation)) return;
-  all.push_back({fmt::format("{} the window to {:.4g}, where what is nearest and what is farthest "
+  all.push_back({fmt::format("{} the window to {:.4g}, where the nearest and the farthest thing "
                              "reach the budget together: there the eyes may be {:.4g} apart.",
                              same ? "Or move" : "Move", best->window, best->separation),
                  options_of(*best)});
@@ -178,7 +180,8 @@ void advise_on_content(const StereoFindings& found, std::vector<Advice>& all) {
 std::vector<Advice> advise(const Scene& scene, const StereoFindings& found) {
   std::vector<Advice> all;
   if (!found.depth.seen) {
-    return {{"Turn the camera to the scene: without camera options it is framed whole.", {}}};
+    return {
+        {"Turn the camera to the scene: without camera options the whole scene is in view.", {}}};
   }
   if (found.rendering.passes == 1) {
     auto eyes = eyes_for_same_window(found);
@@ -188,7 +191,7 @@ std::vector<Advice> advise(const Scene& scene, const StereoFindings& found) {
     return all;
   }
   if (found.pair_order.order == EyeOrder::kSwapped) {
-    all.push_back({"Interchange the eyes.", {}});
+    all.push_back({"Swap the eyes.", {}});
   }
   advise_on_budget(found, all);
   advise_on_cuts(scene, found, all);

@@ -44,7 +44,7 @@ function wiggle() {
   if (!["left", "right"].includes(chosenView())) chooseView("left");
   wiggling = setInterval(swapEyes, kWiggleMs);
   byId("wiggle").setAttribute("aria-pressed", "true");
-  byId("shown-note").textContent = "The eyes in turn: what moves stands before the window or behind it.";
+  byId("shown-note").textContent = "The eyes in turn: whatever moves is in front of the window or behind it.";
 }
 
 function setUpEyes() {

@@ -48,7 +48,7 @@ function disparityFigure() {
   const {left, histogram} = manifest.disparity;
   const bars = histogram.counts.length ? [chart(histogramLabel(), histogramChart)] : [];
   const note = histogram.counts.length
-    ? `${percentOf(left.too_near, left.drawn)} of what the left eye sees is nearer than the budget allows, ${percentOf(left.too_far, left.drawn)} farther: striped. Bars grow with the square root of their share.`
+    ? `${percentOf(left.too_near, left.drawn)} of what the left eye sees is nearer than the budget allows, ${percentOf(left.too_far, left.drawn)} is farther: both are striped. Bars grow with the square root of their share.`
     : "Nothing is drawn.";
   return figure("Disparity of the left eye's pixels", [["disparity"]], "A map of parallax, orange in front of the window, blue behind it",
     ramp(colours, `${signed(-limit, 1)} px`, `${signed(limit, 1)} px`), swatches([["#585c64", "nothing drawn"]]), ...bars, caption(note));
@@ -59,13 +59,13 @@ function cutFigure() {
   const rows = cuts.slice(0, 12).map((one) => [one.eye, [one.left_edge && "left", one.right_edge && "right"].filter(Boolean).join(", "),
     one.rows, signed(one.least_px, 1), one.nearest.toPrecision(4), one.what]);
   const rest = cuts.length > rows.length ? [caption(`And ${count(cuts.length - rows.length, "smaller piece")}.`)] : [];
-  return figure("In front of the window, and cut by an edge", [["cut_left", "left eye"], ["cut_right", "right eye"]], "The picture in grey, pieces that an edge cuts in red",
+  return figure("In front of the window and cut by an edge", [["cut_left", "left eye"], ["cut_right", "right eye"]], "The picture in grey, pieces that an edge cuts in red",
     element("div", {className: "scroll"}, table(["eye", "edge", "rows", "px", "distance", "what"], ["", "", "number", "number", "number", "words"], rows)), ...rest);
 }
 
 function oneEyeFigure() {
   return figure("Seen by one eye only", [["one_eye_left", "left eye"], ["one_eye_right", "right eye"]], "The picture in grey, what only this eye sees in colour",
-    swatches([["#e67e14", "hidden from the other"], ["#468ce1", "beside its picture"], ["#d73cbe", "missing there"]]),
+    swatches([["#e67e14", "hidden from the other"], ["#468ce1", "outside its picture"], ["#d73cbe", "missing there"]]),
     caption(verdict("seen by one eye")));
 }
 

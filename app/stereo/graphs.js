@@ -54,7 +54,7 @@ function compromiseChart(theme) {
   const at = (one) => ({x: one.ciede2000, y: one.rivalry, one}), points = (color, rest) => ({borderColor: color, backgroundColor: color, ...rest});
   return pointChart({
     x: titled(x, "mean colour difference, CIEDE2000"), y: titled(y, "mean rivalry"),
-    lines: {target: references(y, "right", theme.bad, [[target, `aimed at ${target}`]])},
+    lines: {target: references(y, "right", theme.bad, [[target, `target ${target}`]])},
     datasets: [points(theme.series[1], {data: [at(recolour)], pointRadius: 7, order: -1}),
       points(theme.series[0], {data: recolour.curve.map(at), showLine: true, pointRadius: 3.5})],
     told: ({one}) => [`desaturated ${one.desaturate.toFixed(2)}, brightened ${one.brighten.toFixed(2)}:`, `rivalry ${one.rivalry.toFixed(3)}, difference ${one.ciede2000.toFixed(1)}`],

@@ -48,7 +48,7 @@ byId("figures").append(...figures());
 byId("methods-table").append(methodsTable());
 if (manifest.anaglyph.recolour) {
   byId("curve").append(element("h3", {}, "Or other colours"), chart(compromiseLabel(), compromiseChart),
-    caption("The scene's colours desaturated and brightened: the least change of colours for each rivalry; the marked one meets the target."));
+    caption("The scene's colours, desaturated and brightened: the smallest change of colours for each rivalry. The marked point meets the target."));
 }
 byId("close-large").addEventListener("click", () => byId("large").close());
 byId("program").textContent = manifest.program;

@@ -1,4 +1,4 @@
-// The report: as one HTML page that needs nothing else, in the terminal, for programs; and its pictures.
+// The report as one HTML page that needs no other file, as text and as JSON; and its pictures.
 #pragma once
 
 #include <cstdint>

@@ -54,15 +54,16 @@ private:
 namespace {
 
 void add_report_options(CLI::App& command, StereoQuestion& question) {
-  const std::string group = "What the pair is held against";
+  const std::string group = "What the pair is compared with";
   command
       .add_option_function<std::string>(
           "--budget",
           [&question](const std::string& text) {
             question.budget_percent = parse_number("--budget", text);
           },
-          fmt::format("parallax allowed before and behind the window, per cent of the width [{:g}]",
-                      question.budget_percent))
+          fmt::format(
+              "parallax allowed in front of and behind the window, in per cent of the width [{:g}]",
+              question.budget_percent))
       ->type_name("PERCENT")
       ->group(group);
   command
@@ -72,8 +73,9 @@ void add_report_options(CLI::App& command, StereoQuestion& question) {
             const auto [width, distance] = parse_numbers<2>("--display", text);
             question.display = {width, distance};
           },
-          fmt::format("the picture's width and how far away it is, mm [{:g},{:g}]",
-                      question.display.width_mm, question.display.viewing_distance_mm))
+          fmt::format(
+              "width of the displayed picture and its distance from the viewer, in mm [{:g},{:g}]",
+              question.display.width_mm, question.display.viewing_distance_mm))
       ->type_name("WIDTH,DISTANCE")
       ->group(group);
   command
@@ -82,7 +84,7 @@ void add_report_options(CLI::App& command, StereoQuestion& question) {
           [&question](const std::string& text) {
             question.target_rivalry = parse_number("--target-rivalry", text);
           },
-          fmt::format("mean rivalry of the anaglyph to aim at, 0 to 1 [{:g}]",
+          fmt::format("target for the mean rivalry of the anaglyph, 0 to 1 [{:g}]",
                       question.target_rivalry))
       ->type_name("R")
       ->group(group);
@@ -99,7 +101,7 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox stereo forest --eye-separation 0.3 --window 12 --html forest.html\n"
       "  glassbox stereo room --anaglyph dubois --display 2000,3000 --json -\n\n"
       "The page needs no network and no other file. The options of the picture are those of\n"
-      "glassbox render: the same words with --stereo draw the same pictures.\n\n" +
+      "glassbox render: the same options with --stereo draw the same pictures.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_picture_options(command, picture_);
@@ -122,19 +124,20 @@ Result<void> StereoCommand::check_options() const {
   }
   const double budget = question_.budget_percent;
   if (!(budget >= 0 && budget <= 100)) {
-    return fail("--budget", fmt::format("{:g} is no share of the width", budget),
-                "give per cent, 0 to 100");
+    return fail("--budget", fmt::format("{:g} is not a percentage from 0 to 100", budget),
+                "give per cent of the width");
   }
   const Display& display = question_.display;
   if (!(display.width_mm > 0 && display.viewing_distance_mm > 0)) {
-    return fail(
-        "--display",
-        fmt::format("{:g} by {:g} mm is no display", display.width_mm, display.viewing_distance_mm),
-        "give its picture's width and its distance, above 0");
+    return fail("--display",
+                fmt::format("a display of {:g} mm at {:g} mm is not possible", display.width_mm,
+                            display.viewing_distance_mm),
+                "give the picture's width and its distance, both above 0");
   }
   const double target = question_.target_rivalry;
   if (!(target >= 0 && target <= 1)) {
-    return fail("--target-rivalry", fmt::format("{:g} is no rivalry", target), "give 0 to 1");
+    return fail("--target-rivalry", fmt::format("{:g} is not between 0 and 1", target),
+                "give a mean rivalry, such as 0.1");
   }
   const auto matrix = anaglyph_matrix(question_.method, question_.glasses);
   if (!matrix) return tl::unexpected(matrix.error());

@@ -55,7 +55,7 @@ std::optional<views::SecondEyeSettings> parse_second_eye(const std::string& text
     return views::SecondEyeSettings{.layers = word.back() - '0'};
   }
   throw CLI::ValidationError(
-      "--second-eye", "needs drawn, warp, or warp:LAYERS with 1 to 8 of them, not '" + text + "'");
+      "--second-eye", "needs drawn, warp, or warp:LAYERS with 1 to 8 layers, not '" + text + "'");
 }
 
 bool is_recoloured(const StereoPictureOptions& stereo) {
@@ -190,7 +190,7 @@ void add_anaglyph_options(CLI::App& command, AnaglyphOptions& anaglyph) {
   add_named(command, "--anaglyph", anaglyph.method, all_anaglyph_methods(),
             "how the colours of an anaglyph are made [mask]");
   add_named(command, "--glasses", anaglyph.glasses, all_glasses(),
-            "the lenses, left eye first [red-cyan]");
+            "colours of the glasses, left eye first [red-cyan]");
 }
 
 void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo) {
@@ -199,25 +199,26 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
   add_anaglyph_options(command, stereo.anaglyph);
   add_choice(command, "--stereo-cull", stereo.culling,
              {{"union", StereoCulling::kUnion}, {"centre", StereoCulling::kCentre}},
-             "triangles to leave out: those that neither eye sees, or, losing some, those that the "
-             "camera between them does not [union]")
+             "triangles to cull: those that neither eye can see, or those that the camera between "
+             "the eyes cannot see, which loses some [union]")
       ->group("Eyes (stereo)");
   add_choice(command, "--eyes-by", stereo.eyes_by,
              {{"skew", EyesBy::kSkew}, {"crop", EyesBy::kCrop}},
-             "how each eye sees the window: by a skewed frustum, or by a wider one that is not, "
-             "whose picture is aligned and cropped [skew]")
+             "projection of each eye: a skewed frustum, or a wider symmetric one whose picture is "
+             "aligned and cropped [skew]")
       ->group("Eyes (stereo)");
   command
       .add_option_function<std::string>(
           "--second-eye",
           [&stereo](const std::string& text) { stereo.second_eye = parse_second_eye(text); },
-          "drawn, or warped from what the left eye sees, of 1 .. 8 layers: an approximation "
-          "[drawn]")
+          "how the right eye's picture is made: drawn, or approximated by warping 1 .. 8 layers of "
+          "the left eye's view [drawn]")
       ->type_name("drawn|warp[:LAYERS]")
       ->group("Eyes (stereo)");
   add_strength(command, "--desaturate", stereo.recolour.desaturate,
                "how far colours are moved to grey before they become an anaglyph, 0 .. 1 [0]");
-  add_strength(command, "--brighten", stereo.recolour.brighten, "and to white, 0 .. 1 [0]");
+  add_strength(command, "--brighten", stereo.recolour.brighten,
+               "how far they are moved to white after that, 0 .. 1 [0]");
   add_named(command, "--cable", stereo.cable, all_cables(),
             "send the anaglyph through an analogue cable, which mixes the eyes");
   const auto all = command.get_options();
@@ -229,8 +230,8 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   if (!stereo.form.wanted) {
     for (const CLI::Option* option : stereo.options) {
       if (option->count() == 0) continue;
-      return fail(option->get_name(), "it is about a picture for two eyes",
-                  "give --stereo as well, or leave it out");
+      return fail(option->get_name(), "it is an option for pictures of two eyes",
+                  "give --stereo too, or leave it out");
     }
     return {};
   }
@@ -239,28 +240,31 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   }
   if (stereo.form.layout && (stereo.anaglyph.method || stereo.anaglyph.glasses)) {
     return fail(stereo.anaglyph.method ? "--anaglyph" : "--glasses",
-                fmt::format("--stereo {} is no anaglyph", name_of(*stereo.form.layout)),
+                fmt::format("--stereo {} is not an anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
   if (stereo.form.layout && stereo.cable) {
-    return fail("--cable", fmt::format("--stereo {} is no anaglyph", name_of(*stereo.form.layout)),
+    return fail("--cable",
+                fmt::format("--stereo {} is not an anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
   if (stereo.eyes_by == EyesBy::kCrop && stereo.culling == StereoCulling::kCentre) {
-    return fail("--stereo-cull centre", "each eye that is cropped is drawn by itself",
+    return fail("--stereo-cull centre",
+                "--eyes-by crop draws each eye by itself, so nothing is culled for both",
                 "leave it out, or leave out --eyes-by crop");
   }
   if (stereo.second_eye && stereo.eyes_by == EyesBy::kCrop) {
-    return fail("--eyes-by crop", "an eye that is warped sees through a skewed frustum",
+    return fail("--eyes-by crop", "--second-eye warp works with skewed frusta only",
                 "leave it out, or leave out --second-eye");
   }
   if (stereo.second_eye && stereo.culling == StereoCulling::kCentre) {
-    return fail("--stereo-cull centre", "an eye that is warped has no triangles to leave out",
+    return fail("--stereo-cull centre",
+                "--second-eye warp draws the left eye alone, so nothing is culled for both",
                 "leave it out, or leave out --second-eye");
   }
   if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
   if (stereo.form.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
-    return fail("--stereo interlaced", "of one row, the right eye would get nothing",
+    return fail("--stereo interlaced", "a picture of one row has no row for the right eye",
                 "give a picture of two rows or more");
   }
   if (!stereo.form.layout && stereo.anaglyph.method) {
@@ -286,8 +290,7 @@ Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& sce
 
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering) {
   const StereoPair& pair = chosen.eyes.pair;
-  if (pair.half_separation == 0)
-    return "stereo: the eyes stand in one place; one pass served both\n";
+  if (pair.half_separation == 0) return "stereo: both eyes are in one place; one pass drew both\n";
   std::string text = fmt::format("stereo: eyes {:.6g} apart, window at {:.6g} ({})\n",
                                  2 * pair.half_separation, pair.window, chosen.eyes.window_is_at);
   text += fmt::format("  {:<10}{:>12}{:>16}{:>14}\n", "", "distance", "parallax", "of the width");
@@ -300,9 +303,9 @@ std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering
         "  a parallel projection: both views are oblique, and parallax grows linearly with depth\n";
   }
   if (rendering.lost > 0) {
-    text +=
-        fmt::format("  culling by the camera between the eyes lost {} triangles in their view\n",
-                    rendering.lost);
+    text += fmt::format(
+        "  culling by the camera between the eyes lost {} triangles that an eye can see\n",
+        rendering.lost);
   }
   return text;
 }
@@ -312,7 +315,8 @@ std::string cropped_text(const StereoPicture& picture) {
   const AlignAndCrop& cut = *picture.cropped;
   return fmt::format(
       "  cropped from pictures {} columns wider; infinity is shifted by {:.4f} px, so each eye's "
-      "picture\n  is {:.4f} px beside that of a skewed frustum\n",
+      "picture\n"
+      "  is shifted by {:.4f} px from that of a skewed frustum\n",
       cut.shift, cut.shift_px, std::abs(cut.shift_px - cut.shift) / 2);
 }
 
@@ -322,11 +326,10 @@ std::string warped_text(const StereoPicture& picture) {
   const std::string layers = eye.layers == 1 ? "what the left one sees"
                                              : fmt::format("{} layers of the left one", eye.layers);
   std::string text = fmt::format(
-      "  the right eye is warped from {}: {:.2f} % of it filled from behind;\n  {:.1f} ms beside "
-      "{:.1f} ms of the left one",
+      "  the right eye is warped from {}: {:.2f} % of it are holes, filled from behind;\n"
+      "  {:.1f} ms, after {:.1f} ms for drawing the left one",
       layers, 100 * double(eye.holes) / double(eye.pixels), eye.warp_ms, eye.left_ms);
-  if (eye.layers > 1)
-    text += fmt::format(", and {:.0f} ms for the layers behind it", eye.layers_ms);
+  if (eye.layers > 1) text += fmt::format(" and {:.0f} ms for the layers behind it", eye.layers_ms);
   return text + "\n";
 }
 

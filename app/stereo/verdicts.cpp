@@ -25,7 +25,7 @@ std::string name_of_instance(const Scene& scene, std::uint32_t index) {
 Verdict about_parallax(const StereoFindings& found) {
   const DepthFindings& depth = found.depth;
   const std::string seen = fmt::format(
-      "what is seen has {:+.3f} % to {:+.3f} % of the width, {:g} % are allowed either way",
+      "what is visible has {:+.3f} % to {:+.3f} % of the width, {:g} % are allowed either way",
       depth.nearest.percent, depth.farthest.percent, found.question.budget_percent);
   const double share = depth.share_beyond_budget();
   if (share == 0) return {"parallax", Level::kGood, "within the budget: " + seen};
@@ -74,7 +74,7 @@ Verdict about_vertical(const StereoFindings& found) {
                         v.toed_in_px, v.x, v.y);
   if (v.skewed_px == 0) {
     return {"vertical parallax", Level::kGood,
-            "none: the frusta are skewed, the eyes look the same way. " + toed_in};
+            "none: the frusta are skewed, so the eyes look in the same direction. " + toed_in};
   }
   return {"vertical parallax", Level::kBad, fmt::format("{:.3g} px. {}", v.skewed_px, toed_in)};
 }
@@ -82,25 +82,24 @@ Verdict about_vertical(const StereoFindings& found) {
 Verdict about_rivalry(const StereoFindings& found) {
   const ColourFindings& colour = found.colour;
   const bool good = colour.mean_rivalry <= found.question.target_rivalry;
-  return {
-      "rivalry", good ? Level::kGood : Level::kWarning,
-      fmt::format("{} anaglyph: {:.3f} in the mean, {:.3f} at the worst (0: alike to both eyes, "
-                  "1: white to one and black to the other); aimed at {:g}",
-                  name_of(found.question.method), colour.mean_rivalry, colour.worst_rivalry,
-                  found.question.target_rivalry)};
+  return {"rivalry", good ? Level::kGood : Level::kWarning,
+          fmt::format("{} anaglyph: {:.3f} on average, {:.3f} at worst (0: the same to both eyes, "
+                      "1: white to one and black to the other); the target is {:g}",
+                      name_of(found.question.method), colour.mean_rivalry, colour.worst_rivalry,
+                      found.question.target_rivalry)};
 }
 
 Verdict about_ghosts(const StereoFindings& found) {
   const ColourFindings& colour = found.colour;
   if (!colour.measured_lenses) {
     return {"ghosts", Level::kFact,
-            fmt::format("not known for {} glasses: there are no measured lenses, and ideal ones "
-                        "leak nothing",
+            fmt::format("not known for {} glasses: their lenses were not measured, and ideal "
+                        "lenses leak nothing",
                         name_of(found.question.glasses))};
   }
   return {"ghosts", Level::kFact,
-          fmt::format("the other eye's light, of an eye's white: left {:.1f} % in the mean and "
-                      "{:.1f} % at the worst, right {:.1f} % and {:.1f} %",
+          fmt::format("the other eye's light, compared with white: left {:.1f} % on average and "
+                      "{:.1f} % at worst, right {:.1f} % and {:.1f} %",
                       100 * colour.mean_ghost.left, 100 * colour.worst_ghost.left,
                       100 * colour.mean_ghost.right, 100 * colour.worst_ghost.right)};
 }
@@ -109,18 +108,18 @@ Verdict about_order(const StereoFindings& found) {
   const OrderEvidence& pair = found.pair_order;
   const OrderEvidence& anaglyph = found.anaglyph_order;
   if (pair.order == EyeOrder::kSwapped || anaglyph.order == EyeOrder::kSwapped) {
-    return {"order of the eyes", Level::kBad, "interchanged: near things are seen as far ones"};
+    return {"order of the eyes", Level::kBad, "swapped: near things look far, and far things near"};
   }
   if (pair.order == EyeOrder::kUnknown) {
     return {"order of the eyes", Level::kFact,
-            "cannot be told from these pictures: too little texture that is displaced"};
+            "unknown: these pictures have too little displaced texture"};
   }
-  return {"order of the eyes", Level::kGood,
-          fmt::format(
-              "each eye has its own picture: {} of {} windows with texture fit so, {} the "
-              "other way round{}",
-              pair.in_order, pair.windows, pair.swapped,
-              anaglyph.order == EyeOrder::kUnknown ? "; the anaglyph's colours do not tell" : "")};
+  return {
+      "order of the eyes", Level::kGood,
+      fmt::format(
+          "correct: {} of {} windows with texture fit this order, {} fit the swapped order{}",
+          pair.in_order, pair.windows, pair.swapped,
+          anaglyph.order == EyeOrder::kUnknown ? "; the anaglyph's colours do not show it" : "")};
 }
 
 Verdict about_information(const StereoFindings& found) {
@@ -136,11 +135,11 @@ Verdict about_information(const StereoFindings& found) {
 Verdict about_one_eye(const StereoFindings& found) {
   const auto& counts = found.depth.monocular_counts;
   const auto share = [](const MonocularCounts& eye, const DisparitySummary& summary) {
-    return fmt::format("{:.2f} % ({} hidden, {} beside the other picture, {} missing)",
+    return fmt::format("{:.2f} % ({} hidden, {} outside the other picture, {} missing)",
                        percent_of(eye.all(), summary.drawn), eye.hidden, eye.beside, eye.missing);
   };
   return {"seen by one eye", Level::kFact,
-          fmt::format("of the left eye's pixels {}, of the right eye's {}",
+          fmt::format("in the left picture {}, in the right one {}",
                       share(counts.left, found.depth.summary.left),
                       share(counts.right, found.depth.summary.right))};
 }
@@ -179,11 +178,11 @@ std::string names_of_cut(const Scene& scene, const WindowViolation& violation) {
 
 std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found) {
   if (!found.depth.seen) {
-    return {{"pictures", Level::kBad, "nothing of the scene is in them"}, about_cost(found)};
+    return {{"pictures", Level::kBad, "no part of the scene is in them"}, about_cost(found)};
   }
   if (found.rendering.passes == 1) {
     return {{"eyes", Level::kWarning,
-             "they stand in one place: both pictures are the same, and one run made them"},
+             "they are in one place: both pictures are the same, and one run made them"},
             about_rivalry(found),
             about_ghosts(found)};
   }

@@ -149,10 +149,9 @@ void parse_stages(const std::string& text, TraceFilter& filter) {
     } else if (name == "colors") {
       filter.fragments = filter.colors = true;
     } else {
-      throw CLI::ValidationError("--stages",
-                                 "needs names out of triangles, fragments and colors, "
-                                 "separated by commas, not '" +
-                                     name + "'");
+      throw CLI::ValidationError(
+          "--stages",
+          "needs some of triangles, fragments and colors, separated by commas, not '" + name + "'");
     }
   }
 }
@@ -182,7 +181,7 @@ void TraceCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   add_filter(command);
   add_picture_options(command, picture_);
-  add_max_megabytes(command, max_megabytes_, " than that, before compression");
+  add_max_megabytes(command, max_megabytes_, " than this, before compression");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -191,14 +190,14 @@ void TraceCommand::add_filter(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--stages", [this](const std::string& text) { parse_stages(text, filter_); },
-          "out of triangles,fragments,colors: the geometric stages; coverage, depth and weights; "
+          "some of triangles,fragments,colors: the geometric stages; coverage, depth and weights; "
           "attributes and colours [all]")
       ->type_name("LIST")
       ->group(group);
   command
       .add_option_function<std::string>(
           "--arrays", [this](const std::string& text) { arrays_ = split(text, ','); },
-          "of an .npz: only these arrays (vertex.ndc) or groups of arrays (vertex) [all]")
+          "for an .npz: only these arrays (vertex.ndc) or groups of arrays (vertex) [all]")
       ->type_name("LIST")
       ->group(group);
   command
@@ -212,7 +211,7 @@ void TraceCommand::add_filter(CLI::App& command) {
       .add_option_function<std::string>(
           "--rect",
           [this](const std::string& text) { filter_.pixels = parse_rectangle("--rect", text); },
-          "only what reaches into these pixels, x0 <= x < x1")
+          "only what reaches into these pixels, X0 <= x < X1 and Y0 <= y < Y1")
       ->type_name("X0,Y0,X1,Y1")
       ->group(group);
 }
@@ -261,15 +260,14 @@ Result<void> TraceCommand::check_size(std::uint64_t bytes, const TraceCounts& co
   const std::string size =
       fmt::format("{}, {}{}", text_of(counts), is_json() ? "about " : "", megabytes(bytes));
   if (double(bytes) > double(max_megabytes_) * kMegabyte) {
-    return fail(
-        fmt::format("--max-mb {}", max_megabytes_), "the run has " + size,
-        fmt::format("keep less of it (--triangle, --instance, --rect, --stages{}, a smaller "
-                    "--size), or allow as much with --max-mb {}",
-                    is_json() ? "" : ", --arrays",
-                    bytes / std::uint64_t(kMegabyte) + 1 +
-                        (is_json() ? bytes / std::uint64_t(kMegabyte) / 20 : 0)));
+    return fail(fmt::format("--max-mb {}", max_megabytes_), "the run has " + size,
+                fmt::format("keep less of it (--triangle, --instance, --rect, --stages{}, a "
+                            "smaller --size), or allow more with --max-mb {}",
+                            is_json() ? "" : ", --arrays",
+                            bytes / std::uint64_t(kMegabyte) + 1 +
+                                (is_json() ? bytes / std::uint64_t(kMegabyte) / 20 : 0)));
   }
-  if (bytes > kWorthSaying) progress.say(size + " are to be written");
+  if (bytes > kWorthSaying) progress.say(size + " will be written");
   return {};
 }
 

@@ -172,7 +172,7 @@ std::string no_screen_area_text(const NoScreenAreaVerdict& found) {
     after.push_back(fmt::format("({}, {})", found.snapped[k].x, found.snapped[k].y));
   }
   return fmt::format(
-      "It has an area of {:.4g} px^2 on the screen, and none after snapping to {} steps a pixel: "
+      "It has an area of {:.4g} px^2 on the screen, but none after snapping to {} steps per pixel: "
       "{} px become {} /{} px, {}.",
       found.area_px2, kSubpixels, listed(before), listed(after), kSubpixels,
       found.snapped[0] == found.snapped[1] && found.snapped[1] == found.snapped[2]

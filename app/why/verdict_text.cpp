@@ -24,16 +24,16 @@ constexpr EndText kEndTexts[kEnds] = {
     {"clipped away", "several planes together leave nothing of them"},
     {"no area on the screen", "after snapping to 1/256 px they are lines or points"},
     {"turned away", "they show the side that is culled"},
-    {"outside the picture", "they lie beside the picture"},
+    {"outside the picture", "they are outside the picture"},
     {"between pixel centres", "they are so small or thin that they cover no pixel's centre"},
     {"hidden", "something nearer was drawn before them wherever they are"},
     {"discarded", "their alpha is below the material's cutoff"},
     {"masked", "the colour mask lets no channel through"},
     {"overwritten", "something nearer was drawn over them afterwards"},
-    {"unchanged bytes", "what they write are the bytes that were there"},
+    {"unchanged bytes", "the bytes that they write were there already"},
     {"partly visible", "some of their fragments are in the picture"},
     {"visible", "all their fragments are in the picture"},
-    {"drawn as lines", "their edges are drawn, not their insides"},
+    {"drawn as lines", "only their edges are drawn"},
 };
 
 const char* slip_remedy(Change change) {
@@ -44,7 +44,7 @@ const char* slip_remedy(Change change) {
 
 std::string lines_text(std::uint64_t pixels) {
   return fmt::format(
-      "The picture is a wireframe: of the triangle its edges are drawn, which are seen in {}.",
+      "The picture is a wireframe: only the triangle's edges are drawn, which are visible in {}.",
       counted(pixels, "pixel"));
 }
 
@@ -86,8 +86,8 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                                         h.y, rival_text(h.by));
   if (h.code == h.stored) {
     return where + fmt::format(
-                       "both have depth code 0x{:08x} (distances {:.9g} and {:.9g}), and of equal "
-                       "depths the first drawn stays.",
+                       "both have depth code 0x{:08x} (distances {:.9g} and {:.9g}), and at equal "
+                       "depths the first one drawn stays.",
                        h.code, h.distance, h.stored_distance);
   }
   return where + fmt::format(
@@ -122,7 +122,7 @@ std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
     text.push_back(fmt::format("In the picture: {}, in columns {} .. {} and rows {} .. {}.",
                                share(t.visible), box.x0, box.x1 - 1, box.y0, box.y1 - 1));
     if (t.veiled > 0) {
-      text.push_back(fmt::format("Translucent surfaces lie over {} of these.", t.veiled));
+      text.push_back(fmt::format("Translucent surfaces are drawn over {} of these.", t.veiled));
     }
     if (t.unchanged > 0) text.push_back(unchanged_text(t, *d.unchanged));
   }
@@ -188,16 +188,15 @@ std::vector<std::string> explain(const ViewConventions& conventions) {
   if (conventions.hands_mixed) {
     text.push_back(fmt::format(
         "Handedness is mixed: eye_from_world gives a {}-handed eye, which looks down {}z, but "
-        "clip_from_eye takes {}z for the gaze. Whatever is in front of the camera gets w < 0, and "
-        "what is behind it is drawn. Remedy: {}.",
+        "clip_from_eye takes {}z for the gaze. Points in front of the camera get w < 0, and points "
+        "behind it are drawn. Remedy: {}.",
         conventions.right_handed_eye ? "right" : "left", conventions.right_handed_eye ? "-" : "+",
         conventions.gaze_is_minus_z ? "-" : "+", slip_remedy(Change::kEyeHand)));
   }
   if (conventions.opengl_range) {
     text.push_back(fmt::format(
-        "The projection carries the near plane to depth {:.9g}, as OpenGL's -w <= z <= w has it; "
-        "here what is kept has 0 <= z <= w, so the nearest part of the scene is cut off. Remedy: "
-        "{}.",
+        "The projection maps the near plane to depth {:.9g}, as for OpenGL's -w <= z <= w; but "
+        "here only 0 <= z <= w is kept, so the nearest part of the scene is cut off. Remedy: {}.",
         conventions.near_depth, slip_remedy(Change::kDepthRange)));
   }
   return text;

@@ -131,18 +131,19 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
 
 void WhyCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "why", "why a triangle is not seen, or where it is; without --triangle, of all of them");
+      "why",
+      "why a triangle is not visible, or where it is; without --triangle, for all triangles");
   command.footer(
       "Examples:\n"
       "  glassbox why cube --triangle 0\n"
       "  glassbox why teapot --triangle 4711 --size 320x180\n"
       "  glassbox why room --eye 0,1,9 --look-at 0,1,20\n\n"
-      "The options are those of glassbox render: the same words show the same picture.\n\n" +
+      "The options are those of glassbox render: the same options show the same picture.\n\n" +
       builtin_help());
   command
       .add_option_function<std::string>(
           "--triangle", [this](const std::string& text) { triangle_ = parse_number(text); },
-          "its number in the scene, from 0, as glassbox pixel and render --id-out count them")
+          "the triangle's number in the scene, counted from 0 (render --id-out stores 1 more)")
       ->type_name("N");
   question_.add_to(command);
   command.callback([this, &exit_code] {

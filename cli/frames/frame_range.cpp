@@ -46,10 +46,10 @@ std::optional<FrameRange> range_of(std::string_view text) {
 
 FrameRange parse_frames(const std::string& text) {
   if (const auto range = range_of(text)) return *range;
-  throw CLI::ValidationError(
-      "--frames", fmt::format("needs N, or FIRST-LAST/N for those of N frames, in whole numbers "
-                              "from 1 to {}, not {}",
-                              kMaxFrames, in_quotes(text)));
+  throw CLI::ValidationError("--frames",
+                             fmt::format("needs N, or FIRST-LAST/N for frames FIRST to LAST of N, "
+                                         "in whole numbers from 1 to {}, not {}",
+                                         kMaxFrames, in_quotes(text)));
 }
 
 namespace {
@@ -98,7 +98,7 @@ Result<FrameNames> FrameNames::of(const std::string& output, const std::string& 
     const std::string width = whole.substr(i + 1, end - i - 1);
     const bool legal = end < whole.size() && whole[end] == 'd' &&
                        (width.empty() || (width.size() == 2 && width[0] == '0'));
-    if (!legal) return bad_pattern(output, "this is no place for a number");
+    if (!legal) return bad_pattern(output, "the % does not begin a frame number");
     if (numbered) return bad_pattern(output, "there are two places for the number");
     numbered = true;
     names.digits_ = width.empty() ? 1 : width[1] - '0';

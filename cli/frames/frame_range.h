@@ -1,4 +1,5 @@
-// Which frames of a sequence are drawn (--frames N, or FIRST-LAST/N), and what their pictures are called.
+// Which frames of a sequence are drawn (--frames N, or FIRST-LAST/N), and the names of their
+// pictures.
 #pragma once
 
 #include <string>

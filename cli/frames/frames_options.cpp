@@ -24,7 +24,8 @@ std::array<double, 2> parse_budget(const std::string& text) {
            : parse_numbers<2>(name, text);
   for (const double percent : budget) {
     if (percent >= 0 && percent <= 100) continue;
-    throw CLI::ValidationError(name, fmt::format("needs per cent from 0 to 100, not '{}'", text));
+    throw CLI::ValidationError(name,
+                               fmt::format("needs a percentage from 0 to 100, not '{}'", text));
   }
   return budget;
 }
@@ -32,7 +33,7 @@ std::array<double, 2> parse_budget(const std::string& text) {
 double parse_at_least_zero(const std::string& name, const std::string& text) {
   const double number = parse_number(name, text);
   if (number >= 0 && std::isfinite(number)) return number;
-  throw CLI::ValidationError(name, fmt::format("needs a number from 0, not '{}'", text));
+  throw CLI::ValidationError(name, fmt::format("needs a number of at least 0, not '{}'", text));
 }
 
 constexpr const char* kFramesGroup = "Frames";
@@ -53,17 +54,17 @@ void note_frames_options(const CLI::App& command, std::size_t before, FramesOpti
 
 void add_sequence_options(CLI::App& command, FramesOptions& frames) {
   const std::size_t before = command.get_options().size();
-  add_frames_option(
-      command, "--frames", "N|FIRST-LAST/N",
-      "as many pictures, FILE-0001.png and so on; or -o with %04d for the number, or a directory; "
-      "or FIRST to LAST of them only",
-      [&frames](const std::string& text) { frames.range = parse_frames(text); });
+  add_frames_option(command, "--frames", "N|FIRST-LAST/N",
+                    "render N pictures: FILE-0001.png and so on, or -o with %04d for the number, "
+                    "or a directory; FIRST-LAST/N: only these of the N",
+                    [&frames](const std::string& text) { frames.range = parse_frames(text); });
   add_frames_option(command, "--path", "FILE.json",
                     "the camera's path: keyframes (docs/stereo.md has the format)",
                     [&frames](const std::string& text) { frames.path = text; });
   command
       .add_flag("--turntable", frames.turntable,
-                "once around --up through --look-at or the scene's centre, all of it in view")
+                "move the camera once around the scene, all of it in view; the axis is --up "
+                "through --look-at or the scene's centre")
       ->group(kFramesGroup);
   note_frames_options(command, before, frames);
 }
@@ -76,14 +77,15 @@ void add_frames_options(CLI::App& command, FramesOptions& frames) {
     add_frames_option(command, name, type, help, take);
   };
   add("--parallax-budget", "PERCENT[,PERCENT]",
-      "the most parallax in front of the window and behind it, of the width [3]",
+      "largest parallax in front of the stereo window and behind it, in per cent of the width [3]",
       [&frames](const std::string& text) { frames.budget_percent = parse_budget(text); });
-  add("--release-frames", "N", "how slowly the eyes part again and the window follows [15]",
+  add("--release-frames", "N",
+      "number of frames in which the eyes slowly move apart again and the window follows [15]",
       [&frames](const std::string& text) {
         frames.release_frames = parse_at_least_zero("--release-frames", text);
       });
   add("--max-step", "S",
-      "the most that the separation changes in a frame (world units) [its largest in "
+      "largest change of the eye separation per frame (world units) [the largest separation over "
       "--release-frames]",
       [&frames](const std::string& text) {
         frames.max_step = parse_at_least_zero("--max-step", text);
@@ -91,7 +93,8 @@ void add_frames_options(CLI::App& command, FramesOptions& frames) {
           throw CLI::ValidationError("--max-step", "needs a number above 0, not '" + text + "'");
         }
       });
-  add("--plot", "FILE.svg", "separation and parallax over the frames [named after the pictures]",
+  add("--plot", "FILE.svg",
+      "a plot of eye separation and parallax over the frames [named after the pictures]",
       [&frames](const std::string& text) { frames.plot = text; });
   note_frames_options(command, before, frames);
 }
@@ -101,7 +104,7 @@ namespace {
 Result<void> check_plot(const FramesOptions& frames) {
   if (!frames.plot) return {};
   if (frames.range->is_slice()) {
-    return fail("--plot", "a part of the frames has no plot of them all",
+    return fail("--plot", "the plot needs all frames, but only some are drawn",
                 "leave it out, or draw all frames");
   }
   return check_extension(*frames.plot, ".svg");
@@ -113,8 +116,8 @@ Result<void> check_pose(const CameraOptions& camera, const FramesOptions& frames
   }
   if (frames.turntable) {
     if (!camera.camera || *camera.camera == "none") return {};
-    return fail("--camera", "a turntable's camera goes round the scene",
-                "leave it out; --eye says where it begins");
+    return fail("--camera", "--turntable moves the camera around the scene",
+                "leave it out; --eye gives the start");
   }
   const bool posed = camera.camera || camera.eye || camera.look_at || camera.up;
   if (!posed) return {};
@@ -131,32 +134,33 @@ Result<void> check_frames_options(const PictureOptions& picture, bool for_two_ey
                                   const FramesOptions& frames) {
   for (const CLI::Option* option : frames.options) {
     if (option->count() == 0) continue;
-    if (!frames.range) return fail(option->get_name(), "no number of frames", "give --frames N");
+    if (!frames.range)
+      return fail(option->get_name(), "the number of frames is missing", "give --frames N");
     if (!frames.path && !frames.turntable) {
-      return fail(option->get_name(), "no camera path", "give --path FILE.json, or --turntable");
+      return fail(option->get_name(), "the camera path is missing",
+                  "give --path FILE.json, or --turntable");
     }
     const std::string& name = option->get_name();
     const bool of_any = name == "--frames" || name == "--path" || name == "--turntable";
     if (for_two_eyes || of_any) continue;
-    return fail(name, "it is about pictures for two eyes",
-                "give --stereo as well, or leave it out");
+    return fail(name, "it is an option for pictures of two eyes",
+                "give --stereo too, or leave it out");
   }
   if (!frames.wanted()) return {};
   if (const auto legal = check_plot(frames); !legal) return legal;
   if (const auto legal = check_pose(picture.camera, frames); !legal) return legal;
   if (picture.eyes.seen_by) {
-    return fail("--seen-by", "frames are for both eyes or for none",
-                "--stereo pair has both pictures at full size");
+    return fail("--seen-by", "it cannot be used with --frames",
+                "use --stereo pair, which has both eyes' pictures at full size");
   }
   if (!for_two_eyes && (picture.eyes.separation || picture.eyes.window)) {
     return fail(picture.eyes.separation ? "--eye-separation" : "--window",
-                "pictures for one eye have no use for it",
-                "give --stereo as well, or leave it out");
+                "it is an option for pictures of two eyes", "give --stereo too, or leave it out");
   }
   const std::optional<double>& separation = picture.eyes.separation;
   if (separation && !(*separation >= 0 && std::isfinite(*separation))) {
     return fail("--eye-separation", "it is " + number_text(*separation),
-                "give the most that the eyes may be apart, 0 or more");
+                "give the largest eye separation, 0 or more");
   }
   const std::optional<double>& window = picture.eyes.window;
   if (window && !(*window > 0)) {
@@ -164,7 +168,7 @@ Result<void> check_frames_options(const PictureOptions& picture, bool for_two_ey
                 "give a distance above 0, or auto");
   }
   if (window && std::isinf(*window) && !separation && for_two_eyes) {
-    return fail("--window", "an infinite one says nothing about how far the eyes are apart",
+    return fail("--window", "no eye separation can be derived from an infinite distance",
                 "give --eye-separation");
   }
   return {};
@@ -174,10 +178,11 @@ Result<void> check_path_options(const PictureOptions& picture, const CameraPath&
   const CameraOptions& camera = picture.camera;
   if (path.has_fov && (camera.fov_degrees || camera.ortho_height || camera.frustum)) {
     const char* name = camera.fov_degrees ? "--fov" : camera.ortho_height ? "--ortho" : "--frustum";
-    return fail(name, "the path's keyframes have angles of their own", "leave one of them out");
+    return fail(name, "the path's keyframes already give the angle of view",
+                "leave one of them out");
   }
   if (path.has_window && picture.eyes.window) {
-    return fail("--window", "the path's keyframes have windows of their own",
+    return fail("--window", "the path's keyframes already give the window",
                 "leave one of them out");
   }
   return {};

@@ -33,14 +33,14 @@ class Watch {
 public:
   bool operator()(int depth, JsonEvent event, const nlohmann::json& value) {
     if (event == JsonEvent::object_start || event == JsonEvent::array_start) {
-      if (depth >= kDeepest) problem_ = "brackets are nested deeper than a path's";
+      if (depth >= kDeepest) problem_ = "brackets are nested too deeply for a camera path";
       if (event == JsonEvent::object_start) keys_.emplace_back();
     } else if (event == JsonEvent::object_end) {
       keys_.pop_back();
     } else if (event == JsonEvent::key) {
       const std::string key = value.get<std::string>();
       if (!keys_.back().insert(key).second) {
-        problem_ = "the key " + in_quotes(key) + " is there twice";
+        problem_ = "the key " + in_quotes(key) + " occurs twice";
       }
     }
     if (!problem_.empty()) throw Stop{problem_};
@@ -74,7 +74,7 @@ Result<nlohmann::json> parse_json(std::string_view text) {
   } catch (const Watch::Stop& stop) {
     return fail("", stop.problem, "see the format in docs/stereo.md");
   } catch (const nlohmann::json::parse_error& error) {
-    return fail(place_in(text, error.byte), "this is no JSON", "mend it there");
+    return fail(place_in(text, error.byte), "this is not valid JSON", "correct it there");
   } catch (const nlohmann::json::exception&) {
     return fail("", "a number is too large for a double", "make it smaller");
   }
@@ -92,13 +92,13 @@ Result<void> check_keys(const nlohmann::json& object, const std::vector<std::str
     if (std::ranges::find(known, key) != known.end()) continue;
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    return fail(place, "there is no key " + in_quotes(key), "the keys are " + names);
+    return fail(place, "unknown key " + in_quotes(key), "the keys are " + names);
   }
   return {};
 }
 
 Result<double> read_number(const nlohmann::json& value, const std::string& place) {
-  if (!value.is_number()) return fail(place, "is no number", "write a number");
+  if (!value.is_number()) return fail(place, "is not a number", "write a number");
   const double number = value.get<double>();
   if (!(std::abs(number) <= kMaxNumber)) {
     return fail(place, "is " + number_text(number) + ", which a float cannot hold",
@@ -109,7 +109,7 @@ Result<double> read_number(const nlohmann::json& value, const std::string& place
 
 Result<std::array<double, 3>> read_triple(const nlohmann::json& value, const std::string& place) {
   if (!value.is_array() || value.size() != 3) {
-    return fail(place, "is no list of three numbers", "write [x, y, z]");
+    return fail(place, "is not a list of three numbers", "write [x, y, z]");
   }
   std::array<double, 3> triple{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -129,7 +129,8 @@ public:
 
   Result<Keyframe> read() const {
     if (!object_.is_object()) {
-      return fail(place_, "is no object", "write {\"time\": ..., \"eye\": ..., \"look_at\": ...}");
+      return fail(place_, "is not a JSON object",
+                  "write {\"time\": ..., \"eye\": ..., \"look_at\": ...}");
     }
     const auto known =
         check_keys(object_, {"time", "frame", "eye", "look_at", "up", "fov", "window"}, place_);
@@ -156,7 +157,7 @@ private:
                   "give all of them a time, or all of them a frame");
     }
     if (!object_.contains(key)) {
-      return fail(place_, "has no " + quoted(key), "say when the camera is there");
+      return fail(place_, "has no " + quoted(key), "give the time or frame of every keyframe");
     }
     return read_number(object_[key], place_of(key)).and_then([&](double at) -> Result<void> {
       if (frames && !(at >= 1 && at <= kMaxFrames && at == std::floor(at))) {
@@ -223,7 +224,7 @@ private:
 
 Result<void> read_header(const nlohmann::json& json, CameraPath& path) {
   if (!json.is_object() || !json.contains("camera_path")) {
-    return fail("", "is no camera path: it does not begin with {\"camera_path\": 1}",
+    return fail("", "is not a camera path: it does not begin with {\"camera_path\": 1}",
                 "see the format in docs/stereo.md");
   }
   if (json["camera_path"] != kPathVersion) {

@@ -24,7 +24,8 @@ private:
 };
 
 void CompletionCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("completion", "what makes a shell complete these words");
+  CLI::App& command = *app.add_subcommand(
+      "completion", "print a script that lets a shell complete these commands and options");
   command.footer(
       "Examples:\n"
       "  source <(glassbox completion bash)            # in ~/.bashrc\n"

@@ -57,7 +57,7 @@ void HelpCommand::add_to(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  glassbox help render\n"
       "  glassbox help study run");
-  command.add_option("COMMAND", words_, "whose help; the program's where there is none")
+  command.add_option("COMMAND", words_, "the subcommand whose help is printed [the program]")
       ->type_name("");
   command.callback([this, &app, &exit_code] { exit_code = run(app); });
 }

@@ -89,7 +89,8 @@ PixelAt parse_pixel(const std::string& option, const std::string& text) {
   const auto place = read_whole_numbers<2>(text, ',');
   if (!place) {
     throw CLI::ValidationError(
-        option, fmt::format("needs X,Y in whole pixels from the top left, not '{}'", text));
+        option,
+        fmt::format("needs X,Y in whole pixels, counted from the top left corner, not '{}'", text));
   }
   return {(*place)[0], (*place)[1]};
 }
@@ -115,10 +116,9 @@ PixelRect parse_rectangle(const std::string& option, const std::string& text) {
     const auto [x0, y0, x1, y1] = *sides;
     if (x0 < x1 && y0 < y1) return {x0, y0, x1, y1};
   }
-  throw CLI::ValidationError(
-      option, fmt::format("needs X0,Y0,X1,Y1 in whole pixels from the top left, the last two "
-                          "beyond the first two, not '{}'",
-                          text));
+  throw CLI::ValidationError(option, fmt::format("needs X0,Y0,X1,Y1 in whole pixels from the top "
+                                                 "left corner, with X0 < X1 and Y0 < Y1, not '{}'",
+                                                 text));
 }
 
 Result<void> check_rectangle(const std::string& option, const PixelRect& rectangle,

@@ -203,7 +203,8 @@ Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   const std::string group = "Camera";
   app.add_option("--camera", options.camera,
-                 "one of the scene's cameras, the first if it has any; none frames the scene")
+                 "one of the scene's cameras [the first]; none, or no camera in the scene: the "
+                 "camera is placed so that the whole scene is in view")
       ->type_name("NAME|INDEX|none")
       ->group(group);
   add_numbers(app, "--eye", options.eye, "X,Y,Z", "where the camera stands (world units)")
@@ -212,7 +213,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
               "the point it looks at [the scene's centre]")
       ->group(group);
   add_numbers(app, "--up", options.up, "X,Y,Z",
-              "what is up in the picture, which is framed for it [0,1,0]")
+              "the direction that points up in the picture; alone, it also puts the whole scene in "
+              "view [0,1,0]")
       ->group(group);
   add_number(app, "--fov", options.fov_degrees, "DEGREES",
              "full vertical angle of a perspective view [45]")
@@ -221,21 +223,21 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
              "parallel view of this full height (world units)")
       ->group(group);
   add_numbers(app, "--frustum", options.frustum, "L,R,B,T",
-              "window edges on the near plane (see --near), as glFrustum")
+              "window edges on the near plane (see --near), as for glFrustum")
       ->group(group);
   add_distance(app, "--near", options.near, "N", "distance of the near plane")->group(group);
   add_distance(app, "--far", options.far, "F|inf", "distance of the far plane")->group(group);
   add_choice(app, "--view-from", options.formulation.view,
              {{"uvn", ViewForm::kUvn}, {"axis-angle", ViewForm::kAxisAngle}},
-             "how eye_from_world is made: from the camera's axes, or by turning the gaze to -z and "
-             "rolling [uvn]")
+             "how the view matrix eye_from_world is made: from the camera's axes, or by turning "
+             "the gaze to -z and then rolling [uvn]")
       ->group(group);
   add_choice(app, "--projection", options.formulation.projection,
              {{"perspective", ProjectionForm::kPerspective},
               {"frustum", ProjectionForm::kFrustum},
               {"t_pers", ProjectionForm::kTPers},
               {"alpha_beta", ProjectionForm::kAlphaBeta}},
-             "formulation of clip_from_eye; the same but for rounding [perspective]")
+             "formula of the projection; they differ only by rounding [perspective]")
       ->group(group);
 }
 

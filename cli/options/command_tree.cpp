@@ -97,8 +97,7 @@ void refuse_empty_names(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     const ValueKinds kinds = kinds_of(facts_of(*option));
     if (option->get_positional() || !(kinds.files || kinds.directories)) continue;
-    option->check(
-        [](const std::string& word) { return word.empty() ? "an empty name names no file" : ""; });
+    option->check([](const std::string& word) { return word.empty() ? "the name is empty" : ""; });
   }
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
     refuse_empty_names(*command);

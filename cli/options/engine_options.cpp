@@ -78,7 +78,7 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
   return command
       .add_option_function<std::string>(
           "--target", [&target](const std::string& text) { target = parse_target(text); },
-          fmt::format("instructions to use [{}]", name_of(best_target())))
+          fmt::format("processor instructions to use [{}]", name_of(best_target())))
       ->type_name(names_of(available_targets(), "|"))
       ->group(kGroup);
 }
@@ -86,20 +86,21 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   add_choice(command, "--engine", options.engine,
              choices_of({EngineKind::kTile, EngineKind::kStaged}),
-             "what draws: the fast one, or the reference; same bytes [tile]")
+             "the engine that draws: tile is the fast one, staged the reference; both give the "
+             "same bytes [tile]")
       ->group(kGroup);
   options.of_tiles = {
       command
           .add_option_function<std::string>(
               "--threads", [&options](const std::string& text) { set_threads(text, options); },
-              "threads of the tile engine, and of all else [all]")
+              "threads of the tile engine and of all other work [one for each processor]")
           ->type_name("N")
           ->group(kGroup),
       add_target_option(command, options.tile.target),
       command
           .add_flag_callback(
               "--no-plan", [&options] { options.tile.plan = false; },
-              "leave nothing out that the scene does not need")
+              "do all the work, even what this scene does not need")
           ->group(kGroup)};
 }
 
@@ -107,7 +108,8 @@ Result<void> check_engine_options(const EngineOptions& options) {
   if (options.engine == EngineKind::kTile) return {};
   for (const CLI::Option* option : options.of_tiles) {
     if (option->count() == 0) continue;
-    return fail(option->get_name(), "it is about the tile engine, and --engine staged draws",
+    return fail(option->get_name(),
+                "it is an option of the tile engine, but --engine staged is given",
                 "leave one of the two out");
   }
   return {};

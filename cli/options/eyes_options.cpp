@@ -59,7 +59,8 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
             eyes.separation.reset();
             if (text != "auto") eyes.separation = parse_number("--eye-separation", text);
           },
-          "from eye to eye (world units) [auto: comfortable, at most a thirtieth of --window]")
+          "distance between the eyes (world units) [auto: comfortable, at most a thirtieth of "
+          "--window]")
       ->type_name("S|auto")
       ->group(group);
   command
@@ -69,11 +70,12 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
             eyes.window.reset();
             if (text != "auto") eyes.window = parse_distance("--window", text);
           },
-          "distance without parallax (world units along the gaze) [auto: the point looked at]")
+          "distance of the stereo window, where parallax is 0 (world units along the gaze) [auto: "
+          "the point looked at]")
       ->type_name("D|auto")
       ->group(group);
   add_choice(command, "--seen-by", eyes.seen_by, {{"left", Side::kLeft}, {"right", Side::kRight}},
-             "the picture of one eye alone")
+             "draw the picture of this eye alone")
       ->group(group);
 }
 
@@ -88,7 +90,7 @@ Result<ChosenPair> choose_pair(const Scene& scene, const View& centre,
     return check_pair(centre, chosen.pair).map([&] { return chosen; });
   }
   if (std::isinf(chosen.pair.window)) {
-    return fail("--window", "an infinite one says nothing about how far the eyes are apart",
+    return fail("--window", "no eye separation can be derived from an infinite distance",
                 "give --eye-separation");
   }
   // The window is checked with a provisional separation, because with separation zero an invalid

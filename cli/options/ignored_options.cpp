@@ -35,17 +35,18 @@ void tell_of_ignored(const PictureOptions& picture) {
   const std::string show = given(picture, "--show");
   if (is_of_a_plane(settings.show)) {
     if (settings.samples > 1) {
-      tell(given(picture, "--samples"), show + " is of pixel centres, as --samples 1 draws them");
+      tell(given(picture, "--samples"),
+           show + " shows values at pixel centres, as with --samples 1");
     }
   }
   if (settings.show != Show::kColor) {
     // Flat shading uses face normals, so --shade does change a picture of normals.
     const bool flat_normals = settings.show == Show::kNormal && settings.shading == Shading::kFlat;
-    if (!flat_normals) tell(given(picture, "--shade"), show + " has no light");
-    tell(given(picture, "--transfer"), show + " stores no light");
+    if (!flat_normals) tell(given(picture, "--shade"), show + " shows no lighting");
+    tell(given(picture, "--transfer"), show + " stores values that are not encoded");
   }
   if (picture.eyes.separation == 0.0) {
-    tell(given(picture, "--window"), "the eyes stand in one place, and nothing has parallax");
+    tell(given(picture, "--window"), "with --eye-separation 0 nothing has parallax");
   }
 }
 

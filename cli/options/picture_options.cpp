@@ -21,22 +21,23 @@ void add_drawing_options(CLI::App& command, PictureOptions& picture) {
       ->group(group);
   add_choice(command, "--show", settings.show,
              choices_of({Show::kDepth, Show::kNormal, Show::kUv, Show::kId, Show::kOverdraw}),
-             "a quantity in place of the colours")
+             "show this quantity instead of colours")
       ->group(group);
   add_choice(command, "--cull", settings.cull, choices_of({Cull::kBack, Cull::kFront, Cull::kNone}),
-             "faces to leave out [as each material says]")
+             "faces to cull [as each material says]")
       ->group(group);
   add_choice(command, "--cull-stage", settings.cull_stage,
              {{"screen", CullStage::kScreen}, {"object", CullStage::kObject}},
-             "where faces to leave out are found: by their area on the screen, or before clipping "
-             "where that is certain; same bytes [screen]")
+             "where faces are culled: by their area on the screen, or in object space before "
+             "clipping where that is certain; both give the same bytes [screen]")
       ->group(group);
-  command.add_flag("--wireframe", settings.wireframe, "the edges of triangles only")->group(group);
+  command.add_flag("--wireframe", settings.wireframe, "draw only the edges of triangles")
+      ->group(group);
   command
       .add_option_function<std::string>(
           "--background",
           [&settings](const std::string& text) { settings.background = parse_background(text); },
-          "background as displayed, each 0 .. 1 [0.1,0.12,0.15]")
+          "background colour as displayed, each channel 0 .. 1 [0.1,0.12,0.15]")
       ->type_name("R,G,B")
       ->group(group);
   add_choice(command, "--transfer", settings.transfer,
@@ -44,13 +45,13 @@ void add_drawing_options(CLI::App& command, PictureOptions& picture) {
       ->group(group);
   add_choice<int>(command, "--samples", settings.samples,
                   {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
-                  "samples of each pixel, whose mean is its colour [1]")
+                  "samples per pixel, whose mean is the pixel's colour [1]")
       ->group(group);
   add_choice<std::optional<TextureFilter>>(
       command, "--filter", picture.filter,
       choices_of({TextureFilter::kNearest, TextureFilter::kBilinear, TextureFilter::kBilinearLevels,
                   TextureFilter::kTrilinear}),
-      "how textures are filtered [as each one's sampler says]")
+      "how textures are filtered [as each texture's sampler says]")
       ->group(group);
   add_choice(command, "--depth", settings.depth,
              choices_of({DepthFormat::kFloat32, DepthFormat::kFloat32Reversed,
@@ -107,8 +108,8 @@ Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& pi
 void tell_of_centres(const PictureOptions& picture) {
   if (picture.settings.samples == 1) return;
   fmt::print(stderr,
-             "glassbox: note: --samples {}: this looks at pixel centres, as --samples 1 draws "
-             "them\n",
+             "glassbox: note: --samples {} is ignored: this command looks at pixel centres, as "
+             "with --samples 1\n",
              picture.settings.samples);
 }
 
@@ -131,8 +132,9 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
   const EyesOptions& eyes = picture.eyes;
   if (!eyes.seen_by) {
     if (!eyes.separation && !eyes.window) return choose_centre(scene, picture);
-    return fail(eyes.separation ? "--eye-separation" : "--window", "one picture has no use for it",
-                "say whose it is with --seen-by left or --seen-by right");
+    return fail(eyes.separation ? "--eye-separation" : "--window",
+                "it needs two eyes, but the picture is for one",
+                "choose an eye with --seen-by left or --seen-by right");
   }
   return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {
     return ChosenView{chosen.camera, eye_view(chosen.centre, chosen.eyes.pair, *eyes.seen_by)};

@@ -21,7 +21,7 @@ constexpr const char* kStandardInput = "standard input";
 
 Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
   if (::isatty(STDIN_FILENO) == 1) {
-    return fail("", "is a terminal", "send a file in: glassbox render - < duck.glb");
+    return fail("", "is a terminal", "redirect a file to it: glassbox render - < duck.glb");
   }
   constexpr std::size_t kBlock = std::size_t(1) << 20;
   std::vector<std::byte> bytes;
@@ -33,7 +33,7 @@ Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
     if (n == 0) return bytes;
     if (n < 0 && errno != EINTR) {
       return fail("", "cannot be read: " + std::string(std::strerror(errno)),
-                  "check what sends it");
+                  "check the program or file that it comes from");
     }
   }
   return fail("", "has more than the limit of " + std::to_string(max_bytes) + " bytes",

@@ -115,7 +115,7 @@ std::string problem_with(const CommandFacts& command, const Reached& reached,
                          const std::string& word) {
   if (is_option(word)) return unknown_option(command, word);
   if (!command.commands.empty()) return unknown_command(command, reached, word);
-  return "there is no use for the word " + in_quotes(word);
+  return "the argument " + in_quotes(word) + " is not expected";
 }
 
 // CLI11's error in plain words, if its own are hard to understand.
@@ -137,7 +137,7 @@ std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& e
     const bool is_whole = std::ranges::any_of(command.options, [&](const OptionFacts& option) {
       return takes_whole_number(option) && std::ranges::count(option.names, name) > 0;
     });
-    return name + (is_whole ? ": needs a whole number, not " : ": needs another value than ") +
+    return name + (is_whole ? ": needs a whole number, not " : ": cannot use the value ") +
            in_quotes(what.substr(equals + is.size()));
   }
   const std::size_t twice = what.find(": At Most 1 required but received ");

@@ -18,7 +18,7 @@ inline constexpr int kBadInput = 2;  // wrong usage, or a file that is refused
 // Errors repeat words of the user and texts from files, which can be very long. Longer messages are
 // cut.
 inline constexpr std::size_t kLongestMessage = 4000;
-inline constexpr std::size_t kLongPath = 1000;  // of a file in a report
+inline constexpr std::size_t kLongPath = 1000;  // longest path of a file in a report
 
 inline int refuse(const Error& error) {
   fmt::print(stderr, "glassbox: {}\n", printable(error.message(), kLongestMessage));

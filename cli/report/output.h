@@ -39,8 +39,8 @@ Result<void> check_distinct(const std::vector<std::string>& outputs,
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data);
 
-// The files that a command is asked for, named one after the other and then checked before a long run. Where there is no path,
-// that file is not asked for.
+// The files that a command will write: they are declared one after the other, and checked before a
+// long run. A file without a path is not written.
 class Outputs {
 public:
   // A file with this extension (".pfm"); empty: any.

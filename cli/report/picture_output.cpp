@@ -24,14 +24,14 @@ namespace fs = std::filesystem;
 Result<void> check_stream() {
   if (::isatty(STDOUT_FILENO) != 1) return {};
   return fail("-o -", "standard output is a terminal",
-              "send it on: > picture.png, or | another program");
+              "redirect it: > picture.png, or | another program");
 }
 
 Result<void> write_stream(std::span<const std::byte> bytes) {
   const bool all = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
   if (all && std::fflush(stdout) == 0) return {};
   return fail("standard output", "cannot be written: " + std::string(std::strerror(errno)),
-              "make room, or send it elsewhere");
+              "free some space, or write it elsewhere");
 }
 
 Result<void> check_file(const std::string& output, const std::string& usual) {
@@ -50,7 +50,7 @@ Result<void> check_picture_output(const std::string& output,
                                   const std::string& usual) {
   if (output == "-") return check_stream();
   if (format) {
-    return fail("--format", "the extension of the output says its format",
+    return fail("--format", "the extension of the output already gives the format",
                 "leave it out, or give -o -");
   }
   return check_file(output, usual);

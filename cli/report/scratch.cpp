@@ -61,7 +61,7 @@ Scratch::Scratch() {
   if (::mkdtemp(name.data()) == nullptr || ::chmod(name.c_str(), 0711) != 0) return;
   path_ = name;
   // The lock file gets its final name after the lock is taken, because another process removes a
-  // directory whose lock nobody holds.
+  // directory whose lock is not held.
   const fs::path unnamed = path_ / "to-be-in-use";
   lock_ = take_lock(unnamed, O_CREAT);
   fs::rename(unnamed, path_ / kLock, error);
@@ -75,8 +75,8 @@ Scratch::~Scratch() {
 
 Result<fs::path> Scratch::path() const {
   if (path_.empty()) {
-    return fail("the temporary directory", "nothing can be made there",
-                "name one that can be written to in the environment variable TMPDIR");
+    return fail("the temporary directory", "no directory can be created in it",
+                "set the environment variable TMPDIR to a directory that can be written to");
   }
   return path_;
 }
@@ -86,7 +86,7 @@ Result<fs::path> Scratch::own(const std::string& name) const {
   if (!place) return place;
   const fs::path made = *place / name;
   if (::mkdir(made.c_str(), 0700) != 0)
-    return fail(made.string(), "cannot be made", "free some space there");
+    return fail(made.string(), "cannot be created", "free some space there");
   return made;
 }
 

@@ -39,9 +39,10 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
                 grouped(in_draws) + " left out by the plan");
   }
   if (s.clusters > 0) {
-    text += row("clusters", modelled - in_draws, drawable,
-                fmt::format("of {} asked, {} outside and {} turned away", grouped(s.clusters),
-                            grouped(s.clusters_outside), grouped(s.clusters_turned_away)));
+    text +=
+        row("clusters", modelled - in_draws, drawable,
+            fmt::format("{} tested: {} outside the view and {} turned away", grouped(s.clusters),
+                        grouped(s.clusters_outside), grouped(s.clusters_turned_away)));
   }
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text += row("object -> clip space", vertices, vertices,
@@ -52,7 +53,7 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   }
   std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
   if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
-  if (tile) clipping += "; those beside the picture go after the cull";
+  if (tile) clipping += "; those outside the picture are removed after the cull";
   text += row("clip", drawable - s.culled_early, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
               grouped(s.zero_area) + " without area on the screen");
@@ -63,7 +64,7 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   }
   text += row(
       "coverage", s.set_up, s.covered,
-      tile ? "triangles in, fragments out, but for hidden blocks" : "triangles in, fragments out");
+      tile ? "triangles in, fragments out, without hidden blocks" : "triangles in, fragments out");
   text +=
       row("depth test", s.covered, s.covered - s.depth_failed, grouped(s.depth_failed) + " behind");
   text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,
@@ -71,8 +72,8 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
   if (tile) {
     text += wrapped("  texture, light: ",
-                    "once for each pixel that is seen, of several samples once for each triangle "
-                    "that they show; and for each fragment that is blended");
+                    "computed once for each visible pixel (with several samples, once for each "
+                    "triangle that they show) and for each blended fragment");
   }
   return text;
 }

@@ -29,8 +29,9 @@ void keep_open(int stream) {
 
 int refuse_output(int error) {
   return refuse({"standard output", "", std::string("cannot be written: ") + std::strerror(error),
-                 error == ENOSPC || error == EFBIG ? "make room or write to another disk"
-                                                   : "send it to what can be written"});
+                 error == ENOSPC || error == EFBIG
+                     ? "free some space or write to another disk"
+                     : "send the output to a file or program that accepts it"});
 }
 
 bool is_about_threads(const std::exception& error) {
@@ -61,7 +62,7 @@ std::atomic<bool> a_worker_waits = false;
     if (is_about_threads(told) && !is_main_thread) wait_for_the_end();
     exit_code = tell(told);
   } catch (...) {
-    fmt::print(stderr, "glassbox: an error without a name\n");
+    fmt::print(stderr, "glassbox: an unknown error occurred\n");
   }
   std::_Exit(exit_code);
 }

@@ -11,7 +11,8 @@ constexpr auto kNothingCompared = "no pixel is compared";
 
 // Why SSIM or FLIP cannot be computed; empty where they can.
 std::string why_no_ssim(const PicturePair& pair) {
-  if (has_floats(pair.reference)) return "SSIM needs samples that end at white; floats do not";
+  if (has_floats(pair.reference))
+    return "SSIM needs samples with a largest value (white), which floats do not have";
   if (pair.reference.width < kSsimWindow || pair.reference.height < kSsimWindow) {
     return "SSIM looks at windows of 11 x 11 pixels; the picture is smaller";
   }
@@ -19,7 +20,8 @@ std::string why_no_ssim(const PicturePair& pair) {
 }
 
 std::string why_no_flip(const PicturePair& pair) {
-  if (has_floats(pair.reference)) return "FLIP needs samples that end at white; floats do not";
+  if (has_floats(pair.reference))
+    return "FLIP needs samples with a largest value (white), which floats do not have";
   return pair.selection.compared_pixels() == 0 ? kNothingCompared : "";
 }
 
@@ -64,7 +66,8 @@ private:
   MetricValue of_ssim(const std::string& name) {
     if (const std::string why = why_no_ssim(pair_); !why.empty()) return undefined(name, why);
     if (!ssim_) ssim_ = ssim(pair_);
-    if (ssim_->windows == 0) return undefined(name, "the centre of no window is compared");
+    if (ssim_->windows == 0)
+      return undefined(name, "no SSIM window has its centre among the compared pixels");
     if (name == "ssim.mean") return defined(name, ssim_->mean);
     if (name == "ssim.min") return defined(name, ssim_->min);
     return undefined(name, "there is no such metric");

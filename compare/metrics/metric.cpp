@@ -108,9 +108,9 @@ Result<void> append(std::string_view text, std::vector<MetricRequest>& requests)
   }
   if (found) return {};
   return fail("--metric",
-              text.empty() ? std::string("a name is missing")
+              text.empty() ? std::string("the name of a metric is missing")
                            : fmt::format("there is no metric '{}'", word->name),
-              "ask for " + known_names());
+              "use one of " + known_names());
 }
 
 }  // namespace

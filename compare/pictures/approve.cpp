@@ -36,7 +36,7 @@ Result<void> approve(const std::string& reference, const std::string& test) {
     return tl::unexpected(Error{test, "",
                                 "a " + in_quotes(test_kind) + " file cannot become the " +
                                     in_quotes(kind) + " file " + in_quotes(reference),
-                                "let both names end alike"});
+                                "give both names the same extension"});
   }
   if (const auto image = read_stored(test); !image) return tl::unexpected(image.error());
   const auto bytes = read_file(test, kAnySize);
@@ -45,8 +45,8 @@ Result<void> approve(const std::string& reference, const std::string& test) {
   const fs::path folder = fs::path(reference).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) {
-    return tl::unexpected(
-        Error{folder.string(), "", "cannot be made: " + error.message(), "check the permissions"});
+    return tl::unexpected(Error{folder.string(), "", "cannot be created: " + error.message(),
+                                "check the permissions"});
   }
   return write_file(reference, *bytes);
 }

@@ -86,8 +86,8 @@ void consult_recipes(Comparison& comparison, const CompareOptions& options) {
   const auto test = recipe_in(comparison.test.path);
   if (!reference || !test) return;
   if (reference->scene != test->scene || reference->options != test->options) {
-    comparison.hints.push_back("they were rendered from other words: the reference from \"" +
-                               words_of(*reference) + "\", the test from \"" + words_of(*test) +
+    comparison.hints.push_back("they were rendered with other options: the reference with \"" +
+                               words_of(*reference) + "\", the test with \"" + words_of(*test) +
                                "\"");
   }
   if (reference->version != test->version) {

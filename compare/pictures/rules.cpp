@@ -31,7 +31,8 @@ Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidec
   if (rules.options.mask.empty()) rules.options.mask = sidecar->mask;
   if (!options.tolerance.empty() || has_limit(options.metrics)) {
     if (has_tolerance(*sidecar)) {
-      notes.push_back("the tolerance of " + sidecar->path + " is overruled by the one given");
+      notes.push_back("the tolerance of " + sidecar->path +
+                      " is not used, because another one is given");
     }
     return rules;
   }

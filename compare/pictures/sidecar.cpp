@@ -33,7 +33,7 @@ bool is_known(const Sidecar& sidecar, const std::string& key) {
 
 Result<void> read_line(Sidecar& sidecar, const std::string& key, const std::string& value) {
   if (is_known(sidecar, key)) {
-    return fail("", in_quotes(key) + " is there twice", "keep one of the two lines");
+    return fail("", in_quotes(key) + " occurs twice", "keep one of the two lines");
   }
   if (key == "fuzzy") {
     const auto fuzzy = parse_fuzzy(value);
@@ -58,7 +58,7 @@ Result<void> read_line(Sidecar& sidecar, const std::string& key, const std::stri
   } else if (key == "reason") {
     sidecar.reason = printable(value, 1000);
   } else {
-    return fail("", "an unknown key " + in_quotes(key),
+    return fail("", "unknown key " + in_quotes(key),
                 "the keys are fuzzy, max-ulp, metric, ignore, mask and reason");
   }
   return {};
@@ -99,7 +99,8 @@ Result<std::optional<Sidecar>> find_sidecar(const std::string& reference) {
   const bool has_stem = stem != full && fs::exists(stem, ignored);
   if (has_full && has_stem) {
     return tl::unexpected(
-        Error{full, "", "there is " + in_quotes(stem) + ", too", "keep one of the two"});
+        Error{full, "", "there are two files for one picture, this one and " + in_quotes(stem),
+              "keep one of the two"});
   }
   if (!has_full && !has_stem) return std::optional<Sidecar>{};
   const std::string path = has_full ? full : stem;

@@ -183,7 +183,7 @@ void add_mirrorings(Hypotheses<Sample>& all, int width, int height) {
 
 template <class Sample>
 void add_swapped_channels(Hypotheses<Sample>& all) {
-  Hypothesis<Sample> swapped{"red and blue have changed places"};
+  Hypothesis<Sample> swapped{"red and blue are swapped"};
   swapped.source = {2, 1, 0, 3};
   all.push_back(swapped);
 }
@@ -205,7 +205,7 @@ void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt firs
     offset[std::size_t(channel)] = int(to[channel]) - int(from[channel]);
     words += fmt::format("{}{:+}", channel == 0 ? "" : ", ", offset[std::size_t(channel)]);
   }
-  Hypothesis<Sample> constant{fmt::format("every pixel is the reference's with ({}) added", words)};
+  Hypothesis<Sample> constant{fmt::format("({}) was added to every pixel of the reference", words)};
   constant.fits = [offset](int channel, Sample from, Sample to) {
     return to == clamped_sum(from, offset[std::size_t(channel)]);
   };
@@ -245,7 +245,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
   if constexpr (std::is_integral_v<Sample>) {
     add_constant(all, pair, first);
     all.push_back(of_colours<Sample>(
-        "the test's colours are the reference's inverted", channels,
+        "the test's colours are the reference's colours, inverted", channels,
         [](Sample from, Sample to) { return to == std::numeric_limits<Sample>::max() - from; }));
   }
   if constexpr (std::is_same_v<Sample, std::uint8_t>) add_encodings(all, channels);
@@ -257,7 +257,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
 
 std::string but_for(std::uint64_t misses) {
   if (misses == 0) return {};
-  return " (but for " + counted(misses, "pixel") + ")";
+  return " (except for " + counted(misses, "pixel") + ")";
 }
 
 // The hypothesis with the fewest misses, if it explains nine of ten differing pixels and leaves at
@@ -341,7 +341,7 @@ std::vector<std::string> explain_shapes(const StoredImage& reference, const Stor
     sentences.push_back(
         fmt::format("the reference has {} pixels, the test {}", size_of(reference), size_of(test)));
     if (reference.width == test.height && reference.height == test.width) {
-      sentences.push_back("width and height have changed places");
+      sentences.push_back("width and height are swapped");
     }
   }
   if (reference.channels != test.channels) {
@@ -354,7 +354,7 @@ std::vector<std::string> explain_shapes(const StoredImage& reference, const Stor
     }
   }
   if (reference.samples.index() != test.samples.index()) {
-    sentences.push_back(fmt::format("the reference has {} a sample, the test {}",
+    sentences.push_back(fmt::format("the reference has {} per sample, the test {}",
                                     format_name(reference), format_name(test)));
   }
   return sentences;

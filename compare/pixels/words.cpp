@@ -23,7 +23,7 @@ std::string pixel_text(const StoredImage& image, PixelAt pixel) {
 }
 
 std::string steps_text(std::uint32_t steps, const StoredImage& image) {
-  if (steps == kUnbounded) return "no finite distance";
+  if (steps == kUnbounded) return "an infinite difference";
   if (std::holds_alternative<std::vector<float>>(image.samples)) return counted(steps, "ulp");
   const bool bytes = std::holds_alternative<std::vector<std::uint8_t>>(image.samples);
   return fmt::format("{}/{}", steps, bytes ? 255 : 65535);
@@ -31,7 +31,7 @@ std::string steps_text(std::uint32_t steps, const StoredImage& image) {
 
 std::string differences_text(const PicturePair& pair, const Differences& found) {
   const std::string extent = found.largest == kUnbounded
-                                 ? "some by no finite distance"
+                                 ? "some by an infinite difference"
                                  : "by up to " + steps_text(found.largest, pair.reference);
   return fmt::format("{} of {} pixels differ, {}, in {}; first ({}, {}): {} became {}",
                      found.differing, found.compared, extent, counted(found.region_count, "region"),

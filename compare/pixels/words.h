@@ -13,7 +13,7 @@ namespace glassbox {
 // same float.
 std::string pixel_text(const StoredImage& image, PixelAt pixel);
 
-// A text such as "3/255", "3/65535" or "3 ulps"; "no finite distance" for kUnbounded.
+// A text such as "3/255", "3/65535" or "3 ulps"; "an infinite difference" for kUnbounded.
 std::string steps_text(std::uint32_t steps, const StoredImage& image);
 
 // "12 of 57600 pixels differ, by up to 3/255, in 2 regions; first (2, 1): (0, 0, 0) became (0, 0,

@@ -10,7 +10,7 @@ namespace glassbox {
 Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatOf of) {
   if (!comparison.differences) {
     return fail(comparison.name, "the two pictures cannot be compared pixel by pixel",
-                "make them alike in size, channels and format");
+                "give both the same size, channels and format");
   }
   const auto reference = read_stored(comparison.reference.path);
   if (!reference) return tl::unexpected(reference.error());

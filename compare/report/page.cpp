@@ -158,7 +158,8 @@ private:
 
   Result<void> leave_out(const Comparison& comparison, Json& pair) {
     pair["left_out"] =
-        "The pictures of this pair would make the page too large. This makes a page of them alone:";
+        "The pictures of this pair would make the page too large. This command makes a page of "
+        "this pair alone:";
     pair["alone_command"] =
         "glassbox diff " + shell_quoted(comparison.reference.path).value_or("REFERENCE") + " " +
         shell_quoted(comparison.test.path).value_or("TEST") + " --html pair.html";

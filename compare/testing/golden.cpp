@@ -57,8 +57,8 @@ Result<void> make_folder_of(const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (!error) return {};
-  return tl::unexpected(Error{file.parent_path().string(), "", "cannot be made: " + error.message(),
-                              "check the permissions"});
+  return tl::unexpected(Error{file.parent_path().string(), "",
+                              "cannot be created: " + error.message(), "check the permissions"});
 }
 
 Result<void> keep(const Result<std::vector<std::byte>>& bytes, const fs::path& file) {
@@ -142,7 +142,7 @@ GoldenOutcome check(const Picture& picture, const std::string& golden_name,
   const Traces traces = traces_of(failure_path(golden_name));
   if (is_same(picture, golden)) {
     remove(traces);
-    return {true, "is the golden image " + golden.string()};
+    return {true, "equals the golden image " + golden.string()};
   }
   if (const auto kept = keep(picture, traces.picture); !kept) {
     return {false, kept.error().message()};

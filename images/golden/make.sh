@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes the golden images anew. Usage: make.sh PROGRAM [FILE...]; without FILE, all of them. The file zlib-version has to name the
-# zlib that PROGRAM compresses them with (docs/diff.md).
+# Makes the golden images again. Usage: make.sh PROGRAM [FILE...]. Without FILE it makes all of
+# them. The file zlib-version must name the zlib with which PROGRAM compresses them (docs/diff.md).
 set -eu
 program=$(realpath "$1")
 shift
@@ -10,6 +10,6 @@ grep -v '^#' commands.txt | while IFS="$tab" read -r file arguments; do
   case " ${*:-$file} " in
     *" $file "*)
       # shellcheck disable=SC2086  # the arguments are words without blanks in them
-      "$program" $arguments -o "$file" </dev/null || [ $? = 1 ] ;; # 1: diff found the difference to show
+      "$program" $arguments -o "$file" </dev/null || [ $? = 1 ] ;; # 1: a difference is found
   esac
 done

@@ -23,9 +23,9 @@ Result<Image<std::uint8_t>> information_map(const Image<Rgba8>& left, const Imag
   }
   if (!(limits.gradient >= 0) || !(limits.disparity >= 0)) {
     return fail("stereo information",
-                fmt::format("the limits {} and {} are not both numbers from 0 on", limits.gradient,
-                            limits.disparity),
-                "give bytes a pixel and pixels");
+                fmt::format("the limits {} and {} are not both numbers of at least 0",
+                            limits.gradient, limits.disparity),
+                "give the gradient in bytes per pixel and the disparity in pixels");
   }
   Image<std::uint8_t> marks(left.width, left.height, 0);
   for (int y = 0; y < left.height; ++y) {

@@ -201,7 +201,7 @@ Result<Suggestion> suggest_recolour(const Image<Rgba8>& left, const Image<Rgba8>
     return tl::unexpected(checked.error());
   }
   if (!(target >= 0) || !std::isfinite(target)) {
-    return fail("rivalry target", fmt::format("{} is not a number from 0 on", target),
+    return fail("rivalry target", fmt::format("{} is not a number of at least 0", target),
                 "give a mean rivalry, such as 0.1");
   }
   return unless_out_of_memory([&]() -> Result<Suggestion> {

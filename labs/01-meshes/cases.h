@@ -135,7 +135,7 @@ inline std::vector<MeshCase> edge_meshes() {
       {"a tetrahedron", mesh_of(4, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})},
       {"a cube of quads", cube()},
       {"a tube, open at both ends", torus(5, 3, Ends::kOpen)},
-      {"a tetrahedron that has one of its faces twice: edges of three faces",
+      {"a tetrahedron with one face twice, so that three edges have three faces",
        mesh_of(4, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 3}})},
   };
 }
@@ -146,7 +146,7 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
       std::vector<MeshCase>{
           {"a torus: V - E + F = 0", torus(5, 4, Ends::kJoined)},
           {"two cubes apart", both(cube(), cube())},
-          {"three pages that share a spine", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
+          {"three triangles that share one edge", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
           {"a cube with one face turned the wrong way", turned(cube(), {3})},
           {"two tetrahedra that share an edge of four faces", mesh_of(6, {{0, 2, 1},
                                                                           {0, 1, 3},
@@ -156,8 +156,9 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
                                                                           {0, 1, 5},
                                                                           {0, 5, 4},
                                                                           {1, 4, 5}})},
-          {"a face that comes by one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
-          {"no face that takes part: nothing is closed", mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
+          {"a face that visits one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
+          {"only faces with fewer than three positions: the mesh is not closed",
+           mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
           {"repeated corners, and faces of fewer than three positions (C-25)",
            mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
       },
@@ -178,7 +179,7 @@ inline std::vector<MeshCase> turn_meshes() {
   return {
       {"two triangles, the second the wrong way round", mesh_of(4, {{0, 1, 2}, {1, 2, 3}})},
       {"a cube with two faces turned", turned(cube(), {1, 4})},
-      {"a tube with every third face turned",
+      {"a tube with every third face turned round",
        turned(torus(6, 4, Ends::kOpen), {2, 5, 8, 11, 14, 17})},
   };
 }
@@ -187,11 +188,11 @@ inline std::vector<MeshCase> turn_meshes() {
 inline std::vector<MeshCase> hidden_turn_meshes() {
   return glassbox::labs::with_varied(
       std::vector<MeshCase>{
-          {"a torus, all turned but the first",
+          {"a torus with all faces turned round except the first",
            turned(torus(4, 3, Ends::kJoined), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})},
           {"two cubes apart, each with its own mistakes",
            turned(both(cube(), cube()), {2, 3, 5, 7, 11})},
-          {"triangles that touch in a point only: nothing to turn",
+          {"triangles that touch only in a point: no face to turn round",
            mesh_of(5, {{0, 1, 2}, {2, 4, 3}})},
       },
       12, 2, [](glassbox::Random& random) {
@@ -213,9 +214,9 @@ struct SidesCase {
   Mesh one_sided, two_sided;
 };
 inline std::vector<SidesCase> one_sided_meshes() {
-  return {
-      {"a Moebius strip, and a ring", strip(5, true), strip(5, false)},
-      {"the same with faces turned", turned(strip(8, true), {1, 2}), turned(strip(8, false), {3})}};
+  return {{"a Moebius strip, and a ring", strip(5, true), strip(5, false)},
+          {"the same with some faces turned round", turned(strip(8, true), {1, 2}),
+           turned(strip(8, false), {3})}};
 }
 
 // ---- polygons (task 1.4) ----
@@ -254,7 +255,7 @@ inline std::vector<PolygonCase> polygons() {
       {"a polygon whose first corners are in a line (C-21)",
        tilted({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})},
       {"an octagon", tilted(octagon())},
-      {"a bow-tie with wings of different size, whose areas are subtracted (C-24)",
+      {"a bow-tie with wings of different sizes, whose areas are subtracted (C-24)",
        tilted({{0, 0}, {3, 3}, {3, 0}, {0, 2}})},
   };
 }

@@ -36,7 +36,7 @@ Case expect_tables(const TextCase& input) {
   }
   c.expected = {polygon("positions", 3, positions, 0, "object units"), numbers("faces", faces)};
   if (!input.bad.empty()) {
-    c.restated += "\nand is refused as\n" + input.bad;
+    c.restated += "\nthis text must be refused:\n" + input.bad;
     c.expected.push_back(numbers("refused", {1}));
   }
   return c;
@@ -69,7 +69,8 @@ Case expect_edges(const MeshCase& input) {
   return {
       input.what,
       face_text(input.mesh) +
-          "; each row is low, high, faces from low to high, faces from high to low",
+          "; each row: lower position, higher position, number of faces that pass from low to "
+          "high, and from high to low",
       {matrix("edges", 4, rows), numbers("V - E + F", {double(topology.euler_characteristic())}),
        numbers("closed", {topology.closed() ? 1.0 : 0.0})}};
 }
@@ -105,8 +106,9 @@ Case expect_turns(const MeshCase& input) {
 
 Case expect_sides(const SidesCase& input) {
   return {input.what,
-          "one-sided: " + face_text(input.one_sided) + "; 1 is an answer, 0 is std::nullopt",
-          {numbers("of the one-sided", {0}), numbers("of the two-sided", {1})}};
+          "one-sided mesh: " + face_text(input.one_sided) + "; 1: an answer, 0: std::nullopt",
+          {numbers("answer for the one-sided mesh", {0}),
+           numbers("answer for the two-sided mesh", {1})}};
 }
 
 // ---- normals ----

@@ -53,8 +53,8 @@ void ask_turn(const MeshCase& input, Answer& answer) {
 }
 
 void ask_sides(const SidesCase& input, Answer& answer) {
-  answer.emit("of the one-sided", {faces_to_turn(input.one_sided) ? 1.0 : 0.0});
-  answer.emit("of the two-sided", {faces_to_turn(input.two_sided) ? 1.0 : 0.0});
+  answer.emit("answer for the one-sided mesh", {faces_to_turn(input.one_sided) ? 1.0 : 0.0});
+  answer.emit("answer for the two-sided mesh", {faces_to_turn(input.two_sided) ? 1.0 : 0.0});
 }
 
 void ask_newell(const PolygonCase& input, Answer& answer) {

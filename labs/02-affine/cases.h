@@ -80,8 +80,8 @@ inline std::vector<ComposeCase> hidden_compositions() {
   }
   return glassbox::labs::with_varied(
       std::vector<ComposeCase>{
-          {"no step at all", {}},
-          {"nothing after a turn and its way back",
+          {"no step", {}},
+          {"a turn and the turn back, then a move",
            {turn(3, 4, 12, 123), turn(3, 4, 12, -123), move(1, 0, 0)}},
           {"shears between turns",
            {shear(2, 0, -1.5), turn(0, 1, 1, 77), shear(1, 2, 0.25), turn(5, 0, 1, -20)}},
@@ -126,10 +126,10 @@ inline std::vector<FitCase> hidden_fits() {
           {"a needle far away",
            {{{-900000, 800000}, {-899000, 800001}, {-897999, 800002}}},
            {{{10, 20}, {-30, 40}, {50, 60}}}},
-          {"triangles as large as they come",
+          {"triangles with large coordinates",
            {{{-1000003, 523}, {1000001, -77}, {12345, 999999}}},
            {{{700001, -3}, {-999983, 77777}, {5, 1048573}}}},
-          {"a target that is flat: the map has no inverse, but there is one",
+          {"a flat target: the map exists, but has no inverse",
            {{{0, 1}, {5, 2}, {3, 7}}},
            {{{1, 1}, {2, 2}, {4, 4}}}},
       },

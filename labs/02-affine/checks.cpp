@@ -241,8 +241,8 @@ Case expect_fit(const FitCase& input) {
 Case expect_line(const LineCase& input) {
   return {input.what,
           "on a line: " + triangle_text(input.on_a_line) +
-              "; off it: " + triangle_text(input.off_it) + "; 1 is a map, 0 is std::nullopt",
-          {numbers("on a line", {0}), numbers("off it", {1})}};
+              "; not on a line: " + triangle_text(input.off_it) + "; 1: a map, 0: std::nullopt",
+          {numbers("on a line", {0}), numbers("not on a line", {1})}};
 }
 
 // ---- axis and angle ----
@@ -301,7 +301,7 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
   if (std::isnan(error)) found.kind = Divergence::Kind::kNotANumber;
   if (!(error <= found.bound)) {
     found.element = "largest entry of |R^T R - I|";
-    found.explanation = fmt::format("it was {:.3g} before the repair", drift);
+    found.explanation = fmt::format("this entry was {:.3g} before the repair", drift);
     return found;
   }
   if (!(glm::determinant(after) > 0)) {
@@ -324,8 +324,8 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
     found.distance = std::abs(found.actual - found.expected);
     if (border) found.bound = 0;
     if (!(found.distance <= found.bound)) {
-      found.explanation = border ? "the last row and column are those of the identity"
-                                 : "a rotation, but not the one that was meant";
+      found.explanation = border ? "the last row and column must be those of the identity"
+                                 : "this is a rotation, but it is too far from the given matrix";
       return found;
     }
     found.bound = 3 * drift + 16 * u;

@@ -230,7 +230,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
 
 LabDrawing drawing_02() {
   using namespace lab_02_drawing;
-  return {stages(), draw, "turn_about and fit_affine, which are of the plane"};
+  return {stages(), draw, "turn_about and fit_affine, which work in the plane"};
 }
 
 }  // namespace glassbox::labs

@@ -33,7 +33,7 @@ void ask_fit(const FitCase& input, Answer& answer) {
 void ask_line(const LineCase& input, Answer& answer) {
   const std::array<Point2, 3> target{{{0, 0}, {1, 0}, {0, 1}}};
   answer.emit("on a line", {fit_affine(input.on_a_line, target) ? 1.0 : 0.0});
-  answer.emit("off it", {fit_affine(input.off_it, target) ? 1.0 : 0.0});
+  answer.emit("not on a line", {fit_affine(input.off_it, target) ? 1.0 : 0.0});
 }
 
 void ask_axis(const RotationCase& input, Answer& answer) {

@@ -34,8 +34,8 @@ inline std::vector<CameraCase> hidden_cameras() {
            {{0, 0, 0}, {0, 1000, -1}, {0, 1, 0}}},
           {"z is up", {{5, -4, 3}, {0, 0, 1}, {0, 0, 1}}},
           {"upside down", {{1, 2, 3}, {-2, 0, -4}, {0, -1, 0}}},
-          {"lengths far apart", {{0, 0, 0}, {3e60, 0, -4e60}, {1e-71, 2e-70, 0}}},
-          {"a microscope", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
+          {"vectors of very different lengths", {{0, 0, 0}, {3e60, 0, -4e60}, {1e-71, 2e-70, 0}}},
+          {"very small coordinates", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
           {"exactly along +z (C-05)", {{2, -1, -4}, {2, -1, 6}, {1, 2, 0}}},
           {"almost along +z (C-05)", {{0, 0, 0}, {0.000001, 0, 1}, {0, 1, 0}}},
       },
@@ -123,7 +123,7 @@ inline std::vector<OntoCase> hidden_directions() {
           {"a millionth of a radian (C-04)", {0, 0, 5}, {0.000003, 0.000004, 5}},
           {"almost opposite (C-05)", {0, 0, 1}, {0.000001, 0, -1}},
           {"almost opposite, and slanted (C-05)", {1, 2, 2}, {-1.000001, -2, -2}},
-          {"lengths far apart", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
+          {"vectors of very different lengths", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
       },
       32, 3, [](glassbox::Random& random) {
         for (;;) {
@@ -164,9 +164,8 @@ inline Transform<World, World> rows(const double (&m)[3][3]) {
 inline std::vector<KindCase> kinds() {
   return {
       {"a quarter turn", rows({{0, -1, 0}, {1, 0, 0}, {0, 0, 1}})},
-      {"x turned round: the mirror that hides in S3.37 (C-06)",
-       rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
-      {"two axes turned round", rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}})},
+      {"x reversed: the mirror in slide S3.37 (C-06)", rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
+      {"two axes reversed", rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}})},
       {"a uniform scale", rows({{2, 0, 0}, {0, 2, 0}, {0, 0, 2}})},
       {"a shear, whose determinant is 1", rows({{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}})},
       {"columns of length 1 that are not perpendicular",
@@ -181,13 +180,12 @@ inline std::vector<KindCase> hidden_kinds() {
                                                     {0.6666667, 0.6666667, -0.3333333},
                                                     {-0.3333333, 0.6666667, 0.6666667}})},
       {"x and y exchanged", rows({{0, 1, 0}, {1, 0, 0}, {0, 0, 1}})},
-      {"a rotation by 45 degrees, one row turned round",
+      {"a rotation by 45 degrees with one row reversed",
        rows({{0.70710678118654752, -0.70710678118654752, 0},
              {0.70710678118654752, 0.70710678118654752, 0},
              {0, 0, -1}})},
       {"a scale by a half", rows({{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}})},
-      {"columns of length 1, further apart than a right angle",
-       rows({{1, -0.6, 0}, {0, 0.8, 0}, {0, 0, 1}})},
+      {"columns of length 1 at an obtuse angle", rows({{1, -0.6, 0}, {0, 0.8, 0}, {0, 0, 1}})},
       {"axes stretched by a thousandth", rows({{1.001, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
       {"NaN", rows({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 1, 0}, {0, 0, 1}})},
   };

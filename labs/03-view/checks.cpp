@@ -140,9 +140,9 @@ Case expect_axis_angle(const CameraCase& input) {
 
 Case expect_refused(const RefusedCase& input) {
   return {input.what,
-          "without a view: " + camera_text(input.bad) + "; with one: " + camera_text(input.good) +
-              "; 1 is a matrix, 0 is std::nullopt",
-          {numbers("of the one without", {0}), numbers("of the other", {1})}};
+          "without a view: " + camera_text(input.bad) +
+              "; with a view: " + camera_text(input.good) + "; 1: a matrix, 0: std::nullopt",
+          {numbers("answer without a view", {0}), numbers("answer with a view", {1})}};
 }
 
 // ---- one direction onto another ----
@@ -216,7 +216,7 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
   found.actual = glm::determinant(m);
   if (!(found.actual > 0)) {
     found.distance = std::abs(found.actual - 1);
-    found.explanation = "a mirror, not a rotation";
+    found.explanation = "this is a mirror, not a rotation";
     return found;
   }
   const glm::dvec3 image = m * (to_glm(input.from) / length(input.from));
@@ -233,7 +233,7 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
 
 Case expect_half_turn(const OntoCase& input) {
   return {.where = input.what,
-          .restated = onto_text(input) + "; about any axis perpendicular to them",
+          .restated = onto_text(input) + "; any axis perpendicular to them is right",
           .judge = [input](const Answer& answer) { return judge_half_turn(input, answer); }};
 }
 

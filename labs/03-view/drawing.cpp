@@ -220,7 +220,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
 
 LabDrawing drawing_03() {
   using namespace lab_03_drawing;
-  return {stages(), draw, "rotation_onto, but for what axis_angle_view makes of it"};
+  return {stages(), draw, "rotation_onto, unless axis_angle_view calls it"};
 }
 
 }  // namespace glassbox::labs

@@ -20,8 +20,8 @@ void ask_uvn(const CameraCase& input, Answer& answer) {
 }
 
 void ask_refused(const RefusedCase& input, Answer& answer) {
-  answer.emit("of the one without", {uvn_view(input.bad) ? 1.0 : 0.0});
-  answer.emit("of the other", {uvn_view(input.good) ? 1.0 : 0.0});
+  answer.emit("answer without a view", {uvn_view(input.bad) ? 1.0 : 0.0});
+  answer.emit("answer with a view", {uvn_view(input.good) ? 1.0 : 0.0});
 }
 
 void ask_onto(const OntoCase& input, Answer& answer) {

@@ -139,7 +139,7 @@ Case expect_divide(const Point<Clip, double>& p) {
   }
   return {.where = fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
           .restated = p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
-                              : "at the eye or behind it, or nowhere",
+                              : "at or behind the eye, or w is not a number",
           .expected = {ndc},
           .slipped = {{"opengl-depth", {opengl}}}};
 }

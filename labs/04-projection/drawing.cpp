@@ -226,8 +226,9 @@ Result<Question> projection_question(const Drawn& drawn) {
     const double h = lens->half_height, w = h * aspect;
     return Question{{reversed, 0, -w, w, -h, h, view.near, view.far}};
   }
-  return fail("--frustum", "lab 4 has no function for a window on the near plane",
-              "give the view by --fov or --ortho");
+  return fail("--frustum",
+              "lab 4 has no function for a window on the near plane that is given by its sides",
+              "give the view with --fov or --ortho");
 }
 
 // Replaces the distances that the pipeline computes from 1/w.

@@ -288,10 +288,10 @@ inline std::vector<PlaneCase> more_polygons() {
        left,
        {{2, 0, 1, 2}, {1, 2, 1, 2}, {-3, 2, 1, 2}, {-4, 0, 1, 2}, {-3, -2, 1, 2}, {1, -2, 1, 2}}},
       {"w of both signs", left, {{1, 0, 1, -2}, {0, 1, 1, 3}, {0, -1, 1, 3}}},
-      {"a corner in, and one out, by a millionth",
+      {"one corner inside and one outside by a millionth",
        kFrustum[0],
        {{1, 0, 1e-6f, 1}, {2, 1, 1, 3}, {-1, 1, 1, 2}, {-1, 0, -1e-6f, 1}}},
-      {"an edge between the far plane's two sides, almost along it",
+      {"an edge that crosses the far plane almost parallel to it",
        far,
        {{1.5f, -7.3f, 23.00001f, 23}, {-9.1f, 3.7f, 27.29999f, 27.3f}, {2, 1, 3.3f, 21}}}};
 }
@@ -305,17 +305,18 @@ struct FrustumCase {
 };
 
 inline std::vector<FrustumCase> triangles() {
-  return {{"inside", {{{-1, -1, 1, 2}, {1, -1, 1, 2}, {0, 1, 1, 2}}}},
-          {"around the whole picture", {{{-9, -4, 1, 2}, {9, -4, 1, 2}, {0, 14, 1, 2}}}},
-          {"through the eye's plane",
-           {{{0.25f, 0.25f, 0.5f, 1}, {1, -2, -1.5f, -1}, {-2, -1, -1.5f, -1}}}},
-          {"behind the eye", {{{0, 0, -2, -1}, {1, 0, -3, -2}, {0, 1, -2, -1}}}},
-          {"a corner on each of three planes", {{{-2, 0, 1, 2}, {0, -2, 1, 2}, {2, 1, 1, 2}}}},
-          {"past a corner of the picture", {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}},
-          {"from before the near plane to beyond the far plane",
-           {{{0, -1, -5, 2}, {1, 0, 5, 3}, {-1, 0.5f, 4, 3.5f}}}},
-          {"a corner that is out by less than a rounding: its two crossings are one vertex",
-           {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
+  return {
+      {"inside", {{{-1, -1, 1, 2}, {1, -1, 1, 2}, {0, 1, 1, 2}}}},
+      {"around the whole picture", {{{-9, -4, 1, 2}, {9, -4, 1, 2}, {0, 14, 1, 2}}}},
+      {"through the eye's plane",
+       {{{0.25f, 0.25f, 0.5f, 1}, {1, -2, -1.5f, -1}, {-2, -1, -1.5f, -1}}}},
+      {"behind the eye", {{{0, 0, -2, -1}, {1, 0, -3, -2}, {0, 1, -2, -1}}}},
+      {"a corner on each of three planes", {{{-2, 0, 1, 2}, {0, -2, 1, 2}, {2, 1, 1, 2}}}},
+      {"past a corner of the picture", {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}},
+      {"from before the near plane to beyond the far plane",
+       {{{0, -1, -5, 2}, {1, 0, 5, 3}, {-1, 0.5f, 4, 3.5f}}}},
+      {"a corner that is outside by less than a rounding error: its two crossings are one vertex",
+       {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
 }
 
 // A square of two triangles that reaches across the near plane and the picture: `shared` are the
@@ -356,11 +357,11 @@ inline std::vector<FrustumCase> more_triangles() {
       {"a corner where three planes meet", {{{2, 2, 0, 2}, {-1, 0, 1, 2}, {0, -1, 1, 2}}}},
       {"a corner far before the near plane, in the middle of the picture",
        {{{0.25f, 0, -4, 1.5f}, {1, -1, 1, 2}, {-1, 1, 1.5f, 2}}}},
-      {"the second corner is out by less than a rounding",
+      {"the second corner is outside by less than a rounding error",
        {{{0, 1, 1, 2}, {0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}}}},
-      {"two corners are out by less than a rounding",
+      {"two corners are outside by less than a rounding error",
        {{{2.5e-10f, 0, -1e-10f, 2}, {0, 0, -1e-10f, 2}, {0.5f, 0.75f, 1, 2}}}},
-      {"a corner is in by less than a rounding, and all else out",
+      {"one corner is inside by less than a rounding error, and the others are outside",
        {{{0.5f, 0.5f, 1e-10f, 2}, {1, 0, -1, 2}, {0, 1, -1, 2}}}}};
   Random random = glassbox::labs::varied(56);
   while (all.size() < 13) {

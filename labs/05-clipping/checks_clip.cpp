@@ -66,7 +66,8 @@ std::optional<Divergence> off_plane(const lab_05::PlaneCase& input, const Answer
         .actual = off,
         .distance = std::abs(off),
         .unit = "clip units",
-        .explanation = "neither a vertex of the polygon, bit for bit, nor on the plane"};
+        .explanation =
+            "this vertex is neither exactly a vertex of the polygon nor exactly on the plane"};
   }
   return std::nullopt;
 }
@@ -96,7 +97,7 @@ std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expecte
                     .actual = off,
                     .distance = std::abs(off),
                     .unit = "clip units",
-                    .explanation = "the crossing is near the plane, but not on it to the bit"};
+                    .explanation = "the crossing is near the plane, but not exactly on it"};
 }
 
 // Checks first that each crossing is near where it should be, because equal bits mean nothing at a
@@ -116,7 +117,7 @@ std::optional<Divergence> judge_both_ways(const lab_05::EdgesCase& edges, const 
   auto found = compare(same_bits, answer).first;
   if (found) {
     found->element = fmt::format("edge {}, {}", found->index / 4, "xyzw"[found->index % 4]);
-    found->explanation = "the crossing taken from q to p has other bits than from p to q";
+    found->explanation = "the crossing from q to p must have the same bits as the one from p to q";
   }
   return found;
 }
@@ -174,7 +175,7 @@ Case expect_pairs(const lab_05::PairsCase& pairs) {
 
 Case expect_fan(const int& count) {
   return {.where = fmt::format("{} triangles around a point", count),
-          .restated = "together they fill the picture, and most reach behind the eye",
+          .restated = "together they fill the picture, and most of them reach behind the eye",
           .judge = [count](const Answer& answer) { return compare_coverage(count, answer); }};
 }
 

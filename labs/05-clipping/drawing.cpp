@@ -244,7 +244,7 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
 
 LabDrawing drawing_05() {
   using namespace lab_05_drawing;
-  return {stages(), draw, "crossing and clip_by_plane, but for what clip_to_frustum makes of them"};
+  return {stages(), draw, "crossing and clip_by_plane, unless clip_to_frustum calls them"};
 }
 
 }  // namespace glassbox::labs

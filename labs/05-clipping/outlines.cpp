@@ -176,7 +176,7 @@ std::optional<Divergence> improper(const std::vector<double>& values) {
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
   if (outline.size() == 1 || outline.size() == 2) {
-    found.explanation = "less than three vertices are no polygon: the answer is empty";
+    found.explanation = "fewer than three vertices are not a polygon: the answer must be empty";
     return found;
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -184,7 +184,7 @@ std::optional<Divergence> improper(const std::vector<double>& values) {
     if (!(outline[i] == outline[next])) continue;
     found.index = 4 * next;
     found.element = fmt::format("vertex {}", next);
-    found.explanation = fmt::format("it has the coordinates of its neighbour, vertex {}", i);
+    found.explanation = fmt::format("it has the same coordinates as its neighbour, vertex {}", i);
     return found;
   }
   return std::nullopt;
@@ -274,7 +274,8 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
       found.distance = std::abs(found.expected - found.actual);
       found.ulps = double(ulp_distance(a[k], b[k]));
       found.explanation +=
-          ": the triangle that walks it the other way cuts it at other bits, which leaves a crack";
+          ": the triangle that passes it in the other direction cuts it at a different place, "
+          "which leaves a crack";
       return found;
     }
   }

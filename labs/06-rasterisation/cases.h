@@ -47,7 +47,7 @@ inline std::vector<SnapCase> more_positions() {
   Random random = glassbox::labs::varied(61);
   SnapCase far{"large positions", {}};
   for (int i = 0; i < 50; ++i) far.pixels.push_back(float(random.between(-65535, 65535)));
-  return {near_ties, far, {"almost nothing", {1e-30f, -1e-30f, 1e-3f, -1e-3f, 0.99999994f}}};
+  return {near_ties, far, {"positions near 0", {1e-30f, -1e-30f, 1e-3f, -1e-3f, 0.99999994f}}};
 }
 // END HIDDEN
 
@@ -115,7 +115,8 @@ inline std::vector<EdgeCase> directions() {
 
 // BEGIN HIDDEN
 inline std::vector<EdgeCase> more_directions() {
-  EdgeCase almost{"edges that are horizontal but for one step", {}}, any{"all sorts of edges", {}};
+  EdgeCase almost{"edges that are one step away from horizontal", {}},
+      any{"all sorts of edges", {}};
   for (const int dx : {-70000, 70000}) {
     for (const int dy : {-1, 0, 1})
       almost.samples.push_back({SnappedVertex{40, 9}, {40 + dx, 9 + dy}, {}});
@@ -241,7 +242,8 @@ struct PolygonsCase {
 
 inline std::vector<PolygonsCase> polygons() {
   return {
-      {"convex ones, an arrow with each vertex in turn the reflex one, and one that crosses itself",
+      {"convex polygons, an arrow that begins at each of its vertices in turn, and a polygon that "
+       "crosses itself",
        {{at(0, 0), at(4, 0), at(4, 4), at(0, 4)},
         {at(0, 4), at(4, 4), at(4, 0), at(0, 0), at(-1, 2)},
         {at(1, 1), at(4, 0), at(0, 0), at(0, 4)},
@@ -251,8 +253,7 @@ inline std::vector<PolygonsCase> polygons() {
         {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}},
       // From vertex 0, twice the areas of the first polygon's triangles are at most 2^31; from
       // vertex 1, both are smaller.
-      {"convex ones that are larger than 2^31 steps squared, and one as large as they come, bent "
-       "inwards",
+      {"convex polygons larger than 2^31 steps squared, and one of the largest size, bent inwards",
        {{at(0, 0), at(256, 0), at(192, 128), at(0, 96)},
         {at(0, 0), at(0, 96), at(192, 128), at(256, 0)},
         {at(-65535, -65535), at(65535, -65535), at(65535, 65535), at(-65535, 65535)},
@@ -262,7 +263,7 @@ inline std::vector<PolygonsCase> polygons() {
 // BEGIN HIDDEN
 inline std::vector<PolygonsCase> thin_polygons() {
   Random random = glassbox::labs::varied(68);
-  PolygonsCase thin{"flat polygons that the snap has bent", {}}, turned = thin;
+  PolygonsCase thin{"flat polygons that the snap has bent slightly", {}}, turned = thin;
   for (int i = 0; i < 60; ++i) {
     const int count = int(random.integer(4, 9));
     std::vector<SnappedVertex> polygon;

@@ -100,7 +100,7 @@ std::optional<WrongNumber> judge_seen(const Numbers& in, const Numbers& yours,
   return first_wrong(
       yours, reference, [](std::size_t) { return 0; }, "",
       [&](std::size_t i) {
-        return fmt::format("row {} of {}, column {}: which fragment is seen", i / width, kRows,
+        return fmt::format("row {} of {}, column {}: visible fragment", i / width, kRows,
                            i % width);
       });
 }

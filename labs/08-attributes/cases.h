@@ -269,7 +269,7 @@ inline std::vector<PatchCase> hidden_patches() {
       {"the spout", teapot_spout(), 5},
       {"the bottom, which begins in a point", teapot_bottom(), 2},
       {"a flat square", flat_square(), 3},
-      {"a first row that begins and ends in one point, but is no pole", looped_body(), 2},
+      {"a first row that begins and ends at the same point, but is not a pole", looped_body(), 2},
       {"a first row that begins with one point twice", doubled_body(), 2},
       {"a first row that begins with one point three times", body_with_row({0, 0, 0, 3}), 2},
       {"a first row that ends with one point three times", body_with_row({0, 3, 3, 3}), 2},

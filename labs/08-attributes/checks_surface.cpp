@@ -125,7 +125,8 @@ std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer
     if (auto found = compare(expected, answer).first) return found;
   }
   auto found = compare(polygon(names[1], 3, *find_field(answer, names[0]), 0), answer).first;
-  if (found) found->explanation = "the first patch has another position there: a crack";
+  if (found)
+    found->explanation = "the first patch has a different position there, which leaves a crack";
   return found;
 }
 

@@ -48,7 +48,7 @@ inline Transform<Clip, Eye> parallel_matrix(double scale, double off_middle, dou
 inline std::vector<ProjectionCase> projections() {
   return {
       {"a window at 4", perspective_matrix(2, 0, -1.25, -1.25), {0.5, 4}},
-      {"numbers that are not short", perspective_matrix(1.7, 0, -1.125, -2.25), {0.03, 10}},
+      {"numbers with many digits", perspective_matrix(1.7, 0, -1.125, -2.25), {0.03, 10}},
       {"no separation (C-71)", perspective_matrix(1.3, 0, -1.25, -1.25), {0, 4}},
   };
 }
@@ -124,7 +124,7 @@ inline std::vector<ParallaxCase> hidden_distances() {
   return glassbox::labs::with_varied(
       std::vector<ParallaxCase>{
           {"near the eyes (C-73)", pair, picture, 0.1},
-          {"a window that is no short number", {0.07, 0.3}, picture, 1.1},
+          {"a window distance with many digits", {0.07, 0.3}, picture, 1.1},
           {"just in front of a far window", {3, 1e6}, picture, 999999.99999},
           {"far behind it", pair, picture, 1e9},
           {"parallel eyes without skew: all is in front", {0.03, kInfinity}, picture, 7},
@@ -278,8 +278,9 @@ inline std::vector<AnaglyphCase> anaglyphs() {
   AnaglyphCase order = anaglyph_case("near before far and far before near", Lenses::kRedCyan, 4, 2);
   order.anaglyph.left = {{0, 0, 0.25f, cream}, {0, 0, 0.75f, leaf}, {1, 1, 0.75f, leaf}};
   order.anaglyph.right = {{2, 0, 0.75f, leaf}, {2, 0, 0.25f, cream}, {1, 1, 0.75f, cream}};
-  AnaglyphCase hidden = anaglyph_case(
-      "far for the right eye where the left one has something near (C-76)", Lenses::kRedCyan, 4, 2);
+  AnaglyphCase hidden =
+      anaglyph_case("something far for the right eye where the left eye has something near (C-76)",
+                    Lenses::kRedCyan, 4, 2);
   hidden.anaglyph.background = {0, 0, 40, 255};
   hidden.anaglyph.left = {{1, 0, 0.25f, cream}, {2, 0, 0.75f, leaf}};
   hidden.anaglyph.right = {{0, 0, 0.25f, cream}, {1, 0, 0.75f, leaf}, {2, 0, 0.75f, leaf}};

@@ -266,11 +266,11 @@ inline Pixel seen_from_right(const Pose& pose, const Vector& point) {
 }
 inline std::vector<RaysCase> rays() {
   const Vector point{0.5, -0.25, 4};
-  return {{"lines that meet",
+  return {{"lines of sight that meet",
            {0.125, -0.0625},
            seen_from_right(arbitrary_pose(), point),
            arbitrary_pose()},
-          {"lines that pass each other", {0.125, -0.0625}, {0.02, 0.05}, converging_pose()},
+          {"lines of sight that do not meet", {0.125, -0.0625}, {0.02, 0.05}, converging_pose()},
           {"parallel axes, another row", {0.25, 0.125}, {0.125, 0.25}, parallel_pose()},
           {"parallel lines (C-107)", {0.25, 0.125}, {0.25, 0.125}, parallel_pose()},
           {"a point behind both cameras", {0.125, 0}, {0.25, 0}, parallel_pose()}};

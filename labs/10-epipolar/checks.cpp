@@ -129,8 +129,8 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
     return std::vector{matrix("E", 3, entries_of(m), solution.bound)};
   };
   std::string text = fmt::format(
-      "{} matches; the system's condition is {:.3g}. E is told with |E| = 1, its largest entry "
-      "positive. The cameras have R with the rows {} and T = {}",
+      "{} matches; the system's condition is {:.3g}. E is compared at |E| = 1, with its largest "
+      "entry positive. The cameras have R with the rows {} and T = {}",
       input.matches.size(), solution.condition, text_of(input.pose.rotation),
       text_of(input.pose.translation));
   for (std::size_t i = 0; i < std::min<std::size_t>(input.matches.size(), 3); ++i) {
@@ -149,16 +149,15 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
 Case expect_pose(const ChoiceCase& input) {
   const auto chosen = views::pose_in_front(matrix_of(input.essential), matches_of(input.matches));
   const views::RelativePose pose = chosen ? chosen->pose : views::RelativePose{};
-  return {
-      input.what,
-      fmt::format("E has the rows {}; {} matches, of which {} lie in front of both cameras, and "
-                  "of any other pose {} at most (C-105)",
-                  text_of(input.essential), input.matches.size(), chosen ? chosen->in_front : 0,
-                  chosen ? chosen->runner_up : 0) +
-          command_for("C-105"),
-      {matrix("R", 3, entries_of(pose.rotation), epipolar::kPoseBound),
-       point("T", {pose.translation[0], pose.translation[1], pose.translation[2]},
-             epipolar::kPoseBound)}};
+  return {input.what,
+          fmt::format("E has the rows {}; {} matches; with this pose, {} of them are in front of "
+                      "both cameras, and with any other pose at most {} (C-105)",
+                      text_of(input.essential), input.matches.size(), chosen ? chosen->in_front : 0,
+                      chosen ? chosen->runner_up : 0) +
+              command_for("C-105"),
+          {matrix("R", 3, entries_of(pose.rotation), epipolar::kPoseBound),
+           point("T", {pose.translation[0], pose.translation[1], pose.translation[2]},
+                 epipolar::kPoseBound)}};
 }
 
 Case expect_point(const RaysCase& input) {

@@ -238,7 +238,7 @@ Result<Pair> matched(const Drawn& drawn, const View& second) {
   return fail("the pair",
               fmt::format("both cameras see {} of {} points, fewer than {}", pair.pixels.size(),
                           kColumns * kRows, kFewest),
-              "take a smaller --eye-separation, or a camera before which there is more to see");
+              "choose a smaller --eye-separation, or a camera that sees more of the scene");
 }
 
 // ---- in the picture ----
@@ -317,7 +317,7 @@ Result<Answers> ask(const Pair& pair, const std::vector<lab_10::Pixel>& shown,
 
 Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   if (drawn.pair.half_separation == 0)
-    return fail("--eye-separation", "0: both cameras are one, and see no depth",
+    return fail("--eye-separation", "0: both cameras are at the same place, so there is no depth",
                 "give a separation above 0");
   const View second = second_view(drawn.view, drawn.pair);
   const auto pair = matched(drawn, second);

@@ -51,7 +51,7 @@ inline std::vector<SadCase> squares() {
   const Picture left = noise(12, 7, 1), right = seen_from_right(left, 3, 2);
   return {{"single pixels", left, right, 0, {{5, 3, 3}, {5, 3, 2}, {8, 1, 0}}},
           {"squares of 3 x 3", left, right, 1, {{6, 3, 3}, {6, 3, 4}, {7, 2, 1}}},
-          {"matches that the right picture does not have", left, right, 1, {{2, 3, 3}, {2, 3, 2}}}};
+          {"matches outside of the right picture", left, right, 1, {{2, 3, 3}, {2, 3, 2}}}};
 }
 // BEGIN HIDDEN
 inline std::vector<SadCase> hidden_squares() {
@@ -63,12 +63,16 @@ inline std::vector<SadCase> hidden_squares() {
     const int x = int(random.integer(0, 14)), y = int(random.integer(0, 10));
     many.places.push_back({x, y, int(random.integer(0, 9))});
   }
-  return {{"at the edges, where the last row and column go on",
+  return {{"at the edges, beyond which the last row and column are repeated",
            left,
            right,
            2,
            {{0, 0, 0}, {14, 10, 4}, {14, 0, 13}, {3, 10, 3}, {1, 5, 1}}},
-          {"squares larger than the picture, as unlike as can be", white, black, 7, {{1, 1, 0}}},
+          {"squares larger than the picture, with the largest possible difference",
+           white,
+           black,
+           7,
+           {{1, 1, 0}}},
           many};
 }
 // END HIDDEN
@@ -136,22 +140,17 @@ inline PathCase random_path(const std::string& what, int pixels, int disparities
 inline std::vector<PathCase> paths() {
   return {{"one pixel", {5, 1, 7}, 3, 10, 40},
           {"two pixels of three disparities", {0, 50, 90, 30, 30, 30}, 3, 10, 40},
-          {"a jump costs the same however far it is",
-           {0, 90, 90, 90, 90, 80, 80, 80, 80, 0},
-           5,
-           10,
-           40},
+          {"a jump costs the same for any size", {0, 90, 90, 90, 90, 80, 80, 80, 80, 0}, 5, 10, 40},
           random_path("six pixels of eight disparities", 6, 8, 15, 60, 1)};
 }
 // BEGIN HIDDEN
 inline std::vector<PathCase> hidden_paths() {
-  return {
-      random_path("a long path", 200, 16, 20, 70, glassbox::labs::varied_seed(113)),
-      random_path("one disparity", 5, 1, 10, 40, 3),
-      random_path("two disparities", 9, 2, 10, 40, 4),
-      random_path("no penalty", 9, 6, 0, 0, 5),
-      random_path("a jump as dear as a step", 9, 6, 30, 30, 6),
-      {"matches that cannot be", {kNever, 20, 30, kNever, kNever, 10, 15, kNever, 5}, 3, 10, 40}};
+  return {random_path("a long path", 200, 16, 20, 70, glassbox::labs::varied_seed(113)),
+          random_path("one disparity", 5, 1, 10, 40, 3),
+          random_path("two disparities", 9, 2, 10, 40, 4),
+          random_path("no penalty", 9, 6, 0, 0, 5),
+          random_path("a jump as expensive as a step", 9, 6, 30, 30, 6),
+          {"impossible matches", {kNever, 20, 30, kNever, kNever, 10, 15, kNever, 5}, 3, 10, 40}};
 }
 // END HIDDEN
 
@@ -171,10 +170,10 @@ inline std::vector<WinnerCase> winners() {
 // BEGIN HIDDEN
 inline std::vector<WinnerCase> hidden_winners() {
   return glassbox::labs::with_varied(
-      std::vector<WinnerCase>{{"two equal ones: the smaller", {9, 3, 7, 3, 8}},
+      std::vector<WinnerCase>{{"two equal costs: the smaller disparity wins", {9, 3, 7, 3, 8}},
                               {"a blank wall", {4, 4, 4, 4}},
-                              {"beside a match that cannot be", {7, 3, kNever, kNever}},
-                              {"after one that cannot be", {kNever, 3, 7, 9}},
+                              {"beside an impossible match", {7, 3, kNever, kNever}},
+                              {"after an impossible match", {kNever, 3, 7, 9}},
                               {"one disparity", {6}},
                               {"costs that need more than a float", {60000, 50001, 50000, 50003}}},
       114, 3, [](glassbox::Random& random) {
@@ -209,8 +208,8 @@ inline std::vector<RowCase> rows() {
 inline std::vector<RowCase> hidden_rows() {
   return {random_row("a row", 40, 12, glassbox::labs::varied_seed(115)),
           random_row("more disparities than pixels", 5, 9, 3),
-          {"of equal ones the smaller", {4, kNever, 9, 4, 4, 4}, 3, 2},
-          {"a right pixel that no left one can be", {kNever, kNever, 3, kNever}, 2, 2}};
+          {"equal costs: the smaller disparity wins", {4, kNever, 9, 4, 4, 4}, 3, 2},
+          {"a right pixel that no left pixel can match", {kNever, kNever, 3, kNever}, 2, 2}};
 }
 // END HIDDEN
 
@@ -221,8 +220,11 @@ struct CheckCase {
 };
 inline std::vector<CheckCase> pairs_of_rows() {
   return {{"all agree", {0, 1, 1, 1, 2}, {0, 1, 1, 2, kNone}, 1},
-          {"what is hidden from the right camera", {0, 0, 0, 3, 3, 0, 0}, {3, 0, 0, 0, 0, 0, 0}, 1},
-          {"nothing is found beyond the edge (C-113)", {2, 2, 2, kNone}, {2, 2, 2, 2}, 1},
+          {"pixels that are hidden from the right camera",
+           {0, 0, 0, 3, 3, 0, 0},
+           {3, 0, 0, 0, 0, 0, 0},
+           1},
+          {"no match beyond the edge (C-113)", {2, 2, 2, kNone}, {2, 2, 2, 2}, 1},
           {"parts of a pixel", {0, 0.5, 1.25, 1.75, 2.5}, {0.5, 1, 1, 2, 2}, 0.75}};
 }
 // BEGIN HIDDEN
@@ -234,10 +236,10 @@ inline std::vector<CheckCase> hidden_pairs_of_rows() {
     many.right.push_back(double(random.integer(0, 5)));
   }
   return {many,
-          {"exactly as far off as is allowed", {0, 0, 2, 2}, {1, 1, 1, 1}, 1},
+          {"a difference of exactly the tolerance", {0, 0, 2, 2}, {1, 1, 1, 1}, 1},
           {"no tolerance", {0, 1, 1, 1}, {1, 1, 0.5, 0}, 0},
-          {"halves go to the right", {0, 0.5, 1.5, 0.5}, {9, 0.5, 1.5, 0.5}, 0},
-          {"nothing on the right", {0, 1, 1}, {kNone, kNone, kNone}, 1}};
+          {"halves are rounded to the right", {0, 0.5, 1.5, 0.5}, {9, 0.5, 1.5, 0.5}, 0},
+          {"no disparities in the right picture", {0, 1, 1}, {kNone, kNone, kNone}, 1}};
 }
 // END HIDDEN
 
@@ -261,7 +263,7 @@ inline std::vector<DepthCase> depths() {
 inline std::vector<DepthCase> hidden_depths() {
   const Calibration crossed{500, 0.065, -8};
   return glassbox::labs::with_varied(
-      std::vector<DepthCase>{{"rays that part (C-107)", 7.5, crossed},
+      std::vector<DepthCase>{{"diverging rays (C-107)", 7.5, crossed},
                              {"just in front of them", 8.0009765625, crossed},
                              {"a negative disparity before an offset", -3, {800, 0.1, 5}},
                              {"rays that are parallel by the offset", 8, crossed}},

@@ -320,7 +320,7 @@ Rgba8 shade_of(double depth, const Pair& pair) {
 
 Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   if (drawn.pair.half_separation == 0)
-    return fail("--eye-separation", "0: both eyes see the same, and no depth",
+    return fail("--eye-separation", "0: both eyes see the same picture, so there is no depth",
                 "give a separation above 0");
   const auto pair = rendered(drawn);
   if (!pair) return tl::unexpected(pair.error());

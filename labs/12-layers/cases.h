@@ -53,11 +53,11 @@ inline std::vector<PackCase> packs() {
        numbered({{0, 0, 0.5f, {}}, {2, 0, 0.25f, {}}, {0, 1, 0.125f, {}}, {2, 1, 0.75f, {}}})},
       {"three surfaces in one pixel, empty ones around it (C-85)", 3, 3,
        numbered({{1, 1, 0.25f, {}}, {1, 1, 0.75f, {}}, {1, 1, 0.5f, {}}, {2, 1, 0.5f, {}}})},
-      {"nothing at all (C-85)", 4, 2, {}},
+      {"no samples (C-85)", 4, 2, {}},
       {"two pictures' samples of the same surfaces", 2, 1,
        numbered({{0, 0, 0.5f, {}}, {0, 0, 0.2f, {}}, {0, 0, 0.501f, {}}, {0, 0, 0.1999f, {}}}),
        1.0 / 64},
-      {"a chain: each near to the next one alone (C-84)", 2, 1, numbered(mixed), 1.0 / 64},
+      {"a chain: each sample is near only to the next one (C-84)", 2, 1, numbered(mixed), 1.0 / 64},
       {"equal depths", 1, 1, numbered({{0, 0, 0.5f, {}}, {0, 0, 0.25f, {}}, {0, 0, 0.5f, {}}}), 0},
   };
 }
@@ -77,7 +77,7 @@ inline std::vector<PackCase> hidden_packs() {
           {"300 samples in one pixel (C-85)", 2, 2, numbered(chain(0, 1, 300, 1.0 / 64)), 0},
           {"exactly as far apart as epsilon", 1, 1,
            numbered({{0, 0, 0.5f, {}}, {0, 0, 0.375f, {}}, {0, 0, 0.3749f, {}}}), 0.25},
-          {"near things stay apart where far ones are merged", 2, 1,
+          {"near samples stay separate where far ones are merged", 2, 1,
            numbered({{0, 0, 0.9f, {}}, {0, 0, 0.88f, {}}, {0, 0, 0.010f, {}}, {0, 0, 0.0099f, {}}}),
            1.0 / 64},
           random_pack(random),
@@ -205,12 +205,12 @@ inline std::vector<SizeCase> sizes() {
           {"with three times the focal length (C-81)", 3, 1, 1, 1},
           {"seen at 60 degrees, then straight on", 1, 0.5, 0.5, 1},
           {"smaller than a pixel", 1, 5, 1, 1},
-          {"in the eye's face (C-86)", 1, 0.001, 1, 1}};
+          {"very near the eye (C-86)", 1, 0.001, 1, 1}};
 }
 // BEGIN HIDDEN
 inline std::vector<SizeCase> hidden_sizes() {
   return glassbox::labs::with_varied(
-      std::vector<SizeCase>{{"turned away on the way", 2, 0.5, 0.9, 0.3},
+      std::vector<SizeCase>{{"turned away from the second eye", 2, 0.5, 0.9, 0.3},
                             {"exactly 64 px", 1, 1.0 / 64, 1, 1},
                             {"seen at its very edge (C-86)", 1, 1, 0, 0.5},
                             {"at its very edge by both", 1, 1, 0, 0},
@@ -309,12 +309,12 @@ inline std::vector<DrawCase> hidden_pictures() {
   far.samples.push_back({{-1e30f, 2, 0, 1e-20f}, 64, number_colour(3)});
   far.samples.push_back({{1, 1, 0.5f, 0}, 64, number_colour(4)});
   return {
-      {"equally near ones", canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 0.5, 1, 3, 1),
-                                                         placed(4.25, 3.25, 0.5, 2, 3, 2)})},
-      {"edges exactly on middles: the right and the lower one belong to it",
+      {"equally near samples", canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 0.5, 1, 3, 1),
+                                                            placed(4.25, 3.25, 0.5, 2, 3, 2)})},
+      {"edges exactly on pixel centres: the right and the lower edge belong to the square",
        canvas_of(Hiding::kNearest, {placed(3, 3, 0.5, 1, 1, 1), placed(5.5, 2.5, 0.5, 1, 2, 2)})},
       {"exactly on the near plane", canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 1, 1, 3, 1)})},
-      {"w = 0, and as far away as a float can say (C-83)", far},
+      {"w = 0, and the largest distance of a float (C-83)", far},
       {"sides that are no whole numbers",
        canvas_of(Hiding::kLast,
                  {placed(3.4, 2.7, 0.5, 1, 2.6, 1), placed(5.9, 3.1, 0.4, 1, 1.4, 2)})},

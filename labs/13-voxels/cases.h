@@ -110,8 +110,8 @@ inline std::vector<JudgeCase> judged() {
       {"two colours", {{grey(100)}, {grey(200)}}},
       {"one picture shows background", {{grey(100)}, {background()}, {grey(100)}}},
       {"one picture alone (C-89)", {{grey(100)}, {hidden_grey(100)}}},
-      {"nobody sees it", {{hidden_grey(100)}, {hidden_grey(30)}, {}}},
-      {"what is hidden is not asked", {{grey(100)}, {hidden_grey(250)}, {grey(103)}}},
+      {"no picture sees it", {{hidden_grey(100)}, {hidden_grey(30)}, {}}},
+      {"hidden pixels are ignored", {{grey(100)}, {hidden_grey(250)}, {grey(103)}}},
       {"a checker as fine as the voxels, adaptive (C-94)",
        {{grey(0), grey(255)}, {grey(255), grey(0)}},
        {1, 10}},
@@ -139,7 +139,7 @@ inline std::vector<JudgeCase> hidden_judged() {
           {"no deviation and T = 0 (C-88)", {{grey(7)}, {grey(7)}}, {0, 0}},
           {"an infinite threshold (C-88)", {{grey(0)}, {grey(255)}}, {0, INFINITY}},
           {"background in a part of a footprint", {{grey(50), background()}, {grey(52)}}},
-          {"background behind what is hidden", {{hidden_grey(50)}, {background()}}},
+          {"background in one picture, hidden in the other", {{hidden_grey(50)}, {background()}}},
           {"hidden pixels of a footprint with background",
            {{hidden_grey(9), background()}, {grey(3)}}},
           {"all pictures beside it", {{}, {}, {}}},
@@ -203,7 +203,9 @@ inline std::vector<FootprintCase> hidden_footprints() {
        along_z(1.7, 3.03, 2.4, 17.2),
        {20, 20, 0}},
       {"its own pixel is not in the rectangle", along_z(4.5, 2.35, 2.35, 9.5), {3, 3, 0}},
-      {"as far away as a pixel's millionth", along_z(3, 4.4, 4.4, 3000000.1), {7, 7, 0}}};
+      {"so far away that it is a millionth of a pixel",
+       along_z(3, 4.4, 4.4, 3000000.1),
+       {7, 7, 0}}};
   for (int i = 0; i < 12; ++i) all.push_back(random_footprint(random));
   return all;
 }
@@ -252,7 +254,7 @@ inline std::vector<SweepCase> sweeps() {
   return {{"one voxel, three pictures", flat_pictures({{{3, 1, 2}, kRed}}, {-1, 0, 1}), kGrid},
           {"two scenes that look the same: the nearer one (C-91)",
            flat_pictures({{{3, 1, 2}, kRed}, {{5, 1, 2}, kRed}}, {-1, 1}), kGrid},
-          {"what is before hides what is behind",
+          {"nearer voxels hide those behind them",
            flat_pictures({{{3, 0, 1}, kRed}, {{3, 0, 3}, kBlue}, {{5, 2, 4}, kGreen}}, {-1, 0, 1}),
            kGrid}};
 }

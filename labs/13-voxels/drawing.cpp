@@ -78,7 +78,8 @@ std::optional<WrongNumber> judge_order(const Numbers&, const Numbers& yours,
   return first_wrong(
       yours, reference, [](std::size_t) { return 0; }, "",
       [](std::size_t i) {
-        return i == 0 ? std::string("kind") : fmt::format("away along {}", "xyz"[i - 1]);
+        return i == 0 ? std::string("kind")
+                      : fmt::format("direction away from the cameras, {}", "xyz"[i - 1]);
       });
 }
 

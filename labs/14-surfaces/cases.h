@@ -68,10 +68,11 @@ inline EdgeCase random_edge(glassbox::Random& random) {
 }
 inline std::vector<EdgeCase> hidden_edges() {
   glassbox::Random random = glassbox::labs::varied(141);
-  std::vector<EdgeCase> all{{"the inside end at the level, second (C-96)", -7, 3, 3},
-                            {"the border, second", 4, -INFINITY, 1},
-                            {"large values", 0x1p60, -0x1p58, 0x1p40},
-                            {"one above the level by a rounding", 1 + 0x1p-52, 0.5, 1}};
+  std::vector<EdgeCase> all{
+      {"the inside end at the level, second (C-96)", -7, 3, 3},
+      {"the border, second", 4, -INFINITY, 1},
+      {"large values", 0x1p60, -0x1p58, 0x1p40},
+      {"one value above the level by one rounding step", 1 + 0x1p-52, 0.5, 1}};
   for (int i = 0; i < 6; ++i) all.push_back(random_edge(random));
   return glassbox::labs::with_varied(std::move(all), 142, 4, random_edge);
 }
@@ -95,13 +96,13 @@ inline std::vector<EditCase> edits() {
   return {
       {"one polygon", 3, {{true, 5, {{0, 2.0}, {2, 3.0}}}}},
       {"the second before the first", 2, {{true, 1, {{0, 4.0}, {1, 4.0}}}, {true, 2, {{0, 3.0}}}}},
-      {"what is in front goes",
+      {"the polygon in front is removed",
        1,
        {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 2, {{0, 3.0}}}}},
-      {"what is behind goes (C-97)",
+      {"the polygon behind is removed (C-97)",
        1,
        {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 1, {{0, 4.0}}}}},
-      {"equally near ones",
+      {"equally near polygons",
        1,
        {{true, 7, {{0, 2.0}}}, {true, 3, {{0, 2.0}}}, {true, 5, {{0, 2.0}}}}}};
 }
@@ -126,16 +127,17 @@ inline EditCase random_edits(glassbox::Random& random) {
 inline std::vector<EditCase> hidden_edits() {
   glassbox::Random random = glassbox::labs::varied(143);
   return glassbox::labs::with_varied(
-      std::vector<EditCase>{
-          random_edits(random),
-          random_edits(random),
-          {"a number that is not there goes", 1, {{true, 1, {{0, 4.0}}}, {false, 9, {{0, 4.0}}}}},
-          {"it comes again, nearer",
-           1,
-           {{true, 1, {{0, 4.0}}},
-            {true, 2, {{0, 3.0}}},
-            {false, 1, {{0, 4.0}}},
-            {true, 1, {{0, 1.0}}}}}},
+      std::vector<EditCase>{random_edits(random),
+                            random_edits(random),
+                            {"an id that is not there is removed",
+                             1,
+                             {{true, 1, {{0, 4.0}}}, {false, 9, {{0, 4.0}}}}},
+                            {"a polygon is added again, nearer",
+                             1,
+                             {{true, 1, {{0, 4.0}}},
+                              {true, 2, {{0, 3.0}}},
+                              {false, 1, {{0, 4.0}}},
+                              {true, 1, {{0, 1.0}}}}}},
       144, 2, random_edits);
 }
 // END HIDDEN
@@ -170,7 +172,7 @@ inline std::vector<ViewCase> views_around() {
            along(3, 0, 4, 5),
            three_views(),
            {true, false, true}},
-          {"nobody sees it (C-98)",
+          {"no view sees it (C-98)",
            along(1, 2, 9, 9.2736184954957037),
            three_views(),
            {false, false, false}}};
@@ -212,16 +214,16 @@ inline std::vector<ViewCase> hidden_views_around() {
                              along(1, 2, 9, 9.2736184954957037),
                              {three_views()[0], three_views()[2], three_views()[1]}},
                             {"beside the triangle", along(-3, 0, 4, 5), three_views()},
-                            {"beside it, and the nearest does not see it",
+                            {"beside the triangle, and the nearest view does not see the polygon",
                              along(-3, 0, 4, 5),
                              three_views(),
                              {false, true, true}},
                             {"behind all of them", along(0, 0, -1, 1), three_views()},
-                            {"equally near ones of which none has a weight",
+                            {"equally near views without a weight",
                              along(-1, -1, 4.24264068711928515, 4.47213595499957939),
                              three_views(),
                              {false, true, true}},
-                            {"only the last sees it",
+                            {"only the last view sees it",
                              along(1, 2, 9, 9.2736184954957037),
                              three_views(),
                              {false, false, true}}};
@@ -283,11 +285,11 @@ inline Matrix given_vectors(const Pixels& pixels, const std::vector<double>& mea
 
 inline std::vector<BandCase> bands() {
   return {
-      {"two bands that are one", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
+      {"two bands that depend on each other", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
       {"a band that does not change", {{5, 1}, {5, 2}, {5, 4}}, 1},
       {"a square: no direction is better than another", {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}, 2},
       {"four bands", {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}}, 2},
-      {"no component at all", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
+      {"no components", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
 }
 // BEGIN HIDDEN
 inline BandCase random_bands(glassbox::Random& random) {

@@ -43,14 +43,16 @@ std::string corners_text(unsigned inside) {
 Case expect_cell(const CellCase& input) {
   return {.where = input.what,
           .restated = "corners inside:" + corners_text(input.inside) +
-                      "; edges of each polygon, then -1" + command_for(input.what),
+                      "; the edges of each polygon, with -1 after them" + command_for(input.what),
           .expected = {numbers("edges of the polygons", listed_polygons(input.inside))}};
 }
 
 // BEGIN HIDDEN
 Case expect_cells(const CellsCase& input) {
-  Case made{.where = input.what,
-            .restated = "edges of each polygon, then -1, of sixteen sets of inside corners"};
+  Case made{
+      .where = input.what,
+      .restated =
+          "the edges of each polygon, with -1 after them, for sixteen sets of inside corners"};
   for (unsigned inside = input.first; inside < input.first + 16; ++inside)
     made.expected.push_back(
         numbers(fmt::format("edges for corners {}", inside), listed_polygons(inside)));
@@ -117,7 +119,7 @@ Case expect_edits(const EditCase& input) {
   return {.where = input.what,
           .restated = text + command_for(input.what),
           .expected = {numbers("ids seen", seen), numbers("samples of each pixel", counts),
-                       numbers("ids", ids), numbers("how far", distances)}};
+                       numbers("ids", ids), numbers("distances", distances)}};
 }
 
 // ---- views ----
@@ -265,7 +267,7 @@ Case expect_reconstruction(const BandCase& input) {
           .restated = fmt::format("{} pixels of {} bands, {} components", input.pixels.size(),
                                   mean.size(), input.k) +
                       command_for(input.what),
-          .expected = {matrix("bands again", int(mean.size()), all, bound),
+          .expected = {matrix("reconstructed bands", int(mean.size()), all, bound),
                        numbers("mean square error", {double(error / n)}, of_error)}};
 }
 

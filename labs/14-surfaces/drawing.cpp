@@ -124,8 +124,9 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
     }
   }
   if (solid.full() == 0)
-    return fail("the scene", "nothing of it has an inside, of which lab 14 draws the surface",
-                "draw one with closed things in it: cube, sphere, teapot");
+    return fail("the scene",
+                "it has no closed object, and lab 14 draws the surfaces of closed objects",
+                "choose a scene with closed objects, such as cube, sphere or teapot");
   const views::ScalarField field = solid.smooth_field();
   const std::vector<CrossedCell> cells = crossed_cells(field);
 

@@ -55,7 +55,7 @@ void edited(const EditCase& input, Answer& answer) {
   }
   answer.emit("samples of each pixel", counts);
   answer.emit("ids", ids);
-  answer.emit("how far", distances);
+  answer.emit("distances", distances);
 }
 
 void weights(const ViewCase& input, Answer& answer) {
@@ -77,7 +77,7 @@ void again(const BandCase& input, Answer& answer) {
       reconstruct(input.pixels, mean, given_vectors(input.pixels, mean), input.k);
   std::vector<double> all;
   for (const auto& pixel : made.pixels) all.insert(all.end(), pixel.begin(), pixel.end());
-  answer.emit("bands again", all);
+  answer.emit("reconstructed bands", all);
   answer.emit("mean square error", {made.error});
 }
 

@@ -95,18 +95,19 @@ std::optional<fs::file_time_type> written_at(const fs::path& file) {
 
 void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
   add_lab_dir(command, asked.lab_dir)->excludes(add_lab_name(command, asked.lab));
-  command.add_flag(
-      "--sanitize", options.sanitize,
-      "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
-  command.add_option("--time-limit", options.seconds, "seconds that a check may take")
+  command.add_flag("--sanitize", options.sanitize,
+                   "compile with AddressSanitizer and UndefinedBehaviorSanitizer, which name the "
+                   "line of a bad access");
+  command.add_option("--time-limit", options.seconds, "time limit of a check, in seconds")
       ->check(number_between(0.1, 3600))
       ->capture_default_str();
-  command.add_option("--memory-limit", options.memory_mib, "MiB that a check may use")
+  command.add_option("--memory-limit", options.memory_mib, "memory limit of a check, in MiB")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20))
       ->capture_default_str();
-  add_choice(command, "--sandbox", options.confinement,
-             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
-             "this one or none; the strongest that works here");
+  add_choice(
+      command, "--sandbox", options.confinement,
+      choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+      "use this sandbox or refuse to run; by default the strongest that works on this machine");
 }
 
 // Calls `act` at once and after every save of the file, until the program is ended.
@@ -119,7 +120,7 @@ void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
       seen = now;
       if (terminal) fmt::print("\x1b[H\x1b[2J\x1b[3J");
       act();
-      fmt::print("\nSave {} to do it again; Ctrl-C ends.\n", file.string());
+      fmt::print("\nSave {} to run this again; Ctrl-C ends the program.\n", file.string());
       std::fflush(stdout);
     }
     // Looking at a file's time is cheap, and works where change notifications do not (shared
@@ -132,19 +133,21 @@ void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
 
 void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
-      "check", "builds and runs a lab: the points, and where it first goes wrong");
+      "check", "compiles and checks a lab's functions: the points, and the first wrong answers");
   command.footer(
       "Examples:\n"
       "  glassbox lab check ~/lab5\n"
       "  glassbox lab check ~/lab5 --html report.html\n"
       "  glassbox lab check labs/05-clipping\n\n"
-      "The code runs in a sandbox, as a grader runs it. The exit code is 0 for full marks and 1 "
-      "for less.");
-  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      "The code runs in the same sandbox as when it is graded. The exit code is 0 for all points "
+      "and 1 for fewer.");
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the report as a page with pictures");
-  if (!kForStudents) command.add_flag("--hidden", options_.hidden, "hidden checks too");
+  if (!kForStudents) command.add_flag("--hidden", options_.hidden, "run the hidden checks too");
   add_options(command, options_, asked_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -168,14 +171,19 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
       "Examples:\n"
       "  glassbox lab watch ~/lab5\n"
       "  glassbox lab watch ~/lab5 teapot --size 640x360 -o teapot.png --html teapot.html\n\n"
-      "With a scene it draws, as glassbox lab render does, and a picture or page is replaced as a\n"
-      "whole. Ctrl-C ends it.");
-  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      "With SCENE it draws the scene after every save, as glassbox lab render does. A picture or "
+      "page\n"
+      "is replaced when the new one is complete. Ctrl-C ends the program.");
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
-  command.add_option("SCENE", scene_, "draw this in place of the checks");
-  command.add_option("-o,--output", output_, "of a scene: the pictures [SCENE.png]")
+  command.add_option("SCENE", scene_, "draw this scene instead of running the checks");
+  command
+      .add_option("-o,--output", output_,
+                  "with SCENE: your picture beside the reference's [SCENE.png]")
       ->type_name("FILE");
-  add_html_output(command, html_output_, "the last report, or run, as a page");
+  add_html_output(command, html_output_, "the last report, or the last drawing, as a page");
   add_options(command, options_, asked_);
   add_picture_options(command, picture_);
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -198,7 +206,8 @@ int LabWatchCommand::run() const {
 
 int LabWatchCommand::watch_picture() const {
   if (!asked_.lab_dir.empty())
-    return refuse({"--lab-dir", "", "a lab of your own draws no scene", "leave SCENE out"});
+    return refuse({"--lab-dir", "", "a lab that is given with --lab-dir cannot draw a scene",
+                   "leave SCENE out"});
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
   const LabPicture asked{asked_, scene_, output, picture_, {}, html_output_};
   if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());

@@ -49,8 +49,8 @@ std::string labs_text() {
     for (const labs::Task& task : lab.tasks)
       text += fmt::format("    {:<5}{:<58}{:>6g}\n", task.id, task.title, task.points);
   }
-  if (text.empty()) text = "No lab is built into this program.\n";
-  return text + fmt::format("\n{} lab start NUMBER FOLDER begins one.\n", program_name());
+  if (text.empty()) text = "This program was built without labs.\n";
+  return text + fmt::format("\nTo begin a lab: {} lab start NUMBER FOLDER\n", program_name());
 }
 
 void add_commands(CLI::App& app, int& exit_code) {

@@ -1,4 +1,4 @@
-// The commands of labs/, as a program has them.
+// The commands of labs/ for run_program.
 #pragma once
 
 #include "cli/options/cli_fwd.h"

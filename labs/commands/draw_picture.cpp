@@ -54,7 +54,8 @@ Result<void> check_lab_picture(const LabPicture& asked) {
       !good)
     return good;
   if (!asked.picture.settings.wireframe) return {};
-  return fail("--wireframe", "the labs' functions are of triangles, not of lines", "leave it out");
+  return fail("--wireframe", "the labs' functions draw triangles, not lines",
+              "leave --wireframe out");
 }
 
 int draw_lab_picture(const LabPicture& asked) {
@@ -62,8 +63,8 @@ int draw_lab_picture(const LabPicture& asked) {
   if (!folder) return refuse(folder.error());
   const auto drawing = labs::drawing_of(folder->lab->number);
   if (!drawing)
-    return refuse(
-        {asked.lab.folder, "", "this lab draws nothing", "name the folder of another lab"});
+    return refuse({asked.lab.folder, "", "the functions of this lab draw no picture",
+                   "name the folder of another lab"});
   Progress progress;
   const auto scene = load_asked_scene(asked.scene, asked.picture, progress);
   if (!scene) return refuse(scene.error());
@@ -90,7 +91,7 @@ int draw_lab_picture(const LabPicture& asked) {
     progress.done();
     fmt::print("{}: {}\n", folder->student.string(), *answers.broke());
     const std::string which = asked.lab.lab.empty() ? "" : " --lab " + asked.lab.lab;
-    fmt::print("There is no picture. glassbox lab check {}{} says more.\n", asked.lab.folder,
+    fmt::print("No picture was drawn. Run glassbox lab check {}{} to see more.\n", asked.lab.folder,
                which);
     return kFailure;
   }
@@ -120,10 +121,11 @@ int draw_lab_picture(const LabPicture& asked) {
   }
   progress.done();
   if (asked.json != "-")
-    fmt::print("{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
-               printable(asked.output, kLongestMessage),
-               both->result.truth ? "beside it, and what is really there" : "on the right",
-               report.seconds);
+    fmt::print(
+        "{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
+        printable(asked.output, kLongestMessage),
+        both->result.truth ? "beside it, then the pipeline's picture of the scene" : "on the right",
+        report.seconds);
   return both->result.right() ? kSuccess : kFailure;
 }
 

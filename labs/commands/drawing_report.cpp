@@ -36,7 +36,7 @@ std::string record_text(const labs::DrawingResult& result, const WrongRecord& re
     text +=
         fmt::format("      distance   {:.6g}{}; at most {:.6g} is allowed\n",
                     std::abs(n.yours - n.reference), n.unit.empty() ? "" : " " + n.unit, n.bound);
-  text += "    it was given:";
+  text += "    its input:";
   for (const double x : record.given) text += fmt::format(" {}", x);
   return text + (record.given.size() == 12 ? " ...\n" : "\n");
 }
@@ -57,14 +57,16 @@ std::string stages_text(const labs::DrawingResult& result) {
 std::string pixel_text(const DrawingReport& report) {
   const labs::DrawingResult& result = report.result;
   const std::size_t pixels = result.yours.pixels.size();
-  if (!result.first_pixel) return fmt::format("All {} pixels are the reference's.\n", pixels);
+  if (!result.first_pixel)
+    return fmt::format("All {} pixels are the same as the reference's.\n", pixels);
   const labs::WrongPixel& p = *result.first_pixel;
   std::string text = fmt::format(
-      "{} of {} pixels differ. The first is ({}, {}): {} for {}, of {}; the reference shows {}.\n",
+      "{} of {} pixels differ. The first is ({}, {}): yours is {}, the reference's is {}.\nThere "
+      "your picture shows {}, and the reference shows {}.\n",
       result.differing_pixels, pixels, p.x, p.y, colour_text(p.yours), colour_text(p.reference),
       seen_text(p.your_triangle), seen_text(p.reference_triangle));
   if (result.record_of_pixel) {
-    text += "There the first record to differ is\n" +
+    text += "The first wrong record of this pixel:\n" +
             record_text(result, result.wrong[*result.record_of_pixel]);
   }
   return text;
@@ -84,8 +86,8 @@ double share_beside(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
 std::string truth_text(const labs::DrawingResult& result) {
   if (!result.truth) return "";
   return fmt::format(
-      "Of your pixels {:.2f} % are off by more than 8/255 from what is really there, of the "
-      "reference's {:.2f} %.\n",
+      "{:.2f} % of your pixels and {:.2f} % of the reference's are more than 8/255\n"
+      "away from the pipeline's picture of the scene.\n",
       100 * share_beside(result.yours, *result.truth),
       100 * share_beside(result.reference, *result.truth));
 }
@@ -95,7 +97,7 @@ std::string look_closer(const DrawingReport& report) {
   const auto& p = report.result.first_pixel;
   if (!p) return "";
   const auto triangle = p->your_triangle ? p->your_triangle : p->reference_triangle;
-  std::string text = "The reference's numbers:\n";
+  std::string text = "These commands show the reference's numbers:\n";
   if (triangle && report.lab.number != 1)
     text += fmt::format("  glassbox step {}{} --triangle {}\n", report.scene, report.picture_words,
                         *triangle);
@@ -149,13 +151,13 @@ std::string drawing_text(const DrawingReport& report) {
                                  stages_text(result), pixel_text(report));
   text += truth_text(result);
   if (result.right() && result.first_pixel)
-    text += "Every record is within its bound: what differs is rounding.\n";
+    text += "Every record is within its error bound: the pixels differ by rounding only.\n";
   if (result.first_record && result.first_record != result.record_of_pixel)
-    text += "In the whole scene the first record to differ is\n" +
+    text += "The first wrong record of the whole scene:\n" +
             record_text(result, result.wrong[*result.first_record]);
   if (!result.right()) text += look_closer(report);
   if (!report.drawing.not_drawn.empty())
-    text += fmt::format("No part of the picture: {}.\n", report.drawing.not_drawn);
+    text += fmt::format("Not used for this picture: {}.\n", report.drawing.not_drawn);
   if (!report.said.empty()) text += "\nYour code printed:\n" + printable(report.said, 4000) + "\n";
   return text;
 }

@@ -72,7 +72,7 @@ Result<LabFolder> open_place(const std::string& folder, const fs::path& place, b
   found.student = place / "student.cpp";
   std::error_code error;
   if (!fs::is_regular_file(found.student, error))
-    return fail((fs::path(folder) / "student.cpp").string(), "is not there",
+    return fail((fs::path(folder) / "student.cpp").string(), "does not exist",
                 "put your code into this file; glassbox lab start makes it");
   const bool writable = access(place.c_str(), W_OK) == 0;
   found.cache = cache_for(place);
@@ -86,8 +86,8 @@ Result<fs::path> open_directory(const std::string& folder) {
   std::error_code error;
   fs::path place = fs::canonical(folder, error);
   if (error || !fs::is_directory(place, error))
-    return fail(folder, "is no folder",
-                "name the folder that glassbox lab start has made, or make one with it");
+    return fail(folder, "is not a folder",
+                "name a folder that glassbox lab start has made, or make one with this command");
   return place;
 }
 
@@ -100,9 +100,8 @@ Result<LabFolder> open_started(const std::string& folder) {
   const auto lab =
       find_lab(own ? place->filename().string() : *named, (fs::path(folder) / "lab.json").string());
   if (!lab && own)
-    return fail(folder, "is no lab: there is no lab.json in it",
-                "name the folder that glassbox lab start has made, or say with --lab which lab it "
-                "is of");
+    return fail(folder, "is not the folder of a lab: it has no lab.json",
+                "name a folder that glassbox lab start has made, or give the lab with --lab");
   if (!lab) return tl::unexpected(lab.error());
   auto found = open_place(folder, *place, own);
   if (found) found->lab = *lab;

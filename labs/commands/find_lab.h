@@ -31,7 +31,7 @@ struct LabFolder {
   std::filesystem::path outside = {};  // the lab's folder, if it is not one of the program's labs
 };
 
-// What the user gave a command to find the lab by.
+// The parts of a command line that select a lab.
 struct AskedLab {
   std::string folder;
   // --lab, a name for find_lab: the lab whose student.cpp is in `folder`, as it was handed in.
@@ -55,7 +55,7 @@ inline CLI::Option* add_lab_dir(CLI::App& command, std::string& folder) {
 }
 
 inline CLI::Option* add_lab_name(CLI::App& command, std::string& name) {
-  return command.add_option("--lab", name, "which lab a folder without lab.json is of");
+  return command.add_option("--lab", name, "the lab that a folder without lab.json belongs to");
 }
 
 // The sources with the lab of `folder` instead of the program's; unchanged if `folder` is empty.

@@ -40,19 +40,21 @@ using namespace labs::grading;
 }  // namespace
 
 void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("grade", "points for a class, or for one submission");
+  CLI::App& command =
+      *lab.add_subcommand("grade", "grades the submissions of a class, or one submission");
   command.footer(
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
       "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
       "  glassbox lab grade submissions/ --lab-dir ~/labs/40-fog -o results/\n\n"
-      "A class is a folder of folders, one a submission, with student.cpp in each. Every "
-      "submission and every\n"
-      "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "
-      "the limits,\n"
-      "the files that are written, Gradescope, GitHub Classroom, Slurm and GNU parallel.");
+      "The folder of a class has one folder for each submission, with student.cpp in it. Every "
+      "submission is\n"
+      "compiled, and every check is run, in a sandbox and in a process of its own. docs/grading.md "
+      "explains\n"
+      "the limits, the files that are written, Gradescope, GitHub Classroom, Slurm and GNU "
+      "parallel.");
   command
-      .add_option("SUBMISSIONS", submissions_, "the folder of a class; with --one, of a submission")
+      .add_option("SUBMISSIONS", submissions_, "the folder of a class; with --one, one submission")
       ->required();
   command
       .add_option("-o,--output", files_.output,
@@ -61,51 +63,65 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       ->required();
   command.add_option(
       "--lab", lab_,
-      "the number of the lab; not needed where a submission is a folder of `lab start`");
+      "the number of the lab; not needed if a submission is a folder made by `lab start`");
   add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
-                   "SUBMISSIONS is one submission: nothing is shared with other gradings");
+                   "SUBMISSIONS is one submission; several such gradings may run at the same time");
   auto* vary = command.add_flag(
-      "--vary", vary_, "hidden checks with inputs of each submission's own, which follow its name");
+      "--vary", vary_,
+      "give each submission its own inputs of the hidden checks, which follow from its name");
   command
-      .add_option("--name", name_,
-                  "with --one and --vary: the submission's name; that of its folder or file")
+      .add_option(
+          "--name", name_,
+          "with --one and --vary: the submission's name; by default that of its folder or file")
       ->needs(vary);
-  command.add_flag("--resume", resume_,
-                   "grades only what has no result of this submission, lab and glassbox");
-  command.add_option("--classroom", files_.classroom, "with --one: GitHub Classroom's JSON too")
+  command.add_flag(
+      "--resume", resume_,
+      "grade only submissions without a result of the same submission, lab and glassbox");
+  command
+      .add_option("--classroom", files_.classroom,
+                  "with --one: also write the result as JSON for GitHub Classroom")
       ->type_name("FILE");
-  command.add_option("--junit", files_.junit, "with --one: JUnit's XML too, of the visible checks")
+  command
+      .add_option("--junit", files_.junit, "with --one: also write the visible checks as JUnit XML")
       ->type_name("FILE");
   command
       .add_option("--vpl", files_.vpl,
-                  "with --one: what Moodle's Virtual Programming Lab reads, of the visible checks")
+                  "with --one: also write the visible checks for Moodle's Virtual Programming Lab")
       ->type_name("FILE");
-  command.add_option("--jobs", jobs_, "submissions at a time; as many as there are processors")
+  command
+      .add_option(
+          "--jobs", jobs_,
+          "number of submissions graded at the same time; by default one for each processor")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--time-limit", seconds_, "seconds for each check; 10")
+  command
+      .add_option("--time-limit", seconds_, "time limit of each check, in seconds; by default 10")
       ->check(number_between(0.1, 3600));
   command
       .add_option("--total-time", total_seconds_,
-                  "seconds for all checks of a submission together; 300")
+                  "time limit of all checks of a submission together, in seconds; by default 300")
       ->check(number_between(1, 86400));
-  command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
+  command
+      .add_option("--memory-limit", memory_mib_,
+                  "memory limit of each check, in MiB; by default 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
-  add_choice(command, "--sandbox", confinement_,
-             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
-             "this one or none; the strongest that works here");
+  add_choice(
+      command, "--sandbox", confinement_,
+      choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+      "use this sandbox or refuse to run; by default the strongest that works on this machine");
   command
       .add_option("--kit", kit_,
-                  "with --one: a directory for what all submissions of a lab are compiled with")
+                  "with --one: keep the compiled files that all submissions of a lab share in this "
+                  "directory")
       ->type_name("DIR");
   command.callback([this, &exit_code] { exit_code = run(); });
 
   CLI::App& collect = *lab.add_subcommand(
-      "collect", "class.csv and index.html of results that were made one by one");
+      "collect", "makes class.csv and index.html from results that were made with --one");
   collect.footer("Example:\n  glassbox lab collect results/");
   collect
       .add_option("RESULTS", collected_,
-                  "a folder with one folder a submission, results.json in each")
+                  "a folder with one folder for each submission, with results.json in it")
       ->required();
   collect.callback([this, &exit_code] { exit_code = run_collect(collected_); });
 }
@@ -134,7 +150,7 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
   for (const Submission& each : submissions) {
     if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
   }
-  return fail("--lab", "which lab this is cannot be seen from student.h in the submissions",
+  return fail("--lab", "no submission has the student.h of a lab that would show which lab this is",
               "give the lab's number: " + there);
 }
 
@@ -180,17 +196,17 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
                              const Scratch& scratch) {
   if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
-  // Written first, so that a result exists whatever fails from here on.
+  // Written first, so that a result exists even if a later step fails.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
-    return refuse({submissions_, "", "is not there", "name the folder that holds student.cpp"});
+    return refuse({submissions_, "", "does not exist", "name the folder that holds student.cpp"});
   if (name_.empty()) name_ = submission_name(submissions_);
   if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
   const auto digest = digest_of(lab, sources, submissions_, name_);
   if (!digest) return refuse(digest.error());
   if (resume_ && is_up_to_date(files_.output, *digest)) {
-    fmt::print("{} is the result of this submission already\n", files_.output);
+    fmt::print("{} already has the result of this submission\n", files_.output);
     return kSuccess;
   }
   const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
@@ -286,8 +302,8 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     if (!begun) return refuse(begun.error());
   }
   if (chosen.size() < all.size())
-    fmt::print(stderr, "{} of {} have their results already\n", all.size() - chosen.size(),
-               all.size());
+    fmt::print(stderr, "{} of {} submissions already have their results\n",
+               all.size() - chosen.size(), all.size());
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -337,8 +353,8 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
              (results / kPageOfClass).string());
   if (unfinished == 0) return kSuccess;
-  fmt::print(stderr, "{} of {} did not finish; lab grade --resume goes on with them\n", unfinished,
-             rows->size());
+  fmt::print(stderr, "{} of {} gradings did not finish; run lab grade --resume to finish them\n",
+             unfinished, rows->size());
   return kFailure;
 }
 

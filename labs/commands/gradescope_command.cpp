@@ -38,16 +38,22 @@ private:
 };
 
 void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("gradescope", "the archive for Gradescope's autograder");
+  CLI::App& command =
+      *lab.add_subcommand("gradescope", "makes the archive for Gradescope's autograder");
   command.footer(
       "Example:\n"
       "  glassbox lab gradescope 5 -o autograder.zip\n\n"
-      "Upload it as it is. docs/grading.md says what Gradescope makes of it.");
+      "Upload the archive without unpacking it. docs/grading.md says what Gradescope does with "
+      "it.");
   command.add_option("LAB", lab_, "the number of the lab")->required();
-  command.add_option("-o,--output", output_, "the archive; autograder.zip")->type_name("FILE");
-  command.add_option("--time-limit", seconds_, "seconds for each check; 10")
+  command.add_option("-o,--output", output_, "the archive; by default autograder.zip")
+      ->type_name("FILE");
+  command
+      .add_option("--time-limit", seconds_, "time limit of each check, in seconds; by default 10")
       ->check(number_between(0.1, 3600));
-  command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
+  command
+      .add_option("--memory-limit", memory_mib_,
+                  "memory limit of each check, in MiB; by default 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -64,12 +70,12 @@ int LabGradescopeCommand::run() const {
     const auto bytes = labs::make_zip(*entries);
     if (!bytes) return refuse(bytes.error());
     if (const auto written = write_file(output_, *bytes); !written) return refuse(written.error());
-    fmt::print("{}: {} files, {} KiB; upload it to Gradescope as it is\n", output_, entries->size(),
-               bytes->size() >> 10);
+    fmt::print("{}: {} files, {} KiB; upload this archive to Gradescope without unpacking it\n",
+               output_, entries->size(), bytes->size() >> 10);
     return kSuccess;
   }
   return refuse(
-      {"", "LAB", fmt::format("there is no lab {}", lab_), "`glassbox lab list` names them"});
+      {"", "LAB", fmt::format("there is no lab {}", lab_), "`glassbox lab list` names the labs"});
 }
 
 void add_gradescope_command(CLI::App& lab, int& exit_code) {

@@ -109,7 +109,8 @@ std::string table_of(const ExperimentResult& part, const std::vector<std::string
 std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measured) {
   return fmt::format("Lab {} in {}\n", lab.number, measured.experiment) +
          wrapped("  Not written yet: ",
-                 measured.functions + "; the answers are the starter's. Nothing was measured.");
+                 measured.functions +
+                     "; they answer as the starter's functions do. Nothing was measured.");
 }
 
 // A table of the student's points, each with its standing among the experiment's own
@@ -119,7 +120,7 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
                          const std::vector<std::string>& untouched) {
   std::string text =
       fmt::format("Lab {} in {}, {}\n", lab.number, result.id, result.name) +
-      wrapped("  Measured: ", measured.functions + "; the processor's time of one thread");
+      wrapped("  Measured: ", measured.functions + "; times are processor time of one thread");
   for (const ExperimentResult& part : study::by_measure(result)) {
     const std::string rows = table_of(part, series);
     if (rows.empty()) continue;
@@ -129,7 +130,9 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
   if (!untouched.empty())
     text += "\n" + wrapped("  Not written yet, and not measured: ",
                            fmt::format("{}", fmt::join(untouched, "; ")));
-  return text + "\nfront: nothing in the chart is as exact there and faster.\n";
+  return text +
+         "\nfront: no other way in the chart is as exact there and clearly faster; behind X: X is "
+         "both.\n";
 }
 
 class LabMeasureCommand {
@@ -185,8 +188,10 @@ int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim
           std::FILE* out) {
   const auto found = labs::contradictions(claimed, measured);
   if (found.empty()) {
-    fmt::print(out, "{}: as measured here: {}, and no order of times the other way\n",
-               printable(path), counted(measured.points.size(), "error"));
+    fmt::print(
+        out,
+        "{}: agrees with this measurement: the same {}, and no two times in the opposite order\n",
+        printable(path), counted(measured.points.size(), "error"));
     return kSuccess;
   }
   for (const std::string& each : found)
@@ -198,24 +203,29 @@ int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim
 
 void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
-      "measure", "error and time of your functions, as points in an experiment's chart");
+      "measure", "measures error and time of your functions, as points in an experiment's chart");
   command.footer(
       "Examples:\n"
       "  glassbox lab measure ~/lab6 --html chart.html\n"
       "  glassbox lab measure ~/lab6 --json measured.json       # to be handed in\n"
       "  glassbox lab measure class/ann --lab 6 --against class/ann/measured.json\n\n"
-      "The experiment that the handout names is run as study run --quick runs it, and your\n"
-      "functions in a process of their own. Exit code 1: nothing is written yet, the code does\n"
-      "not compile or end, or --against names what is not so.");
+      "The experiment that the handout names is run as by study run --quick, and your functions "
+      "run in\n"
+      "a process of their own. The exit code is 1 if no function is written yet, if the code does "
+      "not\n"
+      "compile or does not end, or if the file of --against differs from what was measured.");
   command
       .add_option("FOLDER", asked_.folder,
-                  "made by glassbox lab start, or with a student.cpp in it")
+                  "a folder made by glassbox lab start, or another one with a student.cpp")
       ->required();
   add_lab_name(command, asked_.lab);
-  add_json_output(command, json_output_, "your points, small, to be handed in");
+  add_json_output(command, json_output_, "your points, to be handed in");
   add_html_output(command, html_output_, "the experiment's charts, with your points");
-  command.add_option("--against", against_, "compare with what was handed in")->type_name("FILE");
-  command.add_option("--time-limit", seconds_, "seconds that a process of your functions may take")
+  command.add_option("--against", against_, "compare with this file, which was handed in")
+      ->type_name("FILE");
+  command
+      .add_option("--time-limit", seconds_,
+                  "time limit of a process that runs your functions, in seconds")
       ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });

@@ -39,8 +39,7 @@ Result<const Quiz*> find_quiz(const std::string& name) {
     if (quiz.lab == (*lab)->number) return &quiz;
     numbers += (numbers.empty() ? "" : " and ") + std::to_string(quiz.lab);
   }
-  return fail("lab " + name, "there are no questions about it",
-              "those with questions are " + numbers);
+  return fail("lab " + name, "this lab has no quiz", "the labs with a quiz are " + numbers);
 }
 
 const char* word_of(bool truth) {
@@ -62,8 +61,8 @@ Result<std::vector<bool>> answers_of(const std::string& letters, const Quiz& qui
   if (answers.size() == letters.size() && answers.size() == quiz.questions.size()) return answers;
   return fail(
       "ANSWERS",
-      fmt::format("{} is no answer to {} questions", in_quotes(letters), quiz.questions.size()),
-      "give a T or an F for each, in their order, without spaces");
+      fmt::format("{} is not a list of {} answers", in_quotes(letters), quiz.questions.size()),
+      "give one T or F for each statement, in their order, without spaces");
 }
 
 int grade(const Quiz& quiz, const std::vector<bool>& answers) {
@@ -73,28 +72,30 @@ int grade(const Quiz& quiz, const std::vector<bool>& answers) {
     if (answers[i] == question.truth) {
       ++right;
     } else {
-      fmt::print("not {}:\n", word_of(answers[i]));
+      fmt::print("Your answer \"{}\" is wrong:\n", word_of(answers[i]));
       print_answer(i + 1, question);
     }
   }
-  fmt::print("{} of {} are right\n", right, answers.size());
+  fmt::print("{} of {} answers are right\n", right, answers.size());
   return right == answers.size() ? kSuccess : kFailure;
 }
 
 }  // namespace
 
 void LabQuizCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("quiz", "true or false? the slides' questions to a lab");
+  CLI::App& command = *lab.add_subcommand(
+      "quiz", "true or false? statements of the slides on the subject of a lab");
   command.footer(
       "Examples:\n"
       "  glassbox lab quiz 2              # the statements\n"
-      "  glassbox lab quiz 2 TTTTTTTTT    # your answers; what is wrong is explained, with a "
-      "command that shows it\n"
-      "  glassbox lab quiz 4 --answers    # all of them\n\n"
-      "The exit code is 0 where all is right, 1 where something is not.");
+      "  glassbox lab quiz 2 TTTTTTTTT    # your answers; the wrong ones are explained, with a "
+      "command to try\n"
+      "  glassbox lab quiz 4 --answers    # all answers\n\n"
+      "The exit code is 0 if all answers are right, and 1 if one is wrong.");
   command.add_option("LAB", lab_, "2 (affine maps) or 4 (perspective)")->required();
   command.add_option("ANSWERS", answers_, "T or F for each statement, in their order");
-  command.add_flag("--answers", show_, "with the reasons, and commands that show them");
+  command.add_flag("--answers", show_,
+                   "show all answers, with reasons and commands that show them");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

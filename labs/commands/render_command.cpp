@@ -41,22 +41,28 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab render ~/lab5 teapot -o teapot.png\n"
       "  glassbox lab render ~/lab6 room --size 320x180 --html room.html\n"
       "  glassbox lab render labs/04-projection cube --fov 70\n\n"
-      "Your code runs in a process of its own, in the grader's sandbox. The exit code is 0 where\n"
-      "every number is within its bound, 1 where one is not, or where the code does not compile\n"
-      "or does not end.\n\n" +
+      "Your code runs in a process of its own, in the sandbox that is used for grading. The exit "
+      "code is\n"
+      "0 if every number is within its error bound, and 1 if one is not, or if the code does not\n"
+      "compile or does not end.\n\n" +
       builtin_help());
-  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
       .add_option("-o,--output", output_,
-                  "your picture and the reference's, .png or .ppm [SCENE.png]")
+                  "your picture beside the reference's, .png or .ppm [SCENE.png]")
       ->type_name("FILE");
   add_lab_name(command, asked_.lab);
   add_picture_options(command, picture_);
   add_json_output(command, json_output_, "the report");
-  add_html_output(command, html_output_, "the run, with your records beside the reference's");
-  command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
+  add_html_output(command, html_output_,
+                  "the run as a page, with your records beside the reference's");
+  command
+      .add_option("--time-limit", seconds_,
+                  "time limit of a stage that runs your functions, in seconds")
       ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });

@@ -44,7 +44,9 @@ Result<std::string> pictures(const FirstFailure& first) {
   const std::pair<const Image<Rgba8>*, const char*> all[] = {
       {&made.expected, "expected"},
       {&made.actual, "yours"},
-      {&made.difference, "difference: red missing, orange too often, blue too much"}};
+      {&made.difference,
+       "difference. Red: not covered; orange: covered too often; blue: covered, but should not "
+       "be"}};
   for (const auto& [image, caption] : all) {
     const auto shown = figure(*image, caption);
     if (!shown) return shown;
@@ -58,7 +60,7 @@ std::string divergence_rows(const Divergence& found) {
       row("field", found.element.empty() ? found.field : found.field + ", " + found.element) +
       row("failure", labs::kind_name(found.kind)) + row("expected", labs::expected_text(found)) +
       row("actual", labs::actual_text(found)) + row("distance", labs::distance_text(found));
-  if (!found.explanation.empty()) rows += row("that is", found.explanation);
+  if (!found.explanation.empty()) rows += row("explanation", found.explanation);
   return rows;
 }
 
@@ -67,7 +69,7 @@ Result<std::string> failure_html(const LabReport& report, const CheckResult& che
   std::string html = "<table>\n" + row("case", fmt::format("{} {}", first.index, first.where)) +
                      row("verdict", outcome_text(report, check));
   if (first.verdict == labs::Verdict::kUntouched) return html + "</table>\n";
-  if (!first.text.empty()) html += row("that is", first.text);
+  if (!first.text.empty()) html += row("explanation", first.text);
   if (first.divergence) html += divergence_rows(*first.divergence);
   html += "</table>\n";
   for (const std::string& slip : check.slips)
@@ -116,8 +118,8 @@ Result<std::string> lab_report_page(const LabReport& report) {
   std::string html = "<header><h1>" + escaped(title) + "</h1></header>\n<main>\n<section>\n" +
                      table_of_tasks(result) + "</section>\n";
   if (!result.not_built.empty())
-    html += "<section class=wrong><h2>It does not compile</h2>\n<pre>" + escaped(result.not_built) +
-            "</pre></section>\n";
+    html += "<section class=wrong><h2>student.cpp does not compile</h2>\n<pre>" +
+            escaped(result.not_built) + "</pre></section>\n";
   for (const CheckResult& check : result.checks) {
     html += fmt::format(
         "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases "

@@ -133,7 +133,7 @@ std::string lab_report_text(const LabReport& report) {
   text += fmt::format("  {:<4} {:<{}}  {}\n", "", "total", width,
                       points_text(result.score, result.max_score));
   if (result.hidden_points > 0)
-    text += fmt::format("  Hidden checks give {:g} more.\n",
+    text += fmt::format("  Hidden checks can give {:g} points more.\n",
                         std::round(result.hidden_points * 100) / 100);
   if (!result.not_built.empty()) {
     return text + fmt::format("\n{} does not compile:\n", report.student) +

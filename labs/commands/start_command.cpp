@@ -76,10 +76,10 @@ Result<void> check_empty(const std::string& folder) {
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) return {};
   if (!fs::is_directory(status))
-    return fail(folder, "is there already, and is no folder", "name a new folder");
+    return fail(folder, "exists already, and is not a folder", "name a new folder");
   if (fs::is_empty(folder, error) && !error) return {};
-  return fail(folder, "is there already and has something in it",
-              "name a new folder, so that no work of yours is written over");
+  return fail(folder, "exists already, and is not empty",
+              "name a new folder, so that none of your work is overwritten");
 }
 
 std::string suggestion(std::vector<std::string> words, const std::string& lab_dir) {
@@ -91,13 +91,14 @@ std::string suggestion(std::vector<std::string> words, const std::string& lab_di
 }  // namespace
 
 void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("start", "a folder to do a lab in");
+  CLI::App& command = *lab.add_subcommand("start", "makes a folder to do a lab in");
   command.footer(
       "Examples:\n"
       "  glassbox lab start 5 ~/lab5\n"
       "  glassbox lab start --lab-dir ~/labs/40-fog ~/lab40");
-  command.add_option("LAB", lab_, "its number or name; left out with --lab-dir")->required();
-  command.add_option("FOLDER", folder_, "new or empty");
+  command.add_option("LAB", lab_, "the lab's number or name; leave it out with --lab-dir")
+      ->required();
+  command.add_option("FOLDER", folder_, "a new or empty folder");
   add_lab_dir(command, lab_dir_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -108,7 +109,8 @@ int LabStartCommand::run() const {
   if (one_name && lab_dir_.empty())
     return refuse({"FOLDER", "", "is missing", "name a new folder after the lab"});
   if (!one_name && !lab_dir_.empty())
-    return refuse({"LAB", "", "is one of two labs, beside --lab-dir", "name one of them"});
+    return refuse(
+        {"LAB", "", "names a lab, and --lab-dir names another", "give only one of the two"});
   const std::string& folder = one_name ? lab_ : folder_;
   const auto starter = starter_of(lab_, lab_dir_);
   if (!starter) return refuse(starter.error());
@@ -122,7 +124,7 @@ int LabStartCommand::run() const {
       "Lab {}, {}, is in {}.\n\n"
       "  handout.md    the idea and the tasks: begin here\n"
       "  student.h     what each function must do\n"
-      "  student.cpp   yours to write\n\n"
+      "  student.cpp   the functions that you write\n\n"
       "{}    what is right so far\n"
       "{}    the same after every save\n",
       starter->lab->number, starter->lab->title, folder,
@@ -133,19 +135,21 @@ int LabStartCommand::run() const {
 
 void LabExportCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command =
-      *lab.add_subcommand("export", "the starter of a lab as an archive, to hand out");
+      *lab.add_subcommand("export", "packs the starter of a lab as an archive, to hand out");
   command.footer(
       "Examples:\n"
       "  glassbox lab export 5 -o starter.zip\n"
       "  glassbox lab export 5 --for vpl -o lab5-vpl.zip\n\n"
-      "Solutions and hidden checks are left out. For Moodle's Virtual Programming Lab, the archive "
-      "has its two\n"
-      "scripts and says where they go.");
-  command.add_option("LAB", lab_, "its number or name")->required();
+      "Solutions and hidden checks are left out. For Moodle's Virtual Programming Lab, the "
+      "archive\n"
+      "also has two scripts, and a README.txt that says where they go.");
+  command.add_option("LAB", lab_, "the lab's number or name")->required();
   command.add_option("-o,--output", output_, "the archive: a .zip file")
       ->type_name("FILE")
       ->required();
-  command.add_option("--for", for_, "who takes it: students (a folder to begin in), or vpl")
+  command
+      .add_option("--for", for_,
+                  "who gets the archive: students (a folder to begin in), or vpl (Moodle)")
       ->check(CLI::IsMember({"students", "vpl"}))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });

@@ -196,20 +196,22 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
                         number_text(*each.reference), number_text(each.naive), each.yours->bound,
                         what.unit);
   }
-  text += "\n! is beyond the bound. Naive code is measured by itself, without a picture.\n";
+  text +=
+      "\n! marks an error above its bound. Naive code is measured by itself, without a picture.\n";
   for (const StiffCase& each : cases) {
     if (each.out_of_reach())
-      text +=
-          fmt::format("{}: the reference is beyond the bound too: your contracts ask for less.\n",
-                      each.what->id);
+      text += fmt::format(
+          "{}: the reference is above the bound too, because the contracts in student.h ask for "
+          "less.\n",
+          each.what->id);
     if (!each.gives_up()) continue;
     text +=
         fmt::format("{}: {}\n", each.what->id, each.broke.empty() ? each.yours->seen : each.broke);
     text += fmt::format("  glassbox study extremes --case {}\n", each.what->id);
   }
   if (!not_put.empty())
-    text += fmt::format("Not put to your functions, as no picture of this lab shows it: {}.\n",
-                        not_put);
+    text += fmt::format(
+        "Not tried with your functions, because no picture of this lab shows it: {}.\n", not_put);
   return text;
 }
 
@@ -237,18 +239,23 @@ Json report_json(const labs::Lab& lab, const std::vector<StiffCase>& cases) {
 
 void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
-      "stiff", "the cases of your lab that break pipelines: where your functions give up");
+      "stiff", "draws a lab's extreme cases with your functions, and says where they fail");
   command.footer(
       "Examples:\n"
       "  glassbox lab stiff ~/lab6\n\n"
-      "Each case that the handout names and a picture shows is drawn with your functions in the\n"
+      "Each case that the handout names and that a picture can show is drawn with your functions "
+      "in the\n"
       "pipeline, and judged as glassbox study extremes judges it. The exit code is 0 where all "
       "hold\nthat hold with the reference's.");
-  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   add_lab_name(command, asked_.lab);
   add_json_output(command, json_output_, "the report");
-  command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
+  command
+      .add_option("--time-limit", seconds_,
+                  "time limit of a stage that runs your functions, in seconds")
       ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -277,14 +284,14 @@ int LabStiffCommand::run() const {
   }
   std::vector<StiffCase> put;
   for (const study::ExtremeCase* each : *cases) {
-    progress.phase("putting " + each->id);
+    progress.phase("drawing " + each->id);
     put.push_back(
         put_case(*each, *folder->lab, *drawing, stages.sandbox(), stages.program(), seconds_));
   }
   progress.done();
   if (std::none_of(put.begin(), put.end(), [](const auto& c) { return c.yours.has_value(); }))
     return refuse({asked_.folder, "", "no picture of this lab shows one of its stiff cases",
-                   fmt::format("look at one by itself: glassbox study extremes --case {}",
+                   fmt::format("look at one of them by itself: glassbox study extremes --case {}",
                                put.front().what->id)});
   if (json_output_) {
     if (const auto made = write_json(*json_output_, report_json(*folder->lab, put)); !made)

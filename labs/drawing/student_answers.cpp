@@ -132,7 +132,7 @@ Result<Numbers> StudentAnswers::time(const DrawnStage& stage, const Question& qu
   auto times = ask_batch(stage, rounds, {&question, 1});
   if (!times) return tl::unexpected(times.error());
   if (times->front().size() == 2 * std::size_t(rounds)) return std::move(times->front());
-  broke_ = stage.functions + ": something that is no time was written among the times";
+  broke_ = stage.functions + ": something other than a time was written among the times";
   return fail("student.cpp", *broke_, "");
 }
 
@@ -156,7 +156,7 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
                                                        std::span<const Question> batch) {
   const BatchFile file(batch);
   if (!file.valid())
-    return fail("the records", "there is no memory for them", "draw a smaller picture");
+    return fail("the records", "there is not enough memory for them", "draw a smaller picture");
   const RunOutcome outcome = run(stage, rounds, file);
   seconds_ += outcome.seconds;
   constexpr std::size_t kSaid = 4096;
@@ -168,7 +168,7 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
   constexpr int kThrew = 3;  // the exit code in stages_main.cpp
   const bool threw = outcome.ending == RunOutcome::Ending::kExit && outcome.code == kThrew;
   const std::string how = threw  ? outcome.said.substr(0, outcome.said.find('\n'))
-                          : well ? "something that is no answer was written among the answers"
+                          : well ? "something other than an answer was written among the answers"
                                  : ending_text(outcome, {limits_.seconds, limits_.output_bytes, 0});
   std::string text = fmt::format("{}: {}", stage.functions, how);
   const std::size_t begun = file.begun(batch.size());
@@ -176,7 +176,7 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
   if (begun > 0) {
     const Question& question = batch[begun - 1];
     if (question.triangle != kNone) text += fmt::format(", at triangle {}", question.triangle);
-    text += fmt::format("\n  it was given: {}", record_text(question));
+    text += fmt::format("\n  its input: {}", record_text(question));
   }
   broke_ = text;
   return fail("student.cpp", text, "");

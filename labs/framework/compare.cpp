@@ -86,10 +86,10 @@ Divergence wrong_length(const Expected& expected, const std::vector<double>& act
   found.distance = found.ulps = std::numeric_limits<double>::infinity();
   const auto columns = std::size_t(columns_of(expected));
   if (expected.shape == Shape::kPolygon && wanted % columns == 0 && given % columns == 0) {
-    found.explanation = fmt::format("a polygon of {} vertices is expected, {} came",
+    found.explanation = fmt::format("a polygon of {} vertices is expected, but it has {}",
                                     wanted / columns, given / columns);
   } else {
-    found.explanation = fmt::format("{} numbers are expected, {} came", wanted, given);
+    found.explanation = fmt::format("{} numbers are expected, but there are {}", wanted, given);
   }
   return found;
 }
@@ -140,7 +140,8 @@ std::string coverage_map(const Expected& expected, const std::vector<double>& ac
     map += y == cy ? " <\n" : "\n";
   }
   return map + fmt::format("      {:>{}}\n", "^", cx - left + 1) +
-         "      # right  . nothing  o gap  2 covered too often  + covered, but should not be\n";
+         "      # right  . not covered  o missing  2 covered too often  + covered, but should not "
+         "be\n";
 }
 
 }  // namespace
@@ -221,7 +222,7 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual) 
         coverage_map(expected, actual, std::min(result.first->index, expected.values.size() - 1));
     if (result.first->explanation.empty()) {
       result.first->explanation =
-          fmt::format("{} gaps, {} pixels covered too often, {} covered that should not be",
+          fmt::format("{} pixels missing, {} covered too often, {} covered, but should not be",
                       result.coverage.gaps, result.coverage.doubles, result.coverage.extra);
     }
   }
@@ -236,7 +237,7 @@ Comparison compare(const Expected& expected, const Answer& answer) {
   result.first->expected = expected.values.empty() ? 0 : expected.values[0];
   result.first->actual = std::numeric_limits<double>::quiet_NaN();
   result.first->distance = result.first->ulps = std::numeric_limits<double>::infinity();
-  result.first->explanation = "the whole field is missing";
+  result.first->explanation = "all numbers of this field are missing";
   result.differing = expected.values.size();
   return result;
 }

@@ -34,7 +34,7 @@ std::string actual_text(const Divergence& found) {
 }
 
 std::string distance_text(const Divergence& found) {
-  if (found.kind == Divergence::Kind::kNotANumber) return "none: NaN is near nothing";
+  if (found.kind == Divergence::Kind::kNotANumber) return "none: no distance to NaN is defined";
   std::string text =
       fmt::format("{:.6g}{}{}", found.distance, found.unit.empty() ? "" : " ", found.unit);
   const bool counted = found.unit.empty() && is_whole(found.expected) && is_whole(found.actual);

@@ -60,7 +60,9 @@ struct CheckResult {
 
 // The text printed after "13 of 14 cases right".
 inline const char* note_of_whole(const CheckResult& check) {
-  return check.whole && check.right < check.cases.size() ? "; the check counts as a whole" : "";
+  return check.whole && check.right < check.cases.size()
+             ? "; it gives points only if all cases are right"
+             : "";
 }
 
 struct TaskResult {

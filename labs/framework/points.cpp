@@ -60,8 +60,9 @@ void set_tasks(const OrderedJson& json, Shares& shares) {
   }
   for (const Task& task : shares.lab.tasks) {
     if (!json["tasks"].contains(task.id))
-      shares.warnings.push_back(fmt::format(
-          "points.json: task {} is not in it, and keeps its {:g} points", task.id, task.points));
+      shares.warnings.push_back(
+          fmt::format("points.json: there is no entry for task {}, which keeps its {:g} points",
+                      task.id, task.points));
   }
 }
 
@@ -111,15 +112,16 @@ void compare_sums(const OrderedJson& json, Shares& shares) {
     for (const Check& check : shares.lab.checks)
       weights += check.task == task.id ? check.weight : 0;
     if (weights == 0 && task.points > 0)
-      shares.warnings.push_back(fmt::format(
-          "points.json: no check of task {} has a weight: its {:g} points cannot be had", task.id,
-          task.points));
+      shares.warnings.push_back(
+          fmt::format("points.json: no check of task {} has a weight above 0, so nobody can get "
+                      "its {:g} points",
+                      task.id, task.points));
   }
   const double said = json.value("points", sum);
   // compared with a tolerance because the numbers are decimal fractions
   if (std::abs(sum - said) > 1e-9 * said)
     shares.warnings.push_back(
-        fmt::format("points.json: the tasks have {:g} points together, not {:g}", sum, said));
+        fmt::format("points.json: the points of the tasks add up to {:g}, not to {:g}", sum, said));
 }
 
 }  // namespace
@@ -131,9 +133,11 @@ Result<Shares> read_shares(const Lab& lab, const fs::path& file) {
   const auto text = read_text_file(file);
   if (!text) return tl::unexpected(text.error());
   const OrderedJson json = OrderedJson::parse(*text, nullptr, false);
-  if (json.is_discarded()) return refused(file, "is no JSON");
+  if (json.is_discarded()) return refused(file, "is not valid JSON");
   if (!has_shape(json))
-    return refused(file, "has other entries than points, tasks, checks, hidden and whole");
+    return refused(
+        file,
+        "has entries other than points, tasks, checks, hidden and whole, or of the wrong type");
   set_tasks(json, shares);
   set_checks(json, shares);
   set_hidden(json, shares);

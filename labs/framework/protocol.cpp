@@ -25,14 +25,14 @@ std::optional<double> number_of(const Json& json) {
 
 // Reads `fields` into `answer`. Returns what is wrong with them; empty if nothing is.
 std::string read_fields(const Json& fields, Answer& answer) {
-  if (!fields.is_object()) return "\"fields\" is no object";
+  if (!fields.is_object()) return "\"fields\" is not an object";
   for (const auto& [name, list] : fields.items()) {
-    if (!list.is_array()) return "a field is no list of numbers";
+    if (!list.is_array()) return "a field is not a list of numbers";
     std::vector<double> values;
     values.reserve(list.size());
     for (const Json& each : list) {
       const auto value = number_of(each);
-      if (!value) return "a field has something that is no number";
+      if (!value) return "a field has a value that is not a number";
       values.push_back(*value);
     }
     answer.emit(name, std::move(values));
@@ -55,14 +55,15 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
   try {
     json = Json::parse(line, too_deep);
   } catch (const std::exception&) {
-    return malformed("is no JSON");
+    return malformed("is not valid JSON");
   }
-  if (!json.is_object()) return malformed("is no JSON object");
+  if (!json.is_object()) return malformed("is not a JSON object");
   const auto index = json.find("case");
-  if (index == json.end() || !index->is_number_unsigned()) return malformed("names no case");
+  if (index == json.end() || !index->is_number_unsigned()) return malformed("has no case number");
   const auto at = index->get<std::uint64_t>();
   if (at >= answers.cases.size())
-    return malformed(fmt::format("answers case {} of {}", at, answers.cases.size()));
+    return malformed(
+        fmt::format("answers case {}, but there are only {} cases", at, answers.cases.size()));
   CaseAnswer& answer = answers.cases[std::size_t(at)];
   const auto refuse = [&](const std::string& why) {
     answer.state = CaseAnswer::State::kMalformed;
@@ -72,9 +73,9 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
   const auto threw = json.find("threw");
   const auto fields = json.find("fields");
   if ((threw != json.end()) == (fields != json.end()))
-    return refuse("its line has not one of \"fields\" and \"threw\"");
+    return refuse("its line must have either \"fields\" or \"threw\"");
   if (threw != json.end()) {
-    if (!threw->is_string()) return refuse("\"threw\" is no text");
+    if (!threw->is_string()) return refuse("\"threw\" is not a string");
     answer.state = CaseAnswer::State::kThrew;
     answer.text = threw->get<std::string>();
     return;

@@ -91,11 +91,11 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits) {
     case Ending::kTooMuchOutput:
       return !outcome.detail.empty()
                  ? outcome.detail
-                 : fmt::format("more than {} MiB of answers", limits.output_bytes >> 20);
+                 : fmt::format("it wrote more than {} MiB of answers", limits.output_bytes >> 20);
     case Ending::kOutOfMemory:
-      return "more memory than there may be" + detail;
+      return "it used more memory than is allowed" + detail;
     case Ending::kForbidden:
-      return "a forbidden call" + detail;
+      return "it made a forbidden system call" + detail;
     case Ending::kNotStarted:
       return "the program could not be started" + detail;
   }

@@ -88,7 +88,7 @@ std::string answered(const RunnerCheck& check, int index) {
   } catch (const std::exception& error) {
     return threw(error.what());
   } catch (...) {
-    return threw("something that is no std::exception");
+    return threw("something that is not a std::exception");
   }
 }
 

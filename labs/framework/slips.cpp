@@ -195,49 +195,58 @@ const std::vector<Slip>& known_slips() {
   static const std::vector<Slip> all{
       {"z-sign", "your z has the opposite sign: the eye looks down -z"},
       {"y-direction",
-       "your y runs the other way: up in the world, the eye and NDC, down on the screen"},
+       "your y axis has the opposite direction: y points up in world space, eye space and NDC, and "
+       "down on the screen"},
       {"row-column-order",
-       "your rows and columns are exchanged (the matrix is transposed): at(row, column)"},
+       "your rows and columns are exchanged (the matrix is transposed): write at(row, column)"},
       {"row-vectors",
-       "your matrix is one for vectors that are rows: here vectors are columns, and a translation "
-       "stands in the last column"},
+       "your matrix is made for row vectors: here vectors are columns, and a translation is in the "
+       "last column"},
       {"handedness", "your axes are mirrored: the world is right-handed, x cross y is z"},
       {"winding",
        "your winding is reversed: seen from outside, a front face runs counter-clockwise"},
       {"half-angle",
-       "one of your angles is half or twice what it should be: half the field of view has the "
-       "tangent"},
-      {"degrees-radians", "one of your angles is in degrees where radians are due, or the reverse"},
+       "one of your angles is half or twice what it should be: the tangent is that of half the "
+       "field of view"},
+      {"degrees-radians",
+       "one of your angles is in degrees and should be in radians, or the reverse"},
       {"multiplication-order",
-       "your matrices are multiplied in the other order: the one that acts first stands rightmost"},
+       "your matrices are multiplied in the other order: the matrix that acts first is the "
+       "rightmost one"},
       {"cross-order",
-       "a cross product has its factors exchanged: a x b is -(b x a), and U is up x N, not N x up"},
+       "the factors of a cross product are exchanged: a x b is -(b x a), and U is up x N, not N x "
+       "up"},
       {"translation-sign",
-       "a translation has the wrong sign: what brings a point to the origin moves by minus that "
-       "point"},
-      {"not-normalised", "a vector that must have length 1 is used with the length that it has"},
+       "a translation has the wrong sign: to move a point p to the origin, translate by -p"},
+      {"not-normalised", "a vector that must have length 1 is not normalised"},
       {"normal-as-vector",
-       "your normals are carried along by the model matrix: they take its inverse transpose"},
-      {"tan-cot", "your tangent stands where its reciprocal, the cotangent, is due"},
-      {"inverted-aspect", "your aspect ratio is inverted: it is width / height, and divides x"},
-      {"opengl-depth", "your depth range is OpenGL's, -w <= z <= w: here the near plane is z = 0"},
+       "your normals are multiplied by the model matrix: multiply them by its inverse transpose"},
+      {"tan-cot", "you use the tangent where its reciprocal, the cotangent, is needed"},
+      {"inverted-aspect",
+       "your aspect ratio is inverted: it is width / height, and x is divided by it"},
+      {"opengl-depth",
+       "your depth range is that of OpenGL, -w <= z <= w: here the near plane is z = 0"},
       {"affine",
-       "you go evenly on the screen: in perspective u/w and 1/w do, and u is their quotient"},
+       "you interpolate u linearly on the screen: in perspective only u/w and 1/w are linear "
+       "there, and u is their quotient"},
       {"half-pixel", "you are half a pixel off: the centre of pixel (i, j) is (i + 1/2, j + 1/2)"},
       {"all-edges",
-       "your triangles own all their edges (>=): a centre on an edge belongs to the triangle whose "
-       "top or left edge it is"},
-      {"depth-or-equal", "your depth test is <=: of equally near fragments the first stays"},
+       "your triangles own all their edges (>=): a pixel centre on an edge belongs to the triangle "
+       "whose top or left edge it is"},
+      {"depth-or-equal",
+       "your depth test is <=: if fragments are equally near, the one drawn first stays"},
       {"shift-for-centre",
-       "your T is the other textbooks' t: with P_r = R P_l + t the camera stands at -R^T t"},
+       "your T is the t of other textbooks: with P_r = R P_l + t the right camera is at -R^T t"},
       {"not-denormalised",
-       "your matrix is that of the normalised points: carry it back to the points as they came"},
+       "your matrix is that of the normalised points: transform it back to the original points"},
       {"rank-first",
-       "your singular values are made equal before the matrix is carried back, which undoes it"},
+       "you make the singular values equal before you transform the matrix back, which makes them "
+       "unequal again"},
       {"left-right",
-       "your pictures are exchanged: a pixel of the left one is sought in the right one"},
+       "your pictures are exchanged: search in the right picture for each pixel of the left one"},
       {"disparity-sign",
-       "your disparities count the other way: pixel x of the left picture is x - d of the right"},
+       "your disparities have the opposite sign: pixel x of the left picture matches pixel x - d "
+       "of the right one"},
   };
   return all;
 }

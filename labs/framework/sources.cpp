@@ -54,8 +54,8 @@ Result<Sources> find_sources() {
         is_file(place.include / "glassbox/base/spaces.h"))
       return place;
   }
-  return fail("labs", "the labs' files are neither beside the program nor in its source tree",
-              "install glassbox again (cmake --install), or build it where its sources are");
+  return fail("labs", "the files of the labs are neither beside the program nor in its source tree",
+              "install glassbox again (cmake --install), or build it in its source tree");
 }
 
 Result<std::string> read_text_file(const fs::path& path) {

@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
       std::fprintf(stderr, "threw \"%.500s\"\n", error.what());
     } catch (...) {
-      std::fprintf(stderr, "threw something that is no std::exception\n");
+      std::fprintf(stderr, "threw something that is not a std::exception\n");
     }
     return 3;
   }

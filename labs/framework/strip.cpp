@@ -65,7 +65,7 @@ public:
     if (text == "// END HIDDEN") return end(Region::kHidden);
     if (text.starts_with(kStub)) return stub(line);
     if (looks_like_marker(line))
-      return error(fmt::format("\"{}\" is almost a marker", text),
+      return error(fmt::format("\"{}\" looks like a marker, but is misspelt", text),
                    "write it exactly as // BEGIN SOLUTION, // STUB: code, // END SOLUTION, // "
                    "BEGIN HIDDEN or // END HIDDEN, alone on its line");
     if (region_ == Region::kNone) keep(line);
@@ -97,8 +97,9 @@ private:
 
   Result<void> begin(Region region) {
     if (region_ != Region::kNone)
-      return error(fmt::format("{} begins inside the one of line {}", region_name(region), opened_),
-                   "end that one first: they do not nest");
+      return error(fmt::format("{} begins inside the one that begins in line {}",
+                               region_name(region), opened_),
+                   "end that one first: they cannot be nested");
     region_ = region;
     opened_ = number_;
     stubs_ = 0;
@@ -107,13 +108,13 @@ private:
 
   Result<void> end(Region region) {
     if (region_ != region)
-      return error(fmt::format("{} ends that has not begun", region_name(region)),
+      return error(fmt::format("{} ends here without a beginning", region_name(region)),
                    fmt::format("open it with // BEGIN {}", marker_word(region)));
     if (region == Region::kSolution && stubs_ == 0) {
       number_ = opened_;
-      return error(
-          "a solution has no stub",
-          "say with // STUB: what a student finds in its place, such as // STUB: return {};");
+      return error("a solution has no stub",
+                   "write after // STUB: what students get instead of the solution, such as // "
+                   "STUB: return {};");
     }
     region_ = Region::kNone;
     return {};
@@ -121,7 +122,7 @@ private:
 
   Result<void> stub(std::string_view line) {
     if (region_ != Region::kSolution)
-      return error("a stub outside a solution",
+      return error("a stub is outside of a solution",
                    "put it between // BEGIN SOLUTION and // END SOLUTION");
     ++stubs_;
     const std::size_t indent = line.find(kStub);

@@ -61,7 +61,7 @@ Result<std::string> without_hidden_checks(const std::string& name, const std::st
     if (call.end == std::string::npos || call.strings.size() < 2) {
       const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
       return tl::unexpected(
-          Error{name, fmt::format("line {}", line), "a hidden check without a task",
+          Error{name, fmt::format("line {}", line), "a hidden check has no task",
                 "write hidden_check(\"NAME\", \"TASK\", ...) with both in quotes"});
     }
     kept += text.substr(from, at - from) + "hidden_elsewhere(" + call.strings[1] + ")";

@@ -42,7 +42,7 @@ Result<std::vector<std::byte>> make_zip(const std::vector<ZipEntry>& entries) {
   zip_error_t error;
   zip_error_init(&error);
   const Source buffer(zip_source_buffer_create(nullptr, 0, 0, &error));
-  if (!buffer) return zip_failure("no memory for the archive");
+  if (!buffer) return zip_failure("there is not enough memory for the archive");
   zip_t* archive = zip_open_from_source(buffer.get(), ZIP_TRUNCATE, &error);
   if (archive == nullptr) return zip_failure("the archive cannot be begun");
   zip_source_keep(buffer.get());
@@ -67,13 +67,13 @@ Result<std::vector<std::byte>> make_zip(const std::vector<ZipEntry>& entries) {
 
 Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes) {
   const auto refused = [] {
-    return fail("zip", "is no zip archive, or a damaged one", "make the archive again");
+    return fail("zip", "is not a zip archive, or is damaged", "make the archive again");
   };
   if (bytes.empty()) return refused();  // libzip would take it for an empty archive
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  if (source == nullptr) return zip_failure("no memory for the archive");
+  if (source == nullptr) return zip_failure("there is not enough memory for the archive");
   zip_t* archive = zip_open_from_source(source, ZIP_RDONLY, &error);
   if (archive == nullptr) {
     zip_source_free(source);

@@ -51,14 +51,13 @@ std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
   while (true) {
     const la_ssize_t got = archive_read_data(reader, block, sizeof block);
     if (got == 0) return {};
-    if (got < 0) return "is damaged, or encrypted";
+    if (got < 0) return "is damaged or encrypted";
     const auto size = static_cast<std::size_t>(got);
     if (size > left) return fmt::format("holds more than {} MiB", kMostUnpacked >> 20);
     left -= size;
     if (kept == nullptr) continue;
     if (kept->size() + size > kLargestSource)
-      return fmt::format("has a file of more than {} bytes in the place of the source",
-                         kLargestSource);
+      return fmt::format("has a source file of more than {} bytes", kLargestSource);
     kept->append(block, size);
   }
 }
@@ -71,7 +70,7 @@ Contents read_all(archive* reader, const std::string& name) {
     const int status = archive_read_next_header(reader, &entry);
     if (status == ARCHIVE_EOF) return contents;
     if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
-      contents.refusal = "is damaged, or no archive";
+      contents.refusal = "is damaged, or is not an archive";
       return contents;
     }
     if (++entries > kMostEntries) {
@@ -89,7 +88,7 @@ Contents read_all(archive* reader, const std::string& name) {
     const bool is_link =
         archive_entry_symlink(entry) != nullptr || archive_entry_hardlink(entry) != nullptr;
     if (is_wanted && is_link) {
-      contents.refusal = name + " is a link in it";
+      contents.refusal = name + " in it is a link";
       return contents;
     }
     if (archive_entry_filetype(entry) != AE_IFREG || is_link) continue;
@@ -107,9 +106,9 @@ int open_ordinary(const fs::path& file, std::string& why) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   struct stat status = {};
   if (opened < 0 || ::fstat(opened, &status) != 0 || !S_ISREG(status.st_mode)) {
-    why = "is no ordinary file";
+    why = "is not an ordinary file";
   } else if (status.st_size > static_cast<off_t>(kLargestArchive)) {
-    why = fmt::format("has {} bytes; {} are the most", status.st_size, kLargestArchive);
+    why = fmt::format("has {} bytes; at most {} are allowed", status.st_size, kLargestArchive);
   }
   if (!why.empty() && opened >= 0) ::close(opened);
   return why.empty() ? opened : -1;
@@ -144,7 +143,7 @@ Result<std::string> read_from_archive(const fs::path& file, const std::string& n
   if (archive_read_open_fd(reader.get(), opened, 65536) == ARCHIVE_OK) {
     contents = read_all(reader.get(), name);
   } else {
-    contents.refusal = "is damaged, or no archive";
+    contents.refusal = "is damaged, or is not an archive";
   }
   ::close(opened);
   if (!contents.refusal.empty()) return archive_refused(file, contents.refusal);

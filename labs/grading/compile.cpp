@@ -29,13 +29,13 @@ std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::str
       said = fmt::format("The compiler was still busy after {} seconds.\n{}", limits.seconds, said);
       return "compile timeout";
     case Ending::kTooMuchOutput:
-      said = "The compiler wrote more than it may.\n" + said;
+      said = "The compiler printed more than is allowed.\n" + said;
       return "compile error";
     case Ending::kNotStarted:
       said = outcome.detail;
       return "grading did not finish";
     default:
-      said = fmt::format("The compiler did not survive (signal {}).\n{}", outcome.code, said);
+      said = fmt::format("The compiler was killed by signal {}.\n{}", outcome.code, said);
       return "compile error";
   }
 }
@@ -44,7 +44,7 @@ std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::str
 // there is none. Where the sandbox hides files there cannot be one.
 std::string foreign_file(const fs::path& build, const Kit& kit) {
   const auto rule = read_text_file(build / kFilesRead);
-  if (!rule) return "a file that is not named";
+  if (!rule) return "a file whose name is not known";
   for (const fs::path& header : headers_of(*rule)) {
     if (!Sandbox::is_compilers(build / header, {kit.include, build})) return header.string();
   }
@@ -135,7 +135,7 @@ Compiled compile_submission(const std::string& text, const Sandbox& sandbox, con
   const auto written = write_if_changed(build / kSource, text);
   if (!written) return {"grading did not finish", written.error().message()};
   if (!sandbox.hand_over(build) || !sandbox.hand_over(build / kSource))
-    return {"grading did not finish", "the build directory cannot be handed over"};
+    return {"grading did not finish", "the build directory cannot be given to the sandbox's user"};
   Compiled compiled;
   CompileWords how = words;
   if (sandbox.confinement() == Confinement::kLimits) {
@@ -151,9 +151,10 @@ Compiled compile_submission(const std::string& text, const Sandbox& sandbox, con
   if (!assembly) return {"grading did not finish", assembly.error().message()};
   if (const auto statement = foreign_statement(*assembly))
     return {"compile error",
-            fmt::format("student.cpp gives the assembler \"{}\", which no compiler writes: leave "
-                        "out asm, and sections and names of that kind.\n",
-                        *statement)};
+            fmt::format(
+                "student.cpp passes \"{}\" to the assembler, which a compiler never writes: remove "
+                "asm statements, and attributes that set a section or an assembler name.\n",
+                *statement)};
   compiled.trouble = call(object_command(kit), sandbox, kit, build, compiled.said);
   return compiled;
 }

@@ -59,7 +59,7 @@ Result<std::string> path_of(const std::string& program) {
     const std::string candidate = place + "/" + program;
     if (::access(candidate.c_str(), X_OK) == 0) return candidate;
   }
-  return fail(program, "is not to be found in PATH",
+  return fail(program, "is not found in PATH",
               "install a C++20 compiler, or name one in the environment variable CXX");
 }
 
@@ -292,7 +292,7 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
     std::string beside = directory.string() + "-XXXXXX";
     fs::create_directories(directory.parent_path(), error);
     if (::mkdtemp(beside.data()) == nullptr)
-      return fail(directory.string(), "cannot be made", "name a place that can be written to");
+      return fail(directory.string(), "cannot be made", "name a directory that can be written to");
     const auto filled = fill(kit_in(beside, *found, *fingerprint), sources, *parts, beside);
     const auto labelled = filled ? write_if_changed(fs::path(beside) / "lab", label) : filled;
     if (labelled) fs::rename(beside, directory, error);
@@ -302,7 +302,8 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
   }
   const auto is = read_text_file(directory / "lab");
   if (is && *is == label) return kit_in(directory, *found, *fingerprint);
-  return fail(directory.string(), "is no kit of this lab, this compiler and this glassbox",
+  return fail(directory.string(),
+              "is not a kit that was made for this lab, this compiler and this glassbox",
               "name another directory, or remove this one");
 }
 

@@ -55,7 +55,7 @@ std::string own_line_first(const std::string& messages, const std::string& sourc
     const std::string missing = "undefined reference to `";
     if (const std::size_t at = lines[i].find(missing); at != std::string::npos) {
       const std::string name = lines[i].substr(at + missing.size());
-      return fmt::format("{} does not define {}, which is called.\n{}", kSource,
+      return fmt::format("{} does not define {}, which is called somewhere.\n{}", kSource,
                          name.substr(0, name.rfind('\'')), messages);
     }
     if (lines[i].find("error:") == std::string::npos) continue;

@@ -111,7 +111,7 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
       done = fail(sources.outside.string(),
                   "the judge does not compile: " +
                       (outcome.started ? outcome.said : outcome.why_not_started),
-                  "mend the file that the compiler names");
+                  "correct the file that the compiler names");
   }
   if (done) {
     fs::rename(made, library, error);
@@ -130,19 +130,19 @@ Result<void> check_whole(const Sources& sources, const Lab& lab) {
   const std::string folder = sources.outside.filename().string();
   if (lab.folder != folder)
     return of_checks(sources, fmt::format("the lab calls its folder \"{}\"", lab.folder),
-                     fmt::format("it must be \"{}\", as the folder is called", folder));
+                     fmt::format("give it \"{}\", the name of the folder", folder));
   if (lab.number != std::stoi(number_of(sources.outside)))
     return of_checks(sources, fmt::format("the lab's number is {}", lab.number),
                      "give it the number that the folder's name begins with");
   if (lab.tasks.empty() || lab.checks.empty())
-    return of_checks(sources, "the lab has no tasks or no checks", "give it one of each at least");
+    return of_checks(sources, "the lab has no task or no check", "give it one of each at least");
   for (const Check& check : lab.checks) {
     const auto is_its = [&](const Task& task) { return task.id == check.task; };
     if (std::none_of(lab.tasks.begin(), lab.tasks.end(), is_its))
-      return of_checks(
-          sources,
-          fmt::format("the check \"{}\" is of task {}, which is not there", check.name, check.task),
-          "name one of the lab's tasks");
+      return of_checks(sources,
+                       fmt::format("the check \"{}\" belongs to task {}, which does not exist",
+                                   check.name, check.task),
+                       "name one of the lab's tasks");
   }
   return {};
 }
@@ -153,13 +153,13 @@ Result<fs::path> find_outside_lab(const std::string& folder) {
   std::error_code error;
   const fs::path place = fs::canonical(folder, error);
   if (error || !fs::is_directory(place, error))
-    return fail(folder, "is no folder", "name the folder of a lab, NN-name");
+    return fail(folder, "is not a folder", "name the folder of a lab, NN-name");
   if (!is_of_a_lab(fs::path("labs") / place.filename()))
-    return fail(folder, "is not called as a lab is", "call it NN-name, such as 40-fog");
+    return fail(folder, "does not have the name of a lab", "name it NN-name, such as 40-fog");
   for (const char* name : kNeeded) {
     if (!fs::is_regular_file(place / name, error))
-      return fail((fs::path(folder) / name).string(), "is not there",
-                  "docs/labs.md says what the files of a lab are");
+      return fail((fs::path(folder) / name).string(), "does not exist",
+                  "docs/labs.md says which files a lab needs");
   }
   return place;
 }
@@ -189,7 +189,7 @@ Result<const Lab*> load_outside_lab(const Sources& sources, const fs::path& plac
   void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
     return of_checks(sources, fmt::format("the judge cannot be loaded: {}", ::dlerror()),
-                     "call only what lab.h, compare.h and glassbox's headers declare");
+                     "call only functions that lab.h, compare.h and glassbox's headers declare");
   using Make = void (*)(Lab*);
   const auto make = reinterpret_cast<Make>(::dlsym(loaded, "glassbox_lab"));
   if (make == nullptr) return of_checks(sources, ::dlerror(), "remove the directory of the judge");

@@ -46,8 +46,8 @@ Result<ZipEntry> entry_of(const fs::path& tree, const fs::path& relative,
 Result<void> add_part(const fs::path& tree, const char* part, std::vector<fs::path>& files) {
   std::error_code error;
   if (!fs::exists(tree / part, error)) {
-    return fail(tree.string(), fmt::format("is no clone of glassbox: it has no {}", part),
-                "run this from the program that a clone has built");
+    return fail(tree.string(), fmt::format("is not a clone of glassbox: it has no {}", part),
+                "run this command of the program that was built in a clone");
   }
   if (fs::is_regular_file(tree / part, error)) files.emplace_back(part);
   fs::recursive_directory_iterator entry(tree / part, error), end;

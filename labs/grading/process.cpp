@@ -139,7 +139,7 @@ void classify(RunOutcome& outcome, int status, const std::string& note, bool in_
 RunOutcome launch(const Launch& launch) {
   Pipe answers, said, notes, errors;
   if (!answers.valid() || !said.valid() || !notes.valid() || !errors.valid())
-    return not_started("no pipes are left");
+    return not_started("no pipe can be made");
   Prepared prepared;
   prepared.launch = &launch;
   prepared.directory = launch.directory.c_str();
@@ -156,7 +156,7 @@ RunOutcome launch(const Launch& launch) {
     const int file = ::memfd_create("filter", MFD_CLOEXEC);
     const std::size_t bytes = launch.filter.size() * sizeof(sock_filter);
     if (file < 0 || ::pwrite(file, launch.filter.data(), bytes, 0) != static_cast<ssize_t>(bytes))
-      return not_started("no file in memory for the system-call filter");
+      return not_started("no file in memory can be made for the system-call filter");
     filter_file.set(file);
   }
   prepared.input = launch.input >= 0 ? launch.input : empty_input.get();
@@ -194,7 +194,7 @@ RunOutcome launch(const Launch& launch) {
   if (too_much) {
     outcome.ending = RunOutcome::Ending::kTooMuchOutput;
     if (streams[1].too_much())
-      outcome.detail = fmt::format("more than {} MiB printed", limits.said_bytes / kMiB);
+      outcome.detail = fmt::format("it printed more than {} MiB", limits.said_bytes / kMiB);
   } else if (!followed.ended) {
     outcome.ending = RunOutcome::Ending::kTimeout;
   } else {

@@ -84,7 +84,7 @@ std::string failure_text(const CheckResult& check, const std::string& name) {
   std::string text = fmt::format("{}: {} of {} cases are right{}.\n", name, check.right,
                                  check.cases.size(), note_of_whole(check));
   if (const auto& first = check.first) {
-    text += fmt::format("The first that is not: case {}", first->index);
+    text += fmt::format("The first case that is not right: case {}", first->index);
     if (!first->where.empty()) text += fmt::format(" ({})", first->where);
     text += fmt::format(": {}\n", verdict_name(first->verdict));
     if (!first->text.empty()) text += "  " + cut(first->text, kMostText) + '\n';
@@ -101,7 +101,7 @@ std::string explanation(const CheckResult& check, const std::string& name) {
   if (check.verdict == Verdict::kNotBuilt) return fmt::format("Not run: {}.\n", name);
   std::string text;
   if (check.verdict == Verdict::kUntouched) {
-    text = "Not written yet: every case is answered as the starter answers it.\n";
+    text = "Not written yet: every answer is the same as the starter's.\n";
   } else if (check.verdict == Verdict::kRight) {
     text = fmt::format("All {} cases are right.\n", check.cases.size());
   } else {

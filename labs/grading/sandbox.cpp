@@ -91,7 +91,7 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
       continue;
     }
     if (each == Confinement::kLandlock && !can_rule_files()) {
-      does_not_work(each, "this kernel has it not, or not switched on");
+      does_not_work(each, "this kernel does not have it, or it is not switched on");
       continue;
     }
     if (each != Confinement::kBubblewrap && !can_filter_system_calls()) {
@@ -124,7 +124,8 @@ std::string Sandbox::trouble(const fs::path& scratch) const {
   const fs::path trial = scratch / "trial";
   std::error_code error;
   fs::create_directory(trial, error);
-  if (error || !hand_over(trial)) return "no directory can be handed over in " + scratch.string();
+  if (error || !hand_over(trial))
+    return "no directory can be given to the sandbox's user in " + scratch.string();
   Limits limits = compile_limits();
   limits.seconds = 10;
   const RunOutcome outcome = compile({"/usr/bin/touch", "here"}, trial, {}, limits);
@@ -147,13 +148,13 @@ std::string Sandbox::in_force() const {
       break;
     case Confinement::kLimits:
       text =
-          "no file rules: while a submission is compiled, every file that the user can read is "
-          "open to it";
+          "no rules for files: while a submission is compiled, it can read every file that the "
+          "user can read";
       break;
   }
   text += runner_filter_.empty() ? ", no system-call filter" : ", a system-call filter";
   text += ", limits on time, memory, output and files";
-  return text + (user_ ? ", a user of no rights" : ", the user who started it");
+  return text + (user_ ? ", an unprivileged user" : ", the user who started it");
 }
 
 bool Sandbox::hand_over(const fs::path& path) const {
@@ -299,7 +300,7 @@ RunOutcome SandboxRunner::run(const RunRequest& request) {
     if (time_ != nullptr) time_->spend(outcome.seconds);
   }
   if (outcome.ending == RunOutcome::Ending::kTimeout && limits.seconds < limits_.seconds)
-    outcome.detail = "the time of the whole submission is spent";
+    outcome.detail = "the time limit of the whole submission is reached";
   processes_.push_back({outcome.ending, outcome.code, outcome.detail, {}, {}, outcome.seconds});
   return outcome;
 }

@@ -32,8 +32,9 @@ std::string kind_of(const std::string& line) {
     const std::string rest = line.substr(at + mark.size());
     return mark[0] == 'A' ? rest.substr(0, rest.find(' ')) : rest;
   }
-  return line.find("rss limit exhausted") != std::string::npos ? "more memory than there may be"
-                                                               : "";
+  return line.find("rss limit exhausted") != std::string::npos
+             ? "it used more memory than is allowed"
+             : "";
 }
 
 }  // namespace

@@ -76,9 +76,9 @@ Result<std::string> read_ordinary(const fs::path& path) {
   struct stat status = {};
   std::string text, cause;
   if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
-    cause = "is no ordinary file";
+    cause = "is not an ordinary file";
   } else if (status.st_size > static_cast<off_t>(kLargestSource)) {
-    cause = fmt::format("has {} bytes; {} are the most", status.st_size, kLargestSource);
+    cause = fmt::format("has {} bytes; at most {} are allowed", status.st_size, kLargestSource);
   } else {
     text.resize(static_cast<std::size_t>(status.st_size));
     const ssize_t got = ::pread(file, text.data(), text.size(), 0);
@@ -108,7 +108,7 @@ tl::unexpected<Error> missing(const std::string& name, std::vector<fs::path> fou
     names += (i == 0 ? "" : ", ") + found[i].generic_string();
   if (found.size() > kNamed) names += ", ...";
   return fail(name, fmt::format("is missing; there is {}", found.empty() ? "no file" : names),
-              "hand in " + name + ", at the top of what is handed in");
+              "hand in " + name + ", at the top level of the submission");
 }
 
 Result<std::string> read_source(const fs::path& path) {
@@ -153,13 +153,13 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
   const std::vector<fs::path> entries = entries_of(folder, error);
   if (error) {
     return fail(folder.string(), error.message(),
-                "name the folder that holds one folder a submission");
+                "name the folder that has one folder for each submission");
   }
   ClassFolder found;
   const auto add = [&](const std::string& name, const fs::path& path) {
     if (name == kTableOfClass || name == kPageOfClass) {
       found.skipped.push_back(
-          fmt::format("{}: a result of the class has this name", path.filename().string()));
+          fmt::format("{}: a file of the results has this name", path.filename().string()));
       return;
     }
     const auto same = std::find_if(found.submissions.begin(), found.submissions.end(),
@@ -167,7 +167,7 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
     if (same == found.submissions.end()) {
       found.submissions.push_back({name, path});
     } else {
-      found.skipped.push_back(fmt::format("{}: {} is of the same name", path.filename().string(),
+      found.skipped.push_back(fmt::format("{}: {} has the same name", path.filename().string(),
                                           same->path.filename().string()));
     }
   };
@@ -184,7 +184,7 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
     } else if (path.extension() == ".cpp") {
       add(submission_name(path), path);
     } else {
-      found.skipped.push_back(name + ": is no folder, no archive and no .cpp file");
+      found.skipped.push_back(name + ": is neither a folder nor an archive nor a .cpp file");
     }
   }
   std::sort(found.submissions.begin(), found.submissions.end(),
@@ -201,7 +201,7 @@ Result<std::vector<std::string>> list_folders(const fs::path& folder) {
   const std::vector<fs::path> folders = folders_in(folder, error);
   if (error || folders.empty()) {
     return fail(folder.string(), error ? error.message() : "holds no folder",
-                "name the folder that `lab grade` wrote, with one folder a submission");
+                "name the folder that `lab grade` wrote, with one folder for each submission");
   }
   std::vector<std::string> names;
   for (const fs::path& each : folders) names.push_back(each.filename().string());

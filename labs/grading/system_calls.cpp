@@ -160,7 +160,7 @@ Result<SystemCallFilter> exported(const Context& context) {
     if (::pread(file, filter.data(), static_cast<std::size_t>(bytes), 0) != bytes) filter.clear();
   }
   ::close(file);
-  if (filter.empty()) return failure("its program");
+  if (filter.empty()) return failure("the filter's program");
   return filter;
 }
 

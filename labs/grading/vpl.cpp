@@ -9,13 +9,16 @@ namespace {
 // {0} is the lab's number, {1} its title.
 constexpr const char* kReadme = R"(Lab {0}, {1}, for Moodle's Virtual Programming Lab
 
-1. Install glassbox on the jail server (cmake --install), so that `glassbox --version` runs there for every user.
-2. Make an activity. Requested files: requested/student.cpp; execution files: what is in execution/, in place of the scripts of the same
-   name. Mark student.h as a file to keep when running, and give students handout.md as the description.
+1. Install glassbox on the jail server (cmake --install), so that every user there can run
+   `glassbox --version`.
+2. Make an activity. Requested files: requested/student.cpp. Execution files: the files in
+   execution/, instead of the scripts of the same name. Mark student.h as a file to keep when
+   running, and give students handout.md as the description.
 3. Execution options: run and evaluate yes, automatic grade yes.
 
-"Evaluate" grades the visible checks and gives their points, scaled to the activity's grade. Hidden checks are not put there, for the grade
-would tell: download the submissions afterwards and run `glassbox lab grade FOLDER --lab {0} -o results`.
+"Evaluate" grades the visible checks and gives their points, scaled to the activity's grade. It
+does not run the hidden checks, because the grade would reveal them: download the submissions
+afterwards, and run `glassbox lab grade FOLDER --lab {0} -o results`.
 )";
 
 // A script for VPL, which starts it and then the program vpl_execution that the script leaves

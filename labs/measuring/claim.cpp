@@ -68,15 +68,15 @@ void compare(const ClaimedPoint& claimed, const ClaimedPoint& measured,
              std::vector<std::string>& found) {
   const std::string name = name_of(claimed);
   if (!same_number(claimed.error, measured.error))
-    found.push_back(
-        fmt::format("{}: the error is {:.6g}, not {:.6g}", name, measured.error, claimed.error));
+    found.push_back(fmt::format("{}: the measured error is {:.6g}, not {:.6g}", name,
+                                measured.error, claimed.error));
   for (const std::string& way : claimed.faster_than) {
     if (is_one_of(way, measured.slower_than))
-      found.push_back(fmt::format("{}: slower than \"{}\", not faster", name, way));
+      found.push_back(fmt::format("{}: measured as slower than \"{}\", not faster", name, way));
   }
   for (const std::string& way : claimed.slower_than) {
     if (is_one_of(way, measured.faster_than))
-      found.push_back(fmt::format("{}: faster than \"{}\", not slower", name, way));
+      found.push_back(fmt::format("{}: measured as faster than \"{}\", not slower", name, way));
   }
 }
 
@@ -123,11 +123,11 @@ Json claim_json(const Claim& claim) {
 
 Result<Claim> read_claim(const std::string& path, const std::string& text) {
   const auto refused = [&](const std::string& cause) {
-    return fail(path, "is no measurement of a lab: it " + cause,
+    return fail(path, "is not the measurement of a lab: it " + cause,
                 "glassbox lab measure FOLDER --json FILE writes one");
   };
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) return refused("is no JSON object");
+  if (!json.is_object()) return refused("is not a JSON object");
   try {
     Claim claim{field(json, "lab").get<std::string>(),
                 field(json, "code").get<std::string>(),
@@ -140,26 +140,26 @@ Result<Claim> read_claim(const std::string& path, const std::string& text) {
   } catch (const Unread& unread) {
     return refused(unread.cause);
   } catch (const Json::exception&) {
-    return refused("has a value of another kind than was written there");
+    return refused("has a value of the wrong type");
   }
 }
 
 std::vector<std::string> contradictions(const Claim& claimed, const Claim& measured) {
   std::vector<std::string> found;
   if (claimed.lab != measured.lab)
-    found.push_back(fmt::format("it is of lab {}, not {}", claimed.lab, measured.lab));
+    found.push_back(fmt::format("it is for lab {}, not for lab {}", claimed.lab, measured.lab));
   if (claimed.experiment != measured.experiment)
-    found.push_back(
-        fmt::format("it is of {}, and {} was measured", claimed.experiment, measured.experiment));
+    found.push_back(fmt::format("it is of experiment {}, but experiment {} was measured",
+                                claimed.experiment, measured.experiment));
   if (!found.empty()) return found;
   if (claimed.code != measured.code)
-    found.push_back("it is of another student.cpp than the one that was measured");
+    found.push_back("it was made with another student.cpp than this measurement");
   for (const ClaimedPoint& each : claimed.points) {
     const auto is_it = [&](const ClaimedPoint& other) { return name_of(other) == name_of(each); };
     if (std::ranges::none_of(measured.points, is_it))
-      found.push_back(fmt::format("{}: is no point of this lab", name_of(each)));
+      found.push_back(fmt::format("{}: is not a point of this lab's measurement", name_of(each)));
     if (&*std::ranges::find_if(claimed.points, is_it) != &each)
-      found.push_back(fmt::format("{}: is there twice", name_of(each)));
+      found.push_back(fmt::format("{}: appears twice", name_of(each)));
   }
   for (const ClaimedPoint& each : measured.points) {
     const auto same =

@@ -73,7 +73,7 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
   for (std::size_t i = 0; i + 1 < taken.size(); i += 2) {
     const double processor = taken[i], wall = taken[i + 1];
     if (!(processor >= 0 && processor < 1e18 && wall >= 0))
-      return fail("student.cpp", "something that is no time was written among the times", "");
+      return fail("student.cpp", "something other than a time was written among the times", "");
     ns.push_back(processor / items);
     timing.disturbed += wall > (1 + study::kMostWaiting) * processor;
   }
@@ -111,8 +111,8 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
   const std::vector<MeasuredPlace> places = lab.places();
   std::vector<study::ConfigurationResult> all;
   for (const MeasuredPlace& place : places) {
-    phase(
-        fmt::format("{}: error {} of {} of yours", lab.experiment, all.size() + 1, places.size()));
+    phase(fmt::format("{}: your functions, error {} of {}", lab.experiment, all.size() + 1,
+                      places.size()));
     study::ConfigurationResult result;
     result.series = place.series;
     result.parameter = place.parameter;
@@ -134,7 +134,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
       all[i].timings = all[j].timings;
       continue;
     }
-    phase(fmt::format("{}: time {} of {} of yours", lab.experiment, i + 1, places.size()));
+    phase(fmt::format("{}: your functions, time {} of {}", lab.experiment, i + 1, places.size()));
     const auto taken = student.time(stage, {places[i].timed}, rounds);
     if (!taken) return tl::unexpected(taken.error());
     const auto timing = timing_of(*taken, places[i].items);
@@ -148,7 +148,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
 Result<std::vector<std::string>> untouched_series(
     const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
     const std::function<void(const std::string&)>& phase) {
-  phase(fmt::format("{}: what is written of yours", lab.experiment));
+  phase(fmt::format("{}: finding out which functions are written", lab.experiment));
   const DrawnStage measured = stage_of(lab);
   // a series, and whether the student has written it
   std::vector<std::pair<std::string, bool>> all;

@@ -101,8 +101,8 @@ Quiz affine_quiz() {
   return {2,
           "Affine maps",
           {{"Every affine map is linear.", false,
-            "A linear map leaves the origin where it is, and a translation does not. Affine is "
-            "linear and then translated.",
+            "A linear map leaves the origin where it is, and a translation does not. An affine map "
+            "is a linear map followed by a translation.",
             "step --point 0,0,0 " + shift + eye,
             [] {
               return for_all(affine_maps(), [](const Map& m) {
@@ -110,9 +110,9 @@ Quiz affine_quiz() {
               });
             }},
            {"An affine map is a combination of linear transformations.", false,
-            "Products and sums of linear maps are linear, so that no translation is among them "
-            "(E10). With a fourth coordinate, "
-            "which stays 1, it is a linear map of four coordinates.",
+            "Products and sums of linear maps are linear, so none of them is a translation "
+            "(erratum E10). With a fourth coordinate, which stays 1, an affine map is a linear map "
+            "of four coordinates.",
             "step --point 0,0,0 --point 1,0,0 " + shift + eye,
             [] {
               // Linear maps take a sum to a sum; tested on the sum of p and q, and on the origin.
@@ -122,14 +122,15 @@ Quiz affine_quiz() {
               });
             }},
            {"The last row of an affine map of space, with column vectors, is (0, 0, 0, 1).", true,
-            "It is what keeps w = 1. With row vectors it would be the last column.",
+            "This row keeps w = 1. With row vectors it would be the last column.",
             "step --point 1,2,3 " + shear + eye,
             [] {
               return for_all(affine_maps(), [](const Map& m) {
                 return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
               });
             }},
-           {"An affine map can change w.", false, "0 x + 0 y + 0 z + 1 w is w.",
+           {"An affine map can change w.", false,
+            "Its last row gives 0 x + 0 y + 0 z + 1 w, which is w.",
             "step --point 1,2,3 " + shift + eye,
             [] {
               return for_all(affine_maps(), [](const Map& m) {
@@ -137,7 +138,7 @@ Quiz affine_quiz() {
               });
             }},
            {"Affine maps keep parallel lines parallel.", true,
-            "Two lines of one direction d have the one direction A d afterwards.",
+            "Two lines with the same direction d both have the direction A d afterwards.",
             "step --point 0,0,0 --point 0,1,0 --point 1,0,0 --point 1,1,0 " + shear + eye,
             [] {
               return of_pairs([](const Map& m, const auto& p, const auto& q) {
@@ -146,16 +147,16 @@ Quiz affine_quiz() {
                 return parallel((m * p2) - (m * p), (m * q2) - (m * q));
               });
             }},
-           {"Affine maps keep the middle of a segment in its middle.", true,
-            "Weights that add up to 1 pass through: A (p + q)/2 + t = (A p + t + A q + t)/2.",
+           {"Affine maps carry the middle of a segment to the middle of its image.", true,
+            "They keep sums whose weights add up to 1: A (p + q)/2 + t = (A p + t + A q + t)/2.",
             "step --point 0,0,0 --point 1,1,0 --point 2,2,0 " + shear + eye,
             [] {
               return of_pairs([](const Map& m, const auto& p, const auto& q) {
                 return same((m * half_way(p, q)) - half_way(m * p, m * q), {0, 0, 0});
               });
             }},
-           {"Affine maps keep right angles right.", false,
-            "A shear leans one axis and leaves the other.",
+           {"Affine maps carry right angles to right angles.", false,
+            "A shear tilts one axis and leaves the other, so the angle between them changes.",
             "step --point 0,0,0 --point 1,0,0 --point 0,1,0 " + shear + eye,
             [] {
               return for_all(affine_maps(), [](const Map& m) {
@@ -165,9 +166,9 @@ Quiz affine_quiz() {
                             0);
               });
             }},
-           {"It does not matter whether a thing is turned first and moved then, or the other way "
-            "round.",
-            false, "T R has the translation t, R T has R t: they differ by (R - I) t.",
+           {"It does not matter whether an object is first rotated and then translated, or the "
+            "other way round.",
+            false, "T R has the translation t, and R T has R t: they differ by (R - I) t.",
             "step --point 1,0,0 --model '0 -1 0 0  1 0 0 3  0 0 1 0  0 0 0 1'" + eye,
             [] {
               const auto turn = *rotate_degrees<World, World>({0, 0, 1}, 90);
@@ -175,7 +176,8 @@ Quiz affine_quiz() {
               return turn * shift == shift * turn;
             }},
            {"Any three pairs of points determine an affine map of the plane.", false,
-            "Not if the first three lie on a line: every shear along that line moves none of them.",
+            "Not if the first three points are on a line: a shear along that line moves none of "
+            "them, so the map is not unique.",
             "step --point 0,0,0 --point 1,0,0 --point 2,0,0 " + shear + eye, [] {
               return affine_from_three_points({{{0, 0}, {1, 0}, {2, 0}}},
                                               {{{0, 0}, {1, 0}, {2, 0}}})
@@ -190,107 +192,108 @@ Quiz perspective_quiz() {
   const auto along = [](const Place& p, const Arrow& d) {
     return in_picture(p + d) - in_picture(p);
   };
-  return {4,
-          "Perspective",
-          {{"Parallel lines that go into the scene converge in the picture.", true,
-            "All of one direction d run to the picture of d itself, the vanishing point (d.x, d.y) "
-            "/ -d.z.",
-            "step --point 1,0,-2 --point 1,0,-200 --point -1,0,-2 --point -1,0,-200" + eye,
-            [] {
-              return for_all(directions(), [](const Arrow& d) {
-                if (d.z == 0) return true;
-                const Place goal = in_picture({d.x, d.y, d.z});
-                // Each point is half as far from the vanishing point when its distance is doubled.
-                return for_all(seen(), [&](const Place& p) {
-                  const auto from_goal = [&](double t) {
-                    return flat(in_picture(p + d * t) - goal) * (-p.z - t * d.z);
-                  };
-                  return same(from_goal(0), from_goal(3));
-                });
-              });
-            }},
-           {"All parallel lines converge in the picture.", false,
-            "Lines parallel to the picture's plane stay parallel: w is the same all along them.",
-            "step --point 0,0,-2 --point 1,0,-2 --point 0,1,-2 --point 1,1,-2" + eye,
-            [along] {
-              return for_all(directions(), [&](const Arrow& d) {
-                return for_all(seen(), [&](const Place& p) {
-                  return !parallel(flat(along(p, d)), flat(along({p.x, p.y + 1, p.z}, d)));
-                });
-              });
-            }},
-           {"What is twice as far away is seen half as large.", true,
-            "x/w and y/w, with w the distance.", "step --point 1,1,-2 --point 1,1,-4" + eye,
-            [] {
-              return for_all(seen(), [](const Place& p) {
-                const Place near = in_picture(p), far = in_picture({p.x, p.y, 2 * p.z});
-                return same(near.x, 2 * far.x) && same(near.y, 2 * far.y);
-              });
-            }},
-           {"Perspective keeps the middle of a segment in its middle.", false,
-            "The nearer half is seen longer: foreshortening is not uniform.",
-            "step --point 1,0,-2 --point 1,0,-4 --point 1,0,-6" + eye,
-            [] {
-              return for_all(seen(), [](const Place& p) {
-                return for_all(seen(), [&](const Place& q) {
-                  return same(
-                      flat(in_picture(half_way(p, q)) - half_way(in_picture(p), in_picture(q))),
-                      {0, 0, 0});
-                });
-              });
-            }},
-           {"Perspective keeps straight lines straight.", true,
-            "A line and the eye span a plane, which meets the picture in a line. So the ends of an "
-            "edge are enough.",
-            "step --point 0,0,-2 --point 1,1,-4 --point 2,2,-6" + eye,
-            [along] {
-              return for_all(directions(), [&](const Arrow& d) {
-                return for_all(seen(), [&](const Place& p) {
-                  return parallel(flat(along(p, d)), flat(along(p, d * 3.0)));
-                });
-              });
-            }},
-           {"Perspective keeps angles.", false,
-            "The corner of a square on the floor is none in the picture.",
-            "step --point 0,-1,-2 --point 1,-1,-2 --point 0,-1,-4" + eye,
-            [along] {
-              return for_all(seen(), [&](const Place& p) {
-                return same(dot(flat(along(p, {1, 0, 0})), flat(along(p, {0, 0, -1}))), 0);
-              });
-            }},
-           {"The last row of a perspective projection is (0, 0, 0, 1).", false,
-            "It is (0, 0, -1, 0): w becomes the distance, and so the map is not affine.",
-            "step --point 1,1,-2" + eye,
-            [] {
-              const auto m = *perspective_degrees(90, 1, {1});
-              return m.at(3, 2) == 0 && m.at(3, 3) == 1;
-            }},
-           {"After a parallel projection w is still 1.", true,
-            "It is affine. So the divide may be left out, to the bit.",
-            "step --point 1,1,-2 --proj '1 0 0 0  0 1 0 0  0 0 -0.1 0  0 0 0 1' --dialect glassbox",
-            [] {
-              const auto m = *orthographic({-1, 1, -1, 1}, {0, 10});
-              return for_all(seen(), [&](const Place& p) {
-                return (m * Point<Eye, double>(p.x, p.y, p.z)).w == 1;
-              });
-            }},
-           {"A point behind the eye is divided by its w and so stays out of the picture.", false,
-            "Its w is negative, and (x, y)/w lies in the picture, upside down. It has to be "
-            "clipped before the divide.",
-            "step --point 0.5,0.5,2" + eye,
-            [] {
-              return for_all(seen(), [](const Place& p) {
-                const Place behind = in_picture({p.x, p.y, -p.z});
-                return std::abs(behind.x) > 1 || std::abs(behind.y) > 1;
-              });
-            }},
-           {"Depth grows evenly with the distance.", false,
-            "It is linear in 1/distance: half of all depths lie within twice the near plane's "
-            "distance.",
-            "step --point 0,0,-1 --point 0,0,-2 --point 0,0,-3" + eye, [] {
-              return same(in_picture({0, 0, -3}).z - in_picture({0, 0, -2}).z,
-                          in_picture({0, 0, -2}).z - in_picture({0, 0, -1}).z);
-            }}}};
+  return {
+      4,
+      "Perspective",
+      {{"Parallel lines that go into the scene converge in the picture.", true,
+        "All lines with the direction d run to the picture of d itself, the vanishing point (d.x, "
+        "d.y) / -d.z.",
+        "step --point 1,0,-2 --point 1,0,-200 --point -1,0,-2 --point -1,0,-200" + eye,
+        [] {
+          return for_all(directions(), [](const Arrow& d) {
+            if (d.z == 0) return true;
+            const Place goal = in_picture({d.x, d.y, d.z});
+            // Each point is half as far from the vanishing point when its distance is doubled.
+            return for_all(seen(), [&](const Place& p) {
+              const auto from_goal = [&](double t) {
+                return flat(in_picture(p + d * t) - goal) * (-p.z - t * d.z);
+              };
+              return same(from_goal(0), from_goal(3));
+            });
+          });
+        }},
+       {"All parallel lines converge in the picture.", false,
+        "Lines parallel to the picture's plane stay parallel: w is the same all along them.",
+        "step --point 0,0,-2 --point 1,0,-2 --point 0,1,-2 --point 1,1,-2" + eye,
+        [along] {
+          return for_all(directions(), [&](const Arrow& d) {
+            return for_all(seen(), [&](const Place& p) {
+              return !parallel(flat(along(p, d)), flat(along({p.x, p.y + 1, p.z}, d)));
+            });
+          });
+        }},
+       {"An object twice as far away is seen half as large.", true,
+        "x and y are divided by w, which is the distance.",
+        "step --point 1,1,-2 --point 1,1,-4" + eye,
+        [] {
+          return for_all(seen(), [](const Place& p) {
+            const Place near = in_picture(p), far = in_picture({p.x, p.y, 2 * p.z});
+            return same(near.x, 2 * far.x) && same(near.y, 2 * far.y);
+          });
+        }},
+       {"Perspective carries the middle of a segment to the middle of its picture.", false,
+        "The nearer half looks longer: foreshortening is not uniform.",
+        "step --point 1,0,-2 --point 1,0,-4 --point 1,0,-6" + eye,
+        [] {
+          return for_all(seen(), [](const Place& p) {
+            return for_all(seen(), [&](const Place& q) {
+              return same(flat(in_picture(half_way(p, q)) - half_way(in_picture(p), in_picture(q))),
+                          {0, 0, 0});
+            });
+          });
+        }},
+       {"Perspective keeps straight lines straight.", true,
+        "A line and the eye span a plane, which meets the picture in a line. So it is enough to "
+        "project the ends of an edge.",
+        "step --point 0,0,-2 --point 1,1,-4 --point 2,2,-6" + eye,
+        [along] {
+          return for_all(directions(), [&](const Arrow& d) {
+            return for_all(seen(), [&](const Place& p) {
+              return parallel(flat(along(p, d)), flat(along(p, d * 3.0)));
+            });
+          });
+        }},
+       {"Perspective keeps angles.", false,
+        "The right angle of a square on the floor is not a right angle in the picture.",
+        "step --point 0,-1,-2 --point 1,-1,-2 --point 0,-1,-4" + eye,
+        [along] {
+          return for_all(seen(), [&](const Place& p) {
+            return same(dot(flat(along(p, {1, 0, 0})), flat(along(p, {0, 0, -1}))), 0);
+          });
+        }},
+       {"The last row of a perspective projection is (0, 0, 0, 1).", false,
+        "It is (0, 0, -1, 0): w becomes the distance, and so the map is not affine.",
+        "step --point 1,1,-2" + eye,
+        [] {
+          const auto m = *perspective_degrees(90, 1, {1});
+          return m.at(3, 2) == 0 && m.at(3, 3) == 1;
+        }},
+       {"After a parallel projection w is still 1.", true,
+        "It is affine. So the divide may be left out without changing a bit.",
+        "step --point 1,1,-2 --proj '1 0 0 0  0 1 0 0  0 0 -0.1 0  0 0 0 1' --dialect glassbox",
+        [] {
+          const auto m = *orthographic({-1, 1, -1, 1}, {0, 10});
+          return for_all(seen(), [&](const Place& p) {
+            return (m * Point<Eye, double>(p.x, p.y, p.z)).w == 1;
+          });
+        }},
+       {"A point behind the eye is divided by its w, and therefore is not in the picture.", false,
+        "Its w is negative, and (x, y)/w is in the picture, upside down. It has to be clipped "
+        "before the divide.",
+        "step --point 0.5,0.5,2" + eye,
+        [] {
+          return for_all(seen(), [](const Place& p) {
+            const Place behind = in_picture({p.x, p.y, -p.z});
+            return std::abs(behind.x) > 1 || std::abs(behind.y) > 1;
+          });
+        }},
+       {"Depth is a linear function of the distance.", false,
+        "It is linear in 1/distance: half of all depths are nearer than twice the distance of the "
+        "near plane.",
+        "step --point 0,0,-1 --point 0,0,-2 --point 0,0,-3" + eye, [] {
+          return same(in_picture({0, 0, -3}).z - in_picture({0, 0, -2}).z,
+                      in_picture({0, 0, -2}).z - in_picture({0, 0, -1}).z);
+        }}}};
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Result<int> read_level(const BuiltinScene& scene, std::string_view name_and_leve
   if (colon == std::string_view::npos) return scene.levels ? scene.levels->usual : 0;
   const std::string place(name_and_level), name(scene.name);
   if (!scene.levels) {
-    return fail(place, "the built-in scene '" + name + "' takes no level", "write '" + name + "'");
+    return fail(place, "the built-in scene '" + name + "' has no levels", "write '" + name + "'");
   }
   const std::string_view digits = name_and_level.substr(colon + 1);
   int level = 0;
@@ -54,7 +54,7 @@ Result<int> read_level(const BuiltinScene& scene, std::string_view name_and_leve
   const bool read = error == std::errc() && end == digits.data() + digits.size();
   if (!read || level < scene.levels->low || level > scene.levels->high) {
     return fail(place,
-                "the level of '" + name + "' is a whole number from " +
+                "the level of '" + name + "' must be a whole number from " +
                     std::to_string(scene.levels->low) + " to " + std::to_string(scene.levels->high),
                 "write for example '" + name + ":" + std::to_string(scene.levels->usual) + "'");
   }

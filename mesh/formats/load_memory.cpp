@@ -25,7 +25,7 @@ std::optional<SceneFormat> format_of(std::span<const std::byte> bytes) {
 }
 
 Result<Scene> load_scene_memory(std::span<const std::byte> bytes, const LoadLimits& limits) {
-  if (bytes.empty()) return fail("", "there are no bytes", "give a glTF, GLB, OBJ or PLY file");
+  if (bytes.empty()) return fail("", "the input is empty", "give a glTF, GLB, OBJ or PLY file");
   if (bytes.size() > limits.max_file_bytes) {
     return fail("",
                 "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",

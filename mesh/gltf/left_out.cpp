@@ -98,7 +98,7 @@ void name_motion(Asset& asset, const NodeTree& tree) {
   const std::size_t animations = asset.document.value("animations", json::array()).size();
   if (animations > 0) {
     asset.warn(counted(animations, "animation is", "animations are") +
-               " not played: everything stands as the file places it");
+               " not played: everything is drawn where the file places it");
   }
   std::vector<bool> drawn(asset.model.skins.size(), false);
   for (const std::uint32_t node : tree.drawn) {
@@ -107,8 +107,8 @@ void name_motion(Asset& asset, const NodeTree& tree) {
   }
   const auto skins = std::size_t(std::ranges::count(drawn, true));
   if (skins > 0) {
-    asset.warn(counted(skins, "skin") + (skins == 1 ? " stands in the pose of its nodes"
-                                                    : " stand in the poses of their nodes"));
+    asset.warn(counted(skins, "skin") + (skins == 1 ? " is drawn in the pose of its nodes"
+                                                    : " are drawn in the poses of their nodes"));
   }
 }
 
@@ -154,7 +154,7 @@ void name_outside(Asset& asset, const NodeTree& tree) {
   };
   const std::size_t scenes = asset.model.scenes.size();
   add(scenes > 1 ? scenes - 1 : 0, "scene", "scenes");
-  add(nodes, "node that carries something", "nodes that carry something");
+  add(nodes, "node with a mesh, camera or light", "nodes with a mesh, camera or light");
   add(missing(carried.meshes), "mesh", "meshes");
   add(missing(carried.cameras), "camera", "cameras");
   add(missing(carried.lights), "light", "lights");
@@ -167,7 +167,7 @@ void name_cameras(Asset& asset, const NodeTree& tree) {
       tree.drawn, [&](std::uint32_t node) { return asset.model.nodes[node].camera >= 0; });
   if (cameras > 1) {
     asset.warn(std::to_string(cameras) +
-               " cameras: a picture is taken through the first, unless another is asked for");
+               " cameras: the first one is used, unless another one is chosen");
   }
 }
 

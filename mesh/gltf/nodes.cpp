@@ -173,7 +173,7 @@ Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
     }
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (depth[i] == 0) return fail(entry("node", i), "stands in a cycle of nodes", kCorrect);
+    if (depth[i] == 0) return fail(entry("node", i), "is part of a cycle of nodes", kCorrect);
   }
 
   const auto roots = scene_roots(asset, *parents, all_roots, scene);

@@ -264,7 +264,7 @@ Result<Document> read_document(std::string_view text) {
       if (static_cast<unsigned char>(c) >= 0x80) c = '?';
     }
     return fail("JSON" + place_of_number(text, what), printable(what, 200),
-                "the file is no glTF, or damaged: export it again");
+                "the file is not glTF, or damaged: export it again");
   }
   Result<json> checked = Checker(document).check();
   if (!checked) return tl::unexpected(checked.error());

@@ -73,7 +73,7 @@ Result<Bytes> decode_data_uri(std::string_view uri) {
   if (uri.substr(0, comma).ends_with(kBase64)) return decode_base64(uri.substr(comma + 1));
   const std::optional<std::string> text = percent_decoded(uri.substr(comma + 1));
   if (!text) {
-    return fail("", "the data URI has a per cent sign that starts no code",
+    return fail("", "the data URI has a per cent sign without two hexadecimal digits after it",
                 "encode the data in base64");
   }
   const auto bytes = std::as_bytes(std::span(*text));
@@ -150,7 +150,7 @@ Result<std::shared_ptr<const Bytes>> Resources::read(std::string_view uri) {
   };
   if (has_scheme(uri)) return refuse("has a scheme; only data: is read");
   const std::optional<std::string> decoded = percent_decoded(uri);
-  if (!decoded) return refuse("has a per cent sign that starts no code");
+  if (!decoded) return refuse("has a per cent sign without two hexadecimal digits after it");
   if (decoded->empty()) return refuse("is empty");
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::any_of(decoded->begin(), decoded->end(), control))

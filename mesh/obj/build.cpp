@@ -194,7 +194,7 @@ void build_meshes(const Tables& tables, MaterialMaker& materials, Scene& scene,
   }
   if (const std::uint64_t unused = builder.unused_positions(); unused > 0) {
     warnings.add(std::to_string(unused) + " of " + std::to_string(tables.positions.size()) +
-                 " vertices are used by nothing and were left out");
+                 " vertices are not used and were left out");
   }
   if (builder.lost_texcoords() > 0) {
     warnings.add(std::to_string(builder.lost_texcoords()) +

@@ -33,7 +33,7 @@ Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Director
     materials.add_library(mtl->text, "the MTL text");
     if (!mtl->is_all && !tables->libraries.empty()) {
       warnings.add(
-          "material libraries are not read, for there is no directory: faces are drawn without "
+          "material libraries are not read, because there is no directory: faces are drawn without "
           "their materials");
     }
   } else {

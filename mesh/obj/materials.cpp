@@ -66,7 +66,7 @@ void MaterialMaker::add_library(std::string_view text, std::string_view name) {
     const auto [first, is_first] = written_by_name_.try_emplace(written_[i].name, i);
     if (!is_first) {
       warnings_.add("the material " + in_quotes(written_[i].name) +
-                    " is defined more than once; the first counts");
+                    " is defined more than once; the first definition is used");
     }
   }
   for (std::size_t i = before; i < written_.size(); ++i) {
@@ -144,10 +144,9 @@ void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
   if (written.emission_map && emission != std::array<float, 3>{}) {
     const TexCoordMap moved = texcoord_map_of(*written.emission_map);
     if (material.texture && moved != texcoord_map) {
-      warnings_.add(
-          "the material " + in_quotes(written.name) +
-          " has a map_Ke with other coordinates than its map_Kd: it was left out, and what "
-          "the surface emits with it");
+      warnings_.add("the material " + in_quotes(written.name) +
+                    " has a map_Ke with other coordinates than its map_Kd: the map_Ke and the "
+                    "emission were left out");
       return;
     }
     material.emission_texture = texture(*written.emission_map);
@@ -164,7 +163,8 @@ MaterialMaker::Made MaterialMaker::make(const std::string& name) {
     return known->second;
   }
   if (!name.empty()) {
-    warnings_.add("the material " + in_quotes(name) + " is not defined; a default one stands in");
+    warnings_.add("the material " + in_quotes(name) +
+                  " is not defined; a default material is used");
   }
   const auto index = std::uint32_t(scene_.materials.size());
   scene_.materials.push_back(plain_material(name.empty() ? "default" : bounded_name(name)));

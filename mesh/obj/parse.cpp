@@ -245,7 +245,7 @@ private:
   Result<std::uint32_t> index(std::string_view digits, IndexedTable& table) {
     const std::string remedy = "export the file again or correct the line";
     const auto written = parse_integer(digits);
-    if (!written) return refuse(in_quotes(digits) + " is no index of a " + table.name, remedy);
+    if (!written) return refuse(in_quotes(digits) + " is not an index of a " + table.name, remedy);
     if (*written == 0) {
       return refuse(std::string("names ") + table.name + " 0, but numbers start at 1", remedy);
     }
@@ -300,7 +300,7 @@ private:
     }
     Tally unreadable;
     for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
-    unreadable.report("vertices that nothing uses do not have three numbers", warnings_);
+    unreadable.report("unused vertices do not have three numbers", warnings_);
     return {};
   }
 
@@ -320,7 +320,8 @@ private:
     short_faces_.report("faces of fewer than three corners were left out", warnings_);
     short_lines_.report("lines or points without enough vertices were left out", warnings_);
     free_form_.report("statements of free-form curves and surfaces were ignored", warnings_);
-    weights_.report("vertex weights other than 1 were ignored: polygons have none", warnings_);
+    weights_.report("vertex weights other than 1 were ignored: polygons do not use them",
+                    warnings_);
     more_numbers_.report(
         "vertices have more numbers than x y z w or x y z r g b; the rest was ignored", warnings_);
     odd_colors_.report("vertex colours are not numbers in [0, 1] and were clamped or left out",

@@ -30,7 +30,8 @@ public:
     if (auto done = take_magic(); !done) return tl::unexpected(done.error());
     for (;;) {
       if (!take_line()) {
-        return refuse("the header has no 'end_header'", "the file is cut short, or is no PLY file");
+        return refuse("the header has no 'end_header'",
+                      "the file is cut short, or is not a PLY file");
       }
       obj::Words words(line_);
       const std::string_view keyword = words.next();
@@ -54,7 +55,7 @@ private:
   Result<void> take_magic() {
     const std::size_t end = std::min(file_.find_first_of("\r\n"), file_.size());
     if (file_.substr(0, end) != "ply" || end == file_.size()) {
-      return fail("line 1", "is not 'ply'", "the file is no PLY file, or damaged");
+      return fail("line 1", "is not 'ply'", "the file is not a PLY file, or damaged");
     }
     ending_ =
         file_.substr(end).starts_with("\r\n") ? std::string_view("\r\n") : file_.substr(end, 1);
@@ -116,7 +117,7 @@ private:
                     "split the file");
     }
     if (header_.find(name) != nullptr) {
-      return refuse("the element " + in_quotes(name) + " is there twice", "export the file again");
+      return refuse("the element " + in_quotes(name) + " occurs twice", "export the file again");
     }
     if (header_.elements.size() >= kMaxElements) {
       return refuse("has more than " + std::to_string(kMaxElements) + " kinds of elements",
@@ -144,7 +145,8 @@ private:
       const auto count_type = take_type(words.next());
       if (!count_type) return tl::unexpected(count_type.error());
       if (!is_integer(*count_type)) {
-        return refuse("counts a list with a number that is no integer", "export the file again");
+        return refuse("counts a list with a number that is not an integer",
+                      "export the file again");
       }
       property.count_type = *count_type;
       type_name = words.next();
@@ -155,7 +157,7 @@ private:
     property.name = std::string(words.next());
     if (property.name.empty()) return refuse("a property has no name", "export the file again");
     if (element.find({property.name})) {
-      return refuse("the property " + in_quotes(property.name) + " is there twice",
+      return refuse("the property " + in_quotes(property.name) + " occurs twice",
                     "export the file again");
     }
     if (element.properties.size() >= kMaxProperties) {

@@ -15,7 +15,7 @@
 namespace glassbox::ply {
 namespace {
 
-constexpr const char* kEnd = "the file ends where a number is to come";
+constexpr const char* kEnd = "the file ends where a number is expected";
 
 template <class T>
 double from_bytes(std::string_view bytes, bool swapped) {
@@ -124,7 +124,7 @@ bool Values::next_text(Type type, double& number) {
       return parse_double(word, number);
     }
   });
-  return good || refuse(in_quotes(word) + " is no number of the type that the header names");
+  return good || refuse(in_quotes(word) + " is not a number of the type that the header names");
 }
 
 }  // namespace glassbox::ply

@@ -1,33 +1,37 @@
-// What a surface's colour is made of: material, vertex colour, texture; mask; light; emission. No one
-// else says so: a material of another kind has its place here, and so has a stage between texture
-// and blend. Formulas of one part are in files of their own:
+// The colour of a surface, from its parts: material, vertex colour and texture; alpha mask; light;
+// emission. It is defined only here: new kinds of material are added here, and so are new stages
+// between texture and blend. The formulas of a single part are in files of their own:
 #include <glassbox/raster/formulas/lighting.h>
 
-// The functions ask a fragment, `at`, for what they need. Wherever colours are made it is a class:
+// The functions get their inputs from a fragment, `at`. Each place that computes colours has its
+// own class of fragments:
 //   StagedFragment   single numbers        render/staged/fragment_color.h
-//   FragmentInLanes  as many as fit        raster/lanes/shade-inl.h
+//   FragmentInLanes  vectors of numbers    raster/lanes/shade-inl.h
 //   BoundedFragment  numbers with bounds   render/trace/color_bounds.cpp
-//   RayFragment      where a ray arrives   views/layers/ray_surfaces.cpp
-// Each has
-//   Float                                  its numbers
-//   kChannels, first_channel(), wanted()   how many channels of light are computed, from which on
-//   material()                             all that the surface has everywhere
+//   RayFragment      where a ray hits      views/layers/ray_surfaces.cpp
+// Each class has these members:
+//   Float                                  the type of its numbers
+//   kChannels, first_channel()             how many colour channels are computed, and the first one
+//   wanted()                               picks these channels from all three
+//   material()                             the same for the whole surface
 //   has_vertex_color(), vertex_color()
-//   has_texture(), texel()                 what the texture has there
+//   has_texture(), texel()                 the texture's colour at the fragment
 //   is_lit(), lighting(), has_highlights()
 //   normal(), position()                   in eye space
 //   is_lit_at_vertices(), light_of_vertices()
-//   emits(), emission()                    a light of its own, where the surface is wholly bright
+//   emits(), emission()                    the emitted light, where the emission texture is 1
 //   has_emission_texture(), emission_texel()
-// and is asked for no number that the surface does not need.
+// Members whose result the surface does not need are not called.
 
-// What watchers hear of, and may change: nothing. Fragments that are watched say otherwise.
+// The base class of fragments. An observer can change the emitted light in emitted(). Here it does
+// nothing; a fragment that is watched has its own.
 struct UnwatchedFragment {
   template <class Light>
   void emitted(Light& /*own*/) const {}
 };
 
-// A colour in linear light, with alpha. Where not all channels are wanted, nobody asks for alpha.
+// A colour in linear light, with alpha. Alpha is not used where only some of the channels are
+// computed.
 template <class F, std::size_t kChannels = 3>
 struct SurfaceColorOf {
   std::array<F, kChannels> color;
@@ -52,7 +56,7 @@ inline auto surface_color(const Fragment& at) {
   return surface;
 }
 
-// Nothing but the texture has a part in what is seen.
+// Whether the colour is that of the texture, unchanged.
 template <class Fragment>
 inline bool is_texel_alone(const Fragment& at) {
   const Rgba& base = at.material().base_color;
@@ -60,13 +64,13 @@ inline bool is_texel_alone(const Fragment& at) {
          !at.is_lit() && !at.emits();
 }
 
-// Of a material with a mask: whether the surface is there. Where alpha is no number it is not.
+// For a material with an alpha mask: whether the fragment is kept. If alpha is NaN, it is not.
 template <Number F>
 inline auto reaches_cutoff(F alpha, const Material& material) {
   return alpha >= F(material.alpha_cutoff);
 }
 
-// The light at the fragment, before the surface's colours are multiplied in.
+// The light at the fragment, before it is multiplied by the surface's colours.
 template <class Fragment, class Normal>
 inline auto light_at(const Fragment& at, const Normal& normal) {
   if (at.is_lit_at_vertices()) return at.light_of_vertices();
@@ -75,7 +79,7 @@ inline auto light_at(const Fragment& at, const Normal& normal) {
                                               at.first_channel());
 }
 
-// The surface in the light.
+// The surface's colour after lighting.
 template <class Fragment, class Color>
 inline Color in_light(const Fragment& at, const Color& surface) {
   if (!at.is_lit()) return surface;

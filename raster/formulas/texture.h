@@ -56,7 +56,7 @@ inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
     case Wrap::kRepeat:
       return {select(i < 0, last, i), select(last < next, I(0), next)};
     case Wrap::kMirroredRepeat:
-      break;  // handled below, where the index is wrapped within two copies
+      break;  // handled below: the texture and its mirror image repeat together
     case Wrap::kClampToEdge:
       return {greatest(I(0), i), least(next, last)};
   }

@@ -29,8 +29,8 @@
 #endif
 #endif
 
-// The instruction sets of the lanes, for the code that chooses among them: all that are compiled at
-// once, unless the build lists them.
+// The instruction sets of the lanes, for the code that chooses among them. By default these are all
+// sets that one compilation of a source produces; a build that compiles each set alone lists them.
 #ifndef GLASSBOX_LANES
 #define GLASSBOX_LANES HWY_TARGETS
 #endif

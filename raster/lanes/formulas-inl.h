@@ -46,7 +46,7 @@ template <class Fragment>
 HWY_INLINE auto own_light(const Fragment& at);
 template <class Fragment, class Color>
 HWY_INLINE Color shining(const Fragment& at, const Color& surface);
-// This one is large enough to be called.
+// This function is not inlined: it is large, and a call costs little beside it.
 template <Number F, class Texture>
 HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
                                  const std::array<F, 2>& texcoord, F level_of_detail);

@@ -1,5 +1,6 @@
-// Colours of fragments over lanes, as raster/formulas/surface.h has them, and as bytes. Fragments
-// of a call all belong to one draw; each has a small triangle of its own, or all share a large one.
+// Colours of fragments, vectorised: the formulas of raster/formulas/surface.h, and the encoding to
+// bytes. All fragments of a call belong to one draw; each has a small triangle of its own, or all
+// share a large one.
 
 #if defined(GLASSBOX_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHADE_INL_H_
@@ -84,7 +85,8 @@ struct TexelsOfSource {
   const Source& source;
 };
 
-// Fragments, as formulas/surface.h asks for them. What nobody uses of a colour is not computed.
+// A vector of fragments, with the members that formulas/surface.h needs. Unused results are
+// optimised away.
 template <class Channels, class Attributes, class Texels>
 struct FragmentInLanes : UnwatchedFragment {
   using Float = Floats;
@@ -93,7 +95,7 @@ struct FragmentInLanes : UnwatchedFragment {
   const Channels& channels;
   const ShadeDraw& draw;
   const DrawTextures& textures;
-  const Lighting* light;  // null: nobody asks for the colour in it
+  const Lighting* light;  // null: the lit colour is not needed
   const Attributes& attributes;
   const Texels& texels;
 
@@ -130,7 +132,8 @@ struct FragmentInLanes : UnwatchedFragment {
   HWY_INLINE ColorOf<Channels> emission_texel() const { return color_of(texels.emission()); }
 };
 
-// Alpha, of surfaces whose alpha is asked for, and the colour in the light.
+// The surface's colour after lighting, with its emission added. Its alpha has no meaning where only
+// some of the channels are computed.
 template <class Channels, class Attributes, class Texels>
 HWY_INLINE SurfaceOf<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
                                        const ResolveJob& job, const Attributes& attributes,
@@ -211,7 +214,7 @@ HWY_INLINE void find_texels(const Channels& channels, const ShadeDraw& draw,
   }
 }
 
-// Bytes are those of the light.
+// Whether the stored bytes are linear light, in all three colour channels.
 inline bool stores_linear_light(const ResolveJob& job) {
   return job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
 }

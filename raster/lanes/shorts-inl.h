@@ -57,7 +57,7 @@ HWY_INLINE Ints bytes_of(const Shorts& a) {
   return std::int32_t(unsigned(a.i[0]) | unsigned(a.i[1]) << 8 | unsigned(a.i[2]) << 16 |
                       unsigned(a.i[3]) << 24);
 }
-// The lane's integer, which is in [0, 2^15), four times.
+// Four copies of each lane's integer, which is in [0, 2^15).
 HWY_INLINE Shorts four_times(Ints i) {
   const auto one = std::int16_t(i.v.raw);
   return {{one, one, one, one}};

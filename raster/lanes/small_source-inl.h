@@ -60,7 +60,7 @@ public:
   HWY_INLINE static bool is_lit_at_vertices(const ShadeDraw& draw) {
     return HWY_UNLIKELY(draw.light == LightAt::kVertices);
   }
-  // Or once for a face.
+  // The light at the pixel: computed at the vertices and interpolated, or once for a whole face.
   HWY_NOINLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw& draw,
                                                       const Lighting& lighting) const {
     const auto at = [&](const Float3& place, const Float3& n) HWY_ATTR {
@@ -131,7 +131,7 @@ private:
   HWY_INLINE Float3 face_normal() const {
     return facing(gather_triple(self().draw->face_normals, face()));
   }
-  // Its corners, as formulas/corners.h asks for them.
+  // The corners of a face, with the members that formulas/corners.h needs.
   struct FaceCorners {
     using Float = Floats;
     const ShadeDraw& draw;

@@ -25,7 +25,7 @@ struct EyePicture {
   // one is drawn. (Not for pictures of planes of the buffer: Show::kDepth, kId, kOverdraw.)
   Image<Rgba8>& color;
   Statistics& statistics;
-  Observers observers = {};  // called at every stage, by engines that have them
+  Observers observers = {};  // called at every stage by engines that support them
   // A depth code for each pixel: only fragments behind it are drawn, and none where it is
   // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
   // blending.)

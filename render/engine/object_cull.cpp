@@ -285,7 +285,7 @@ bool ObjectCull::removes_all(const Cluster& cluster) const {
 }
 
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings) {
-  if (settings.cull_stage == CullStage::kScreen) return {{}, "nobody asked for it"};
+  if (settings.cull_stage == CullStage::kScreen) return {{}, "not requested"};
   return certain_culling(draw, view, settings.cull);
 }
 
@@ -296,12 +296,15 @@ ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode
   if (!draw.prepared->all_finite || draw.prepared->bounds.empty()) {
     return {{}, "a position is not finite, or there is none"};
   }
-  if (is_oblique(view)) return {{}, "the lines of sight of an oblique parallel view have no eye"};
+  if (is_oblique(view))
+    return {{}, "an oblique parallel view has no eye that its lines of sight start from"};
   const bool usual = rows_are(view.clip_from_eye, view.perspective) && view.viewport.width() > 0 &&
                      view.viewport.height() > 0;
   const std::optional<ObjectViewer> viewer = usual ? viewer_of(draw, view) : std::nullopt;
   if (!viewer || !is_far_from_singular(draw, view)) {
-    return {{}, "its matrix is singular, or so nearly that it does not say where the viewer is"};
+    return {{},
+            "its matrix is singular, or so close to it that the eye's position in object space is "
+            "unknown"};
   }
   ObjectCull cull;
   cull.viewer = *viewer;
@@ -315,9 +318,10 @@ ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode
   cull.value_per_px2 =
       snapping_margin(view.clip_from_eye * draw.eye_from_object, *viewer, view.viewport, 1, 0, 1) /
       8;
-  return {cull,
-          "faces that are turned away by more than snapping and float can turn back go before "
-          "clipping; what is in doubt, or cut by a plane, is left to the snapped area"};
+  return {
+      cull,
+      "faces turned away by more than snapping and float can change are removed before clipping; "
+      "uncertain faces, and those that a plane cuts, are decided by the snapped area"};
 }
 
 }  // namespace glassbox

@@ -128,12 +128,13 @@ public:
                      Fate /*fate*/) {}
 };
 
-// Those who watch a run, in the order in which they are told: the first may take part in it, the
-// next ones see what it has made of it. Pixels are asked of the first alone.
+// The observers of a run, in the order in which they are called. The first one may change the
+// results; those after it see the changed results. Observer::covered is called for the first one
+// only.
 class Observers {
 public:
   Observers() = default;
-  Observers(Observer* one) { add(one); }  // null: nobody
+  Observers(Observer* one) { add(one); }  // null: no observer
   Observers(Observer* first, Observer* second) : Observers(first) { add(second); }
 
   bool empty() const { return told_.empty(); }

@@ -10,7 +10,7 @@ namespace glassbox {
 
 enum class Shading { kUnlit, kFlat, kGouraud, kPhong };
 
-// kColor: the picture. The others show one quantity instead of it: show.h says how each is
+// kColor: the picture. The others show one quantity instead of it; show.h describes how each is
 // coloured.
 enum class Show { kColor, kDepth, kNormal, kUv, kId, kOverdraw };
 

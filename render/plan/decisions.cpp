@@ -41,25 +41,25 @@ Decision whole_object(const Subject& s) {
   const BoxPlace& place = s.method.place;
   if (s.method.hidden) {
     const char* const where =
-        "wherever its box may be seen, opaque triangles of draws before it are as near as any of "
-        "its own, or nearer";
+        "wherever its box may be visible, opaque triangles drawn before it are at least as near as "
+        "its own";
     return s.method.drawn ? needed(kStage, "the other eye may see it", where)
                           : left_out(kStage, where);
   }
   if (place.outside_of == nullptr) {
-    return needed(kStage,
-                  s.draw.prepared->all_finite
-                      ? fmt::format("{} is not wholly beyond a plane of the frustum", box_of(place))
-                      : std::string("a position is not finite, so that its box says nothing"));
+    return needed(kStage, s.draw.prepared->all_finite
+                              ? fmt::format("{} is not entirely outside a plane of the frustum",
+                                            box_of(place))
+                              : std::string("a position is not finite, so its box cannot be used"));
   }
   const std::string numbers =
-      fmt::format("beyond it by {:.3g} in clip space at least", place.distance);
+      fmt::format("outside it by at least {:.3g} in clip space", place.distance);
   if (!s.method.drawn) {
-    return left_out(kStage,
-                    fmt::format("all corners of {}, transformed with their rounding, lie "
-                                "beyond the {} of the view",
-                                box_of(place), place.outside_of),
-                    numbers);
+    return left_out(
+        kStage,
+        fmt::format("all corners of {}, rounding included, are outside a plane of the view: {}",
+                    box_of(place), place.outside_of),
+        numbers);
   }
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
 }
@@ -70,9 +70,9 @@ Decision clusters(const Subject& s) {
   const std::string numbers = in_all("clusters", s.draw.prepared->clusters.clusters.size());
   if (s.method.no_clusters_because == nullptr) {
     return left_out(kStage,
-                    "those of a cluster of 64 go before their vertices where its box lies beyond a "
-                    "plane, or the cone of its normals turns away by more than snapping and float "
-                    "can turn back",
+                    "a cluster of 64 is removed before its vertices are transformed if its box is "
+                    "outside a plane, or if the cone of its normals faces away by more than "
+                    "snapping and float can change",
                     numbers);
   }
   return needed(kStage, s.method.no_clusters_because, numbers);
@@ -84,9 +84,9 @@ Decision alone(const Subject& s) {
   if (s.method.alone_because != nullptr) return needed(kStage, s.method.alone_because);
   const PreparedMesh& mesh = *s.draw.prepared;
   return left_out(kStage,
-                  "instances of its mesh that follow each other are one list of triangles once "
-                  "their vertices are on the screen",
-                  fmt::format("{} together at most",
+                  "consecutive instances of its mesh share one list of triangles once their "
+                  "vertices are on the screen",
+                  fmt::format("at most {} together",
                               mesh.joined.positions.size() / mesh.indices.positions.size()));
 }
 
@@ -96,9 +96,11 @@ Decision duplicate_vertices(const Subject& s) {
   const std::size_t positions = s.draw.mesh->positions.size();
   const std::string numbers = fmt::format("{} corners, {} positions", corners, positions);
   if (corners <= positions) {
-    return needed(kStage, "no position belongs to two corners, or not all are drawn", numbers);
+    return needed(kStage, "no position is shared by two corners, or not all positions are drawn",
+                  numbers);
   }
-  return left_out(kStage, "corners name positions by index, and each position is carried over once",
+  return left_out(kStage,
+                  "corners refer to positions by index, and each position is transformed once",
                   numbers);
 }
 
@@ -107,23 +109,20 @@ Decision plane_tests(const Subject& s) {
   const BoxPlace& place = s.method.place;
   if (!s.method.test_planes) {
     return left_out(
-        kStage,
-        fmt::format("{} lies within all planes that rendering clips by, rounding included",
-                    box_of(place)),
-        fmt::format("{:.3g} from the nearest of near, eye and far", place.distance));
+        kStage, fmt::format("{} is inside all clipping planes, rounding included", box_of(place)),
+        fmt::format("{:.3g} from the nearest of the near, eye and far planes", place.distance));
   }
   if (place.inside) return needed(kStage, kNoPlan);
-  return needed(kStage, "its box reaches one of the planes that rendering clips by",
+  return needed(kStage, "its box reaches one of the clipping planes",
                 in_all("positions", s.draw.mesh->positions.size()));
 }
 
 Decision side_clipping(const Subject& s) {
   constexpr const char* kStage = "clipping in x and y";
   if (s.method.place.in_guard_band) {
-    return left_out(kStage,
-                    fmt::format("{} lies within the guard band, 32768 px around the centre, where "
-                                "integers hold the edge functions",
-                                box_of(s.method.place)));
+    return left_out(kStage, fmt::format("{} is inside the guard band (32768 px around the centre), "
+                                        "where the edge functions fit into integers",
+                                        box_of(s.method.place)));
   }
   return needed(kStage, "its box may leave the guard band");
 }
@@ -160,7 +159,7 @@ Decision eye_normals(const Subject& s) {
   const std::size_t count =
       s.draw.mesh->normals.size() + (s.method.face_normals ? s.draw.mesh->faces.size() : 0);
   if (!s.method.normals) {
-    return left_out(kStage, s.plan.colors ? "nothing is lit" : "no colours are wanted",
+    return left_out(kStage, s.plan.colors ? "nothing is lit" : "no colours are requested",
                     in_all("normals", count));
   }
   const bool lit = s.method.light != LightAt::kNowhere;
@@ -196,13 +195,13 @@ bool is_textured(const Draw& draw) {
 Decision texture_coordinates(const Subject& s) {
   constexpr const char* kStage = "texture coordinates";
   if (s.method.staged_because != nullptr) {
-    return needed(kStage, "the staged stages interpolate all attributes");
+    return needed(kStage, "a staged draw interpolates all attributes");
   }
   if (s.method.texture) return needed(kStage, "the material has a texture");
   if (s.method.emission_texture) return needed(kStage, "the emission has a texture");
   return left_out(kStage, !is_textured(s.draw) ? "there is no texture"
                           : s.plan.colors      ? "the picture does not show the texture"
-                                               : "no colours are wanted");
+                                               : "no colours are requested");
 }
 
 Decision mip_selection(const Subject& s) {
@@ -211,10 +210,10 @@ Decision mip_selection(const Subject& s) {
   if (!is_textured(s.draw) || (!staged && !s.method.texture && !s.method.emission_texture)) {
     return left_out(kStage, "no texture is sampled");
   }
-  if (staged) return needed(kStage, "the staged stages always choose");
+  if (staged) return needed(kStage, "a staged draw always chooses one");
   if ((!s.method.texture || samples_base_only(*s.draw.sampler)) &&
       (!s.method.emission_texture || samples_base_only(*s.draw.emission_sampler))) {
-    return left_out(kStage, "the sampler looks at the base level alone, with one filter");
+    return left_out(kStage, "the sampler uses only the base level, with one filter");
   }
   return needed(kStage, "the sampler has levels or filters to choose from");
 }
@@ -222,25 +221,27 @@ Decision mip_selection(const Subject& s) {
 Decision light(const Subject& s) {
   constexpr const char* kStage = "light";
   if (s.method.light == LightAt::kNowhere) {
-    return left_out(kStage, !s.plan.colors                        ? "no colours are wanted"
+    return left_out(kStage, !s.plan.colors                        ? "no colours are requested"
                             : s.draw.material->unlit              ? "the material is not lit"
                             : s.eye.settings.show != Show::kColor ? "the picture shows no light"
                                                                   : "shading is off");
   }
   const bool blended = s.draw.material->alpha_mode == AlphaMode::kBlend;
-  return needed(kStage, s.method.light == LightAt::kVertices ? "at the vertices, as was asked"
-                        : blended ? "for every fragment in front, to be blended"
-                                  : "where a pixel shows it");
+  return needed(kStage, s.method.light == LightAt::kVertices
+                            ? "at the vertices, because of flat or Gouraud shading"
+                        : blended
+                            ? "for every fragment that passes the depth test, because it is blended"
+                            : "only for fragments that a pixel shows");
 }
 
 Decision highlights(const Subject& s) {
   constexpr const char* kStage = "highlights";
   if (s.method.light == LightAt::kNowhere) return left_out(kStage, "nothing is lit");
   if (s.method.staged_because != nullptr) {
-    return needed(kStage, "the staged stages compute them with the light");
+    return needed(kStage, "a staged draw computes them with the light");
   }
   if (!s.method.highlights) return left_out(kStage, "the material's specular colour is 0");
-  return needed(kStage, s.plan.leaves_out ? "the material shines" : kNoPlan);
+  return needed(kStage, s.plan.leaves_out ? "the material's specular colour is not 0" : kNoPlan);
 }
 
 Decision emission(const Subject& s) {
@@ -254,7 +255,7 @@ Decision emission(const Subject& s) {
 Decision blending(const Subject& s) {
   constexpr const char* kStage = "colour read-back";
   if (s.draw.material->alpha_mode == AlphaMode::kBlend) {
-    return needed(kStage, "it is blended with what lies behind");
+    return needed(kStage, "it is blended with what is behind it");
   }
   return left_out(kStage, "it is opaque where it is drawn");
 }
@@ -290,24 +291,27 @@ Decision colors(const Plan& plan, const PlannedEye& eye) {
   constexpr const char* kStage = "colours";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
   if (plan.colors && eye.settings.show == Show::kId) {
-    return needed(kStage,
-                  "lines and points, which have no number, are blended with those behind them");
+    return needed(
+        kStage,
+        "lines and points, which have no triangle number, are blended with what is behind them");
   }
   if (plan.colors && samples_drawn(eye.settings) > 1) {
     return needed(kStage,
-                  "the picture shows them; once for each pixel and triangle that is seen at one of "
-                  "its samples");
+                  "the picture shows them; computed once for each pixel and each triangle that one "
+                  "of its samples shows");
   }
   if (plan.colors) {
-    return needed(kStage,
-                  "the picture shows them; once for each pixel where something opaque is seen");
+    return needed(
+        kStage, "the picture shows them; computed once for each pixel that shows something opaque");
   }
   const bool staged = std::ranges::any_of(
       plan.order, [&](std::uint32_t i) { return plan.methods[i].staged_because != nullptr; });
-  if (staged) return needed(kStage, "nobody sees them, but the staged draws compute them");
-  return left_out(kStage, eye.settings.show == Show::kColor
-                              ? "no channel is written"
-                              : "the picture is painted from another plane when all is drawn");
+  if (staged)
+    return needed(kStage, "the picture does not show them, but the staged draws compute them");
+  return left_out(kStage,
+                  eye.settings.show == Show::kColor
+                      ? "no channel is written"
+                      : "the picture is made from another plane of the framebuffer after drawing");
 }
 
 Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
@@ -316,7 +320,7 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
   if (mask.r && mask.g && mask.b) return needed(kStage, "red, green and blue are written");
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
   if (!plan.colors) return left_out(kStage, "no channel is written");
-  return left_out(kStage, "those that the mask keeps from being written are not encoded",
+  return left_out(kStage, "channels that the mask does not let through are not encoded",
                   fmt::format("written: {}{}{}", mask.r ? "red " : "", mask.g ? "green " : "",
                               mask.b ? "blue" : ""));
 }
@@ -330,14 +334,15 @@ void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
   if (!plan.leaves_out) {
     decisions.push_back(needed(kStage, kNoPlan));
   } else if (mask.r && mask.b) {
-    decisions.push_back(needed(kStage, "red and blue, the ends of a texel, are both written"));
+    decisions.push_back(needed(
+        kStage,
+        "red and blue are both written, and only neighbouring channels can be computed alone"));
   } else if (samples_drawn(settings) > 1) {
-    decisions.push_back(needed(kStage, "samples are shaded in all three"));
+    decisions.push_back(needed(kStage, "with several samples all three channels are computed"));
   } else {
     decisions.push_back(left_out(
         kStage,
-        fmt::format("{} of opaque pixels is neither filtered nor lit: no channel has a part in "
-                    "another",
+        fmt::format("{} is not computed for opaque pixels, because no channel depends on another",
                     mask.r ? "blue" : "red")));
   }
 }
@@ -346,24 +351,26 @@ void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
 void add_samples(const RenderSettings& settings, std::vector<Decision>& decisions) {
   constexpr const char* kStage = "samples";
   if (settings.samples == 1) return;
-  const std::string numbers = fmt::format("{} to a pixel", settings.samples);
+  const std::string numbers = fmt::format("{} per pixel", settings.samples);
   if (samples_drawn(settings) == 1) {
     decisions.push_back(left_out(
-        kStage, "a picture of depths, numbers or overdraw is that of pixel centres", numbers));
+        kStage, "a picture of depths, triangle numbers or overdraw shows values at pixel centres",
+        numbers));
   } else {
     decisions.push_back(needed(
-        kStage, "each has a depth and a colour; the picture has their mean colours", numbers));
+        kStage, "each has a depth and a colour; a pixel shows the mean of its samples' colours",
+        numbers));
   }
 }
 
 Decision depth_plane(const Plan& plan) {
-  constexpr const char* kStage = "plane of depths";
+  constexpr const char* kStage = "depth plane";
   if (plan.keep_depth) {
-    return needed(kStage, plan.leaves_out ? "it was asked for" : kNoPlan);
+    return needed(kStage, plan.leaves_out ? "requested" : kNoPlan);
   }
   return left_out(kStage,
-                  "nobody asked for it: depths stay in the tile's buffer, unless staged draws "
-                  "or a second round of draws look at them");
+                  "not requested: depths stay in the tile's buffer, unless staged draws or a "
+                  "second round of draws read them");
 }
 
 Decision file_order(const Plan& plan) {
@@ -373,11 +380,11 @@ Decision file_order(const Plan& plan) {
       plan.methods, [](const DrawMethod& method) { return method.drawn || method.hidden; });
   if (compared < 2) return needed(kStage, "there are no two draws to compare");
   if (plan.moved == 0) {
-    return needed(kStage, "no draw lies wholly in front of one before it that it may overtake");
+    return needed(kStage, "no draw is entirely in front of an earlier one that it may overtake");
   }
   return left_out(kStage,
-                  "nearer draws come first where the ranges of their depth codes have none in "
-                  "common, so that no tie is decided otherwise",
+                  "nearer draws come first if their ranges of depth codes do not overlap, so no "
+                  "tie is decided differently",
                   fmt::format("{} draws have overtaken others", plan.moved));
 }
 
@@ -397,9 +404,9 @@ std::string way_of(const DrawMethod& method) {
     return std::string("staged, tile by tile: ") + method.staged_because;
   }
   if (method.large_because != nullptr) {
-    return std::string("over lanes, each triangle set up by itself: ") + method.large_because;
+    return std::string("in SIMD lanes, each triangle set up by itself: ") + method.large_because;
   }
-  return "over lanes";
+  return "in SIMD lanes";
 }
 
 }  // namespace glassbox

@@ -33,12 +33,12 @@ bool w_is_one(const Transform<Clip, Object, float>& m) {
 const char* why_no_clusters(const Draw& draw, const DrawMethod& method, bool leave_out) {
   if (!leave_out) return kNoPlan;
   if (draw.prepared->clusters.clusters.empty()) return "it has few triangles";
-  if (method.staged_because != nullptr) return "the staged stages ask each by itself";
+  if (method.staged_because != nullptr) return "a staged draw tests each triangle by itself";
   if (!draw.mesh->lines.empty() || !draw.mesh->points.empty()) {
     return "lines or points share their vertices";
   }
   if (method.place.inside && method.place.in_picture && method.keep_front && method.keep_back) {
-    return "its box lies within the picture, and both sides of its faces are drawn";
+    return "its box is inside the picture, and both sides of its faces are drawn";
   }
   if (may_overflow(anchored_box(draw), draw.clip_from_anchored)) return "a coordinate may overflow";
   return nullptr;
@@ -48,15 +48,15 @@ const char* why_alone(const Draw& draw, const DrawMethod& method, const RenderSe
                       bool leave_out) {
   if (!leave_out) return kNoPlan;
   if (draw.prepared->joined.positions.empty()) {
-    return "its mesh has one instance, or is as large as many";
+    return "its mesh has only one instance, or is too large";
   }
-  if (method.staged_because != nullptr) return "the staged stages draw one after the other";
+  if (method.staged_because != nullptr) return "staged draws are made one after the other";
   if (settings.want_id || settings.show == Show::kId) {
-    return "numbers of triangles are asked for, which are those of each draw";
+    return "triangle numbers are requested, and they belong to single draws";
   }
   if (settings.cull_stage == CullStage::kObject) return "faces are culled in its own object space";
   if (method.light == LightAt::kVertices && settings.shading == Shading::kFlat) {
-    return "light looks at the faces of its mesh";
+    return "flat shading uses the faces of its mesh";
   }
   return nullptr;
 }
@@ -120,9 +120,9 @@ DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQu
   method.face_normals = method.normals && needs_face_normals(draw, settings);
   method.eye_positions = method.eye_positions || !leave_out;
   if (draw.prepared->indices.mixed)
-    method.large_because = "some of its corners have attributes that others lack";
+    method.large_because = "some of its corners lack attributes that others have";
   if ((method.texture || method.emission_texture) && !draw.prepared->indices.has_texcoords)
-    method.large_because = "its corners do not say where in the texture they lie";
+    method.large_because = "its corners have no texture coordinates";
   method.alone_because = why_alone(draw, method, settings, leave_out);
   return method;
 }

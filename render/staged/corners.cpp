@@ -21,7 +21,7 @@ Outcode outcode_of(const PrimitiveStage& stage, const ClipVertex& vertex, std::u
                                : outcode(vertex.position, stage.planes);
 }
 
-// What the vertex stage made of a draw, as formulas/corners.h asks for it.
+// The vertex stage's results for a draw, with the members that formulas/corners.h needs.
 struct CornerTables {
   using Float = float;
   const PrimitiveStage& stage;

@@ -13,11 +13,12 @@ namespace glassbox {
 
 class CullingList {
 public:
-  // `as_lines`: of triangles the edges are drawn, which reach beyond them.
+  // `as_lines`: the edges of triangles are drawn, and lines reach beyond the triangles.
   CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws,
               const std::vector<Draw>& right_draws, bool as_lines);
 
-  // For each draw once, from what the left eye sees of it: x of the right one is computed here.
+  // Decides which triangles of a draw are drawn; called once for each draw. `left` has the draw's
+  // vertices for the left eye; for the right eye, which differs only in x, x is computed here.
   void decide(std::size_t draw, const ClipTable& left);
 
   std::span<const Triangle> triangles_of(std::size_t draw) const { return kept_[draw]; }
@@ -31,8 +32,8 @@ private:
 
   const View& centre_;
   const std::vector<Draw>&left_draws_, &right_draws_;
-  double share_x_ = 1, share_y_ = 1;         // of the picture, up to which a point counts as seen
-  std::vector<Draw> centre_draws_;           // empty with kUnion
+  double share_x_ = 1, share_y_ = 1;  // relative size of the picture with its margin for lines
+  std::vector<Draw> centre_draws_;    // empty with kUnion
   std::vector<std::vector<Triangle>> kept_;  // by draw
   NotSubmitted left_out_;
 };

@@ -1,6 +1,6 @@
-// Where the run of an eye has the vertices of its draws from, and which of their triangles it is
-// given: an eye alone, or one of a pair, of which the second takes over what the first one's run
-// has made (S0-03).
+// The vertices and triangles of the draws in the run of one eye. There is a class for an eye alone,
+// one for the first eye of a pair, and one for the second eye, which reuses the results of the
+// first eye's run (S0-03).
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace glassbox {
 
-// The vertices of one draw.
+// Transforms the vertices of one draw.
 template <class Watch>
 DrawTables transform_draw(const Draw& draw, const EyePicture& eye, const Watch& watch) {
   Statistics& counts = eye.statistics;
@@ -48,9 +48,9 @@ private:
   DrawTables tables_;
 };
 
-// What the eyes of a pair have in common.
+// The data that the eyes of a pair share.
 struct SharedByPair {
-  std::vector<DrawTables> tables;      // by draw; of clip space all but x
+  std::vector<DrawTables> tables;      // by draw; x of clip space is not shared
   std::optional<CullingList> culling;  // absent: all triangles are submitted
 
   std::span<const Triangle> triangles(const Draw& draw, std::size_t index) const {

@@ -1,5 +1,5 @@
-// The colour of a fragment: what raster/formulas/surface.h asks for, and what is stored of it. In a
-// header so that it becomes part of the loop over the pixels.
+// The colour of a fragment: the inputs of the formulas in raster/formulas/surface.h, and the bytes
+// that are stored. It is in a header so that it is inlined into the loop over the pixels.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ inline float detail_at(const MipChain& texture, const Surface& surface, const Va
                          texture.width, texture.height);
 }
 
-// As formulas/surface.h asks for it.
+// A fragment of the staged reference, with the members that formulas/surface.h needs.
 template <class Watch>
 struct StagedFragment : UnwatchedFragment {
   using Float = float;
@@ -74,7 +74,7 @@ struct StagedFragment : UnwatchedFragment {
   }
 
   const Material& material() const { return *stage.draw.material; }
-  static constexpr bool has_vertex_color() { return true; }  // white where there is none
+  static constexpr bool has_vertex_color() { return true; }  // white if the mesh has none
   SurfaceColorOf<float> vertex_color() const {
     return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
   }

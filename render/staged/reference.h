@@ -1,6 +1,7 @@
-// The reference: a triangle's way through every stage, in order. From its corners to pieces on the
-// screen, and from there to the pixels; in two steps because each is timed, and the tile engine
-// sorts between them. `watch` is one of watch.h, and is shown what each stage has made.
+// The reference: takes a triangle through every stage, in order. First from its corners to pieces
+// on the screen, and then to the pixels. There are two steps because each is timed, and because the
+// tile engine sorts between them. `watch` is one of the types of watch.h; it is called with each
+// stage's result.
 #pragma once
 
 #include <optional>
@@ -18,8 +19,8 @@
 
 namespace glassbox {
 
-// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
-// RenderSettings::wireframe its edges are appended to `lines` instead.
+// Appends what is left of a triangle of the mesh: nothing, the triangle itself, or the fan of its
+// clipped polygon. With RenderSettings::wireframe its edges are appended to `lines` instead.
 template <class Watch>
 void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
                     std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
@@ -42,7 +43,8 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   watch.tell(&Observer::fanned, std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
-  std::optional<std::array<Varyings, 3>> visible;  // the corners, of the side that is seen first
+  // The attributes of the corners, for the side of the first piece that is not culled.
+  std::optional<std::array<Varyings, 3>> visible;
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
     const std::array<ScreenVertex, 3> vertices{screen[piece[0]], screen[piece[1]],

@@ -29,7 +29,7 @@ void count_input(const Draw& draw, Statistics& statistics) {
 
 // ---- primitives ----
 
-// The stages of one draw, and what is on its way between them.
+// The stages of one draw for one eye, and the primitives between them.
 template <class Watch>
 struct DrawStages {
   PrimitiveStage primitives;
@@ -131,7 +131,8 @@ void clear(const EyePicture& eye) {
                                    !eye.draws_over());
 }
 
-// Draw by draw, stage by stage. `Eye` is one of eyes.h.
+// Draws one eye's picture: one draw after the other through all stages. `Eye` is one of the classes
+// of eyes.h.
 template <class Watch, class Eye>
 void draw_eye(const EyePicture& picture, Eye eye, const Lighting& lighting, const Watch& watch) {
   clear(picture);
@@ -147,7 +148,7 @@ void draw_eye(const EyePicture& picture, Eye eye, const Lighting& lighting, cons
   show(picture.settings.show, picture.target);
 }
 
-// Whether anybody watches is asked once.
+// Chooses the type of `watch` once for the whole picture.
 template <class Eye>
 void draw_watched(const EyePicture& picture, const Eye& eye, const Lighting& lighting) {
   if (picture.observers.empty()) {

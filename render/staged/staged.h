@@ -12,8 +12,8 @@ namespace glassbox {
 // can be timed and memory stays small.
 inline constexpr std::size_t kTriangleBatch = 1024;
 
-// The eyes of a pair are two runs, of which the second takes over what is the same for both: y, z
-// and w of clip space, and eye space (S0-03).
+// Draws pictures by the staged reference. The eyes of a pair are drawn in two runs. The second run
+// reuses what is the same for both eyes: y, z and w of clip space, and eye space (S0-03).
 class StagedEngine : public Engine {
 public:
   NotSubmitted draw(const PictureJob& job) override;
@@ -25,9 +25,9 @@ struct Rendering {
   Statistics statistics;
 };
 
-// An image of the viewport's size. The view comes from make_view (which checks the camera), with
-// DepthRange::kReversed if and only if the settings' depth format is reversed. `observers` are
-// called at every stage.
+// Renders a picture of the viewport's size. The view comes from make_view (which checks the
+// camera), with DepthRange::kReversed if and only if the settings' depth format is reversed.
+// `observers` are called at every stage.
 Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
                         const Observers& observers = {});
 

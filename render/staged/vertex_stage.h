@@ -79,7 +79,7 @@ struct EyeSpace {
 
 // The results of the vertex stage for a draw.
 struct DrawTables {
-  ClipTable clip;            // of one eye
+  ClipTable clip;            // for one eye
   EyeSpaceTables eye_space;  // for all eyes
 };
 

@@ -1,8 +1,9 @@
-// Who watches a run of the staged stages, as a type: nobody, somebody who counts, or somebody who
-// counts and tells observers. What nobody does costs nothing.
+// The types that watch a run of the staged stages: one does nothing, one counts, and one counts and
+// calls observers. Methods that do nothing cost nothing.
 //
-// A stage says what it has made in one line, tell(&Observer::divided, ...): the events are
-// Observer's. What goes into statistics it says in a line of its own.
+// A stage passes its result to the observers in one line, tell(&Observer::divided, ...), with the
+// method of Observer to call. A result that is counted in the statistics is passed to a count_...()
+// method in a line of its own.
 #pragma once
 
 #include <optional>
@@ -68,10 +69,10 @@ struct Counting : Nobody {
   }
 };
 
-// Counts, and tells observers, who may change what a stage has made: what is counted after a stage
-// was told is what goes on.
+// Counts, and calls observers, which may change what a stage has made. If the call of tell() comes
+// before the counting, the changed result is counted.
 struct Observed : Counting {
-  const Observers& observers;  // some
+  const Observers& observers;  // at least one
 
   Observed(Statistics& counts, const Observers& told) : Counting(counts), observers(told) {}
 

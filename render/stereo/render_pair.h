@@ -1,9 +1,9 @@
-// Both eyes' pictures: one display list, submitted twice (S0-03).
+// Draws both eyes' pictures from one display list, submitted twice (S0-03).
 //
-// The draw list, the textures' mip chains, y, z and w of every vertex and eye space are computed
-// once; from the clipper on, each eye goes its own way: all of the left one's before the right
-// one's in the reference, chunk by chunk in the tile engine. Each eye's picture has the same bytes
-// as render_staged with eye_view(centre, pair, side).
+// The draw list, the textures' mip chains, y, z and w of every vertex, and eye space are computed
+// once. From the clipper on, each eye is processed separately: in the reference, the whole left
+// picture before the right one; in the tile engine, chunk by chunk. Each eye's picture has the same
+// bytes as render_staged with eye_view(centre, pair, side).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct StereoSettings {
   StereoCulling culling = StereoCulling::kUnion;
 };
 
-// Called as render_staged calls its observer, the left one for all of its eye's run before the
-// right one. Null: none.
+// The observers of the two eyes, called in the same way as by render_staged. The run of the left
+// eye ends before that of the right eye begins. Null: none.
 struct StereoObservers {
   Observer* left = nullptr;
   Observer* right = nullptr;

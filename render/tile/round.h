@@ -42,8 +42,9 @@ auto* at_least(Memory& memory, std::size_t size) {
   return memory.data();
 }
 
-// Calls visit(first, count) for each longest run of entries whose groups are included, within the
-// `count` entries from `first` on. Group g has entries g * size .. g * size + size - 1.
+// Visits the entries of a table in runs of neighbours, leaving some out: calls visit(first, count)
+// for each longest run of entries whose groups are included, within the `count` entries from
+// `first` on. Group g has entries g * size .. g * size + size - 1.
 template <class IsIn, class Visit>
 void for_each_run(std::size_t first, std::size_t count, std::size_t size, const IsIn& is_in,
                   const Visit& visit) {
@@ -71,7 +72,7 @@ struct VertexTables {
 // the stages together; then their entries are stored one draw after the other.
 struct DrawSlot {
   std::uint32_t draw = 0;                  // the first draw
-  std::span<const std::uint32_t> draws;    // all of them: a part of the plan's order
+  std::span<const std::uint32_t> draws;    // this round's part of the plan's order of draws
   const CornerIndices* indices = nullptr;  // indices of all their triangles into these tables
   std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
   std::size_t positions = 0, normals = 0, eye_positions = 0;  // entries of each draw

@@ -175,8 +175,8 @@ private:
     return pass_.resolve.draws[std::size_t(&slot - pass_.round.slots.data())];
   }
 
-  // All samples of a pixel share one place where a fragment is shaded. For the pixel's centre, that
-  // place is the centre.
+  // The samples of a pixel, which give the one place where its fragment is shaded. Empty for the
+  // buffer of pixel centres: there the fragment is shaded at the centre.
   std::span<const SampleOffset> points_of(const TileBuffer& tile) const {
     if (&tile == buffers_.centres) return {};
     return sample_offsets(pass_.run.settings.samples);

@@ -1,7 +1,7 @@
 // The numbers of a run's records as arrays: one array for each number, one row for each record, for
-// programs that work with arrays (docs/trace.md lists them). What a triangle has in varying numbers
-// (the vertices that clipping left, the pieces) is in a table of its own; the triangle's row has
-// the index of its first row there, and their count.
+// programs that work with arrays (docs/trace.md lists them). The vertices that clipping left
+// of a triangle, and its pieces, vary in number, so they are in tables of their own; the triangle's
+// row has the index of its first row there, and the number of rows.
 #pragma once
 
 #include <array>

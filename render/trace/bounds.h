@@ -1,6 +1,6 @@
-// How accurate the numbers of a trace are: the running error bounds of SPEC C (bounds 1 to 5, 7 and
-// 8), each propagated to the next stage. They are computed only on request, because most traces are
-// made for the numbers alone.
+// How accurate the numbers of a trace are: running error bounds, each propagated to the next
+// stage (bounds 1 to 5, 7 and 8 of SPEC C in docs/references.md). They are computed only on
+// request, because most traces are made for the numbers alone.
 //
 // The inputs count as exact: the positions of the mesh, and the matrices world_from_object,
 // eye_from_world and clip_from_eye in double. Bounds are absolute, in the unit of their number.

@@ -61,7 +61,7 @@ void stand_for(const Varyings& run, BoundedVaryings& same) {
 
 }  // namespace
 
-// As formulas/surface.h asks for it.
+// A fragment whose numbers carry bounds, with the members that formulas/surface.h needs.
 struct PieceColors::BoundedFragment : bounded::UnwatchedFragment {
   using Float = Bounded;
   static constexpr std::size_t kChannels = 3;
@@ -84,7 +84,7 @@ struct PieceColors::BoundedFragment : bounded::UnwatchedFragment {
   }
 
   const Material& material() const { return *piece.draw_.material; }
-  static constexpr bool has_vertex_color() { return true; }  // white where there is none
+  static constexpr bool has_vertex_color() { return true; }  // white if the mesh has none
   bounded::SurfaceColorOf<Bounded> vertex_color() const {
     return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
   }

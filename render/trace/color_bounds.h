@@ -1,6 +1,6 @@
-// Running error bounds of the colours of fragments: attributes, texture samples, light (SPEC C,
-// bound 5 and beyond). They are computed by the stages' own formulas, with numbers that carry a
-// bound on their own error (base/bounded.h).
+// Running error bounds of the colours of fragments: attributes, texture samples, light (bound 5
+// of SPEC C in docs/references.md, and beyond). They are computed by the stages' own formulas, with
+// numbers that carry a bound on their own error (base/bounded.h).
 //
 // In addition to the inputs of bounds.h, these count as exact: normals, colours and texture
 // coordinates as modelled, materials, the bytes of images, and the lights in eye space as computed

@@ -19,7 +19,7 @@ namespace glassbox {
 enum TriangleMark : std::uint8_t {
   kMarkRejected = 1,     // all corners outside one plane
   kMarkClippedAway = 2,  // nothing is left after clipping
-  kMarkCut = 4,          // a polygon is left
+  kMarkCut = 4,          // clipping changed it, and a polygon remains
   kMarkZeroArea = 8,     // a piece has no area after snapping
   kMarkCulled = 16,      // a piece faces the wrong way
   kMarkSetUp = 32,       // a piece went on to be rasterised

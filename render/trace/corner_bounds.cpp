@@ -100,7 +100,7 @@ Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
                            standing_for(normal->z, bounded::rounded(newell.z / length))});
 }
 
-// What is known of a draw's vertices, as formulas/corners.h asks for it.
+// The attributes of a draw's vertices with bounds, with the members that formulas/corners.h needs.
 struct BoundedTables {
   using Float = Bounded;
   const CornerStage& stage;

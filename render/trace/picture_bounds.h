@@ -75,7 +75,7 @@ struct PictureErrors {
   std::uint64_t fragments_near_edge = 0;  // the exact triangle may not cover them
   std::uint64_t fragments_as_deep = 0;    // the depth test may have the other result
   std::uint64_t fragments_at_cutoff = 0;  // the alpha test may have the other result
-  std::uint64_t pixels_undecided = 0;     // pixels that show the result of one of the last three
+  std::uint64_t pixels_undecided = 0;     // pixels that show such a fragment, of any of the three
 
   std::uint64_t fragments_of_lines_and_points = 0;
   // Pixels whose bytes have no bound: what they show exceeds all bounds.

@@ -21,7 +21,7 @@ bool overlap(const PixelRect& a, const PixelRect& b) {
   return !intersect(a, b).empty();
 }
 
-// The draws of a run, and what of them somebody wants to know.
+// Records the draws of a run, and knows which triangles and fragments the filter selects.
 class DrawTracer : public Observer {
 public:
   DrawTracer(const Scene& scene, const TraceFilter& filter, TraceSink& sink)
@@ -70,7 +70,8 @@ protected:
   TraceSink& sink_;
   const Draw* draw_ = nullptr;
   TracedDraw traced_draw_;
-  std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
+  // Triangle numbers; for filters by position.
+  std::unordered_set<std::uint32_t> with_wanted_vertex_;
 
 private:
   const Scene& scene_;
@@ -79,7 +80,7 @@ private:
   bool complete_ = true;
 };
 
-// Its triangles.
+// Also records triangles.
 class TriangleTracer : public DrawTracer {
 public:
   TriangleTracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
@@ -208,13 +209,14 @@ private:
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
   std::vector<ClipPlane> side_planes_;  // all except near and far
   bool watching_ = false;               // whether the current triangle is recorded
-  bool was_cut_ = false;                // the current triangle was changed by clipping
-  TracedTriangle current_;              // reused, so that what is not kept costs no allocation
-  int polygon_count_ = 0;               // vertices that clipping left of the current triangle
-  bool of_polygon_ = false;             // the vertex that was divided last is one of them
+  bool was_cut_ = false;                // whether clipping changed the current triangle
+  // Its memory is used again, so that triangles that are not kept cost no allocation.
+  TracedTriangle current_;
+  int polygon_count_ = 0;    // vertices that clipping left of the current triangle
+  bool of_polygon_ = false;  // whether the vertex that was divided last is one of them
 };
 
-// And its fragments.
+// Also records fragments.
 class Tracer : public TriangleTracer {
 public:
   using TriangleTracer::TriangleTracer;

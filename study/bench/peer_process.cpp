@@ -37,7 +37,8 @@ std::string threads_setting(int threads) {
 }
 
 tl::unexpected<Error> ended() {
-  return fail("the peer", "its process has ended", "run bench without --against to leave it out");
+  return fail("the peer", "its process has ended unexpectedly",
+              "run bench without --against to leave the peer out");
 }
 
 std::vector<char*> pointers(std::vector<std::string>& words) {

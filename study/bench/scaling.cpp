@@ -136,7 +136,7 @@ Scaling measure_scaling(ScaledBy by, const ScalingOptions& options,
   for (const double x : series(by)) {
     if (options.most > 0 && x > options.most) break;
     if (grows_memory(by) && !scaling.points.empty() && !fits(scaling.points.back(), x)) {
-      scaling.stopped = fmt::format("{:.3g} {} would not fit into memory", x, name_of(by));
+      scaling.stopped = fmt::format("{:.3g} {} do not fit into memory", x, name_of(by));
       break;
     }
     if (at) at(x);

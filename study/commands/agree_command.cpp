@@ -26,14 +26,16 @@ private:
 };
 
 void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
-  CLI::App& command = *study.add_subcommand("agree", "whether two runs find the same ones faster");
+  CLI::App& command = *study.add_subcommand(
+      "agree", "compares two runs: do they find the same configurations faster?");
   command.footer(
       "Examples:\n"
       "  glassbox study run --quick --json one.json\n"
       "  glassbox study run --quick --json other.json\n"
       "  glassbox study agree one.json other.json\n\n"
-      "A run states an order where the middle three quarters of two times do not overlap.\n"
-      "Exit code 1: one run states the opposite of what the other states.");
+      "A run states an order of two configurations if the middle three quarters of their times do "
+      "not\n"
+      "overlap. The exit code is 1 if the two runs state opposite orders.");
   command.add_option("ONE", one_, "results of study run")->required();
   command.add_option("OTHER", other_, "results of another run")->required();
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -46,9 +48,10 @@ int StudyAgreeCommand::run() const {
   }
   const auto found = study::agreement(*one, *other);
   if (!found) return refuse(found.error());
-  fmt::print("{}: {} stated by both runs, {} of them the other way round; {} by one alone\n",
-             counted(found->compared, "pair"), counted(found->by_both, "order"),
-             found->contradictions.size(), found->by_one);
+  fmt::print(
+      "{} compared: both runs state {}, {} of them in opposite ways; {} stated by one run only\n",
+      counted(found->compared, "pair"), counted(found->by_both, "order"),
+      found->contradictions.size(), found->by_one);
   for (const std::string& each : found->contradictions) fmt::print("{}", wrapped("  ", each));
   return found->contradictions.empty() ? kSuccess : kFailure;
 }

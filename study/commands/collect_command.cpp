@@ -43,12 +43,13 @@ Result<std::vector<study::PartFile>> read_parts(const std::string& directory) {
     if (at->path().extension() == ".json") paths.push_back(at->path().string());
   }
   if (error) {
-    return tl::unexpected(
-        Error{directory, "", "cannot be read: " + error.message(), "name the parts' directory"});
+    return tl::unexpected(Error{directory, "", "cannot be read: " + error.message(),
+                                "name the directory of the parts"});
   }
   if (paths.empty()) {
-    return tl::unexpected(Error{directory, "", "has no .json file",
-                                "name the directory of what study run --part K/N --json wrote"});
+    return tl::unexpected(
+        Error{directory, "", "has no .json file",
+              "name the directory that has the files of study run --part K/N --json"});
   }
   std::ranges::sort(paths);
   std::vector<study::PartFile> parts;
@@ -63,21 +64,23 @@ Result<std::vector<study::PartFile>> read_parts(const std::string& directory) {
 }  // namespace
 
 void StudyCollectCommand::add_to(CLI::App& study, int& exit_code) {
-  CLI::App& command =
-      *study.add_subcommand("collect", "join the parts of a run, measured by study run --part");
+  CLI::App& command = *study.add_subcommand(
+      "collect", "joins the parts of a run that were measured with study run --part");
   command.footer(
       "Examples:\n"
       "  glassbox study run --part 1/4 --json parts/1.json\n"
       "  glassbox study collect parts -o results.json\n"
       "  glassbox study report --from results.json -o report.html\n\n"
-      "All parts must be there, of one build, and measured on machines of one kind.");
-  command.add_option("DIRECTORY", directory_, "its .json files are the parts")->required();
-  command.add_option("-o,--output", output_, "the results, as of one run")
+      "All parts must be there. They must be from one build, and measured on machines of one "
+      "kind.");
+  command.add_option("DIRECTORY", directory_, "the directory whose .json files are the parts")
+      ->required();
+  command.add_option("-o,--output", output_, "the results, as if of one run")
       ->type_name("FILE")
       ->required();
-  command.add_flag("--any-machine", any_machine_,
-                   "join what was measured on machines that differ: errors are comparable, times "
-                   "are not");
+  command.add_flag(
+      "--any-machine", any_machine_,
+      "also join parts from different machines: their errors are comparable, their times are not");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -48,7 +48,7 @@ std::string experiments_text() {
     text += fmt::format("{:<6}{}\n", each.id, each.name);
     text += wrapped("      ", each.question);
   }
-  return text + "\nglassbox study run ID measures one of them, glassbox study run all.\n";
+  return text + "\nglassbox study run ID measures one of them, glassbox study run measures all.\n";
 }
 
 void add_commands(CLI::App& app, int& exit_code) {
@@ -66,7 +66,8 @@ void add_commands(CLI::App& app, int& exit_code) {
       "  glassbox study stiffness room\n\n"
       "docs/study.md explains how errors and times are measured.");
   command.require_subcommand(1);
-  static ListCommand list{"the experiments and what they ask", experiments_text, experiments_json};
+  static ListCommand list{"lists the experiments and their questions", experiments_text,
+                          experiments_json};
   list.add_to(command, exit_code);
   add_run_command(command, exit_code);
   add_collect_command(command, exit_code);

@@ -1,4 +1,4 @@
-// The commands of study/, as a program has them.
+// The commands of study/ for run_program.
 #pragma once
 
 #include "cli/options/cli_fwd.h"
@@ -7,8 +7,8 @@
 namespace glassbox::study {
 
 inline constexpr CommandName kCommands[] = {
-    {"bench", "how fast it draws, against whom, and how its time grows"},
-    {"study", "what accuracy costs: measured errors and times beside the theory"},
+    {"bench", "how fast scenes are drawn, compared with other renderers, and how time grows"},
+    {"study", "what accuracy costs: measured errors and times, compared with the theory"},
 };
 
 void add_commands(CLI::App& app, int& exit_code);

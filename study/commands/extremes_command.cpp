@@ -65,17 +65,17 @@ tl::unexpected<Error> no_such_case(const std::string& id) {
   for (const study::LeftOut& each : study::left_out_cases()) {
     const auto [first, last] = numbers_of(each.id);
     if (number < 0 || number < first || number > last) continue;
-    return fail(id, "is left out (" + each.name + "): " + each.reason, "choose another");
+    return fail(id, "is left out (" + each.name + "): " + each.reason, "choose another case");
   }
-  return fail(printable(id, 40), "is none of the cases",
-              "glassbox study extremes lists them all, such as C-43");
+  return fail(printable(id, 40), "is not one of the cases",
+              "glassbox study extremes lists all cases, such as C-43");
 }
 
 }  // namespace
 
 void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
-      "extremes", "the cases that break pipelines: naive code, ours, and mutants of it");
+      "extremes", "inputs that break pipelines, with our code, naive code and mutants");
   command.footer(
       "Examples:\n"
       "  glassbox study extremes\n"
@@ -85,25 +85,28 @@ void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
       "Sweeps: " +
       sweep_names() +
       ".\n"
-      "The exit code is 1 where one of ours fails, naive code passes or a mutant survives.\n"
+      "The exit code is 1 if our code fails, naive code passes or a mutant survives in one of the "
+      "cases.\n"
       "docs/extremes.md explains the table.");
-  command.add_option("CASE", cases_, "such as C-43 [all]");
-  command.add_option("--case", one_case_, "one of them in full")->type_name("ID");
-  command.add_option("--sweep", sweep_, "error and bound against a parameter")
+  command.add_option("CASE", cases_, "the codes of cases, such as C-43 [all]");
+  command.add_option("--case", one_case_, "show one case in full")->type_name("ID");
+  command.add_option("--sweep", sweep_, "show error and bound against a parameter")
       ->type_name("NAME|all");
-  command.add_option("-o", picture_directory_, "write the pictures of the chosen cases there")
+  command
+      .add_option("-o", picture_directory_,
+                  "write the pictures of the chosen cases into this directory")
       ->type_name("DIRECTORY");
-  add_html_output(
-      command, html_output_,
-      "the same as a page, with curves and pictures; with all sweeps if nothing is chosen");
+  add_html_output(command, html_output_,
+                  "the same as a page, with curves and pictures; with all sweeps if no case and no "
+                  "sweep is chosen");
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
 Result<void> StudyExtremesCommand::check_options() const {
   if (one_case_ && !cases_.empty()) {
-    return fail("--case", "shows one case, and others are named as well",
-                "leave one of the two out");
+    return fail("--case", "shows one case, but CASE names cases as well",
+                "give only one of the two");
   }
   return check_report_outputs(html_output_, json_output_);
 }
@@ -131,7 +134,7 @@ Result<std::vector<const Sweep*>> StudyExtremesCommand::chosen_sweeps() const {
     if (!sweep_ || *sweep_ == "all" || *sweep_ == each.name) chosen.push_back(&each);
   }
   if (chosen.empty()) {
-    return fail("--sweep", fmt::format("'{}' is none of them", printable(*sweep_, 40)),
+    return fail("--sweep", fmt::format("there is no sweep '{}'", printable(*sweep_, 40)),
                 "choose " + sweep_names());
   }
   return chosen;

@@ -271,7 +271,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRemedy = "apt install gnuplot-nox, or leave --svg out";
+constexpr const char* kRemedy = "install it (apt install gnuplot-nox), or leave --svg out";
 
 constexpr ProcessLimits kChartLimits{.seconds = 300};  // a chart takes a second
 
@@ -301,14 +301,14 @@ Result<void> draw(const fs::path& scratch,
   std::ofstream(script, std::ios::binary) << commands(result, drawn.string());
   const ProcessOutcome outcome = run_gnuplot(script.string());
   if (outcome.timed_out) {
-    return tl::unexpected(
-        Error{target, "", fmt::format("gnuplot was not done after {:g} s", kChartLimits.seconds),
-              "give it a machine that is less busy, or leave --svg out"});
+    return tl::unexpected(Error{
+        target, "", fmt::format("gnuplot was not finished after {:g} s", kChartLimits.seconds),
+        "try again when the machine is less busy, or leave --svg out"});
   }
   const std::string svg = text_of(drawn);
   if (!outcome.started || outcome.status != 0 || svg.empty()) {
     return tl::unexpected(
-        Error{target, "", "gnuplot could not draw it (what it says stands above)", kRemedy});
+        Error{target, "", "gnuplot could not draw this chart (its message is above)", kRemedy});
   }
   return write_text(target, svg);
 }

@@ -27,7 +27,7 @@ Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& id
   for (const std::string& id : ids) {
     if (study::find_experiment(all, id) == nullptr) {
       return fail("", "there is no experiment " + printable(id, 100),
-                  "glassbox study list shows them");
+                  "glassbox study list shows the experiments");
     }
   }
   std::vector<const Experiment*> chosen;
@@ -45,9 +45,9 @@ void parse_part(const std::string& text, MeasuringOptions& options) {
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) == 2 &&
                     std::size_t(end) == text.size();
   if (!read || part < 1 || part > parts || parts > study::kMostParts) {
-    throw CLI::ValidationError("--part",
-                               fmt::format("needs K/N, part K of N, 1 <= K <= N <= {}, not {}",
-                                           study::kMostParts, in_quotes(text)));
+    throw CLI::ValidationError(
+        "--part", fmt::format("needs K/N for part K of N parts, with 1 <= K <= N <= {}, not {}",
+                              study::kMostParts, in_quotes(text)));
   }
   options.part = part;
   options.parts = parts;
@@ -56,21 +56,24 @@ void parse_part(const std::string& text, MeasuringOptions& options) {
 }  // namespace
 
 void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
-  command.add_option("ID", options.ids, "of experiments, such as D-4 [all]");
+  command.add_option("ID", options.ids, "the codes of experiments, such as D-4 [all]");
   command.add_flag("--quick", options.quick,
-                   "fewer and smaller measurements, of everything in two minutes");
-  command.add_option("--threads", options.threads, "the most, for experiments that use them [all]")
+                   "make fewer and smaller measurements; all experiments take two minutes");
+  command
+      .add_option("--threads", options.threads,
+                  "the largest number of threads, for experiments that use several [all]")
       ->check(CLI::Range(1, kMostThreads))
       ->type_name("N");
   command
-      .add_option(
-          "--resume", options.file,
-          "keep results in this file after each experiment, and do not measure again what it has")
+      .add_option("--resume", options.file,
+                  "store the results in this file after each experiment; what it already contains "
+                  "is not measured again")
       ->type_name("FILE");
   command
       .add_option_function<std::string>(
           "--part", [&options](const std::string& text) { parse_part(text, options); },
-          "measure every N-th of them, from the K-th on: for study collect")
+          "measure only every N-th experiment, beginning with the K-th; study collect joins the "
+          "parts")
       ->type_name("K/N");
 }
 
@@ -105,7 +108,7 @@ Result<study::StudyResults> chosen_of(const study::StudyResults& results,
     const study::ExperimentResult* found = study::find_result(results, experiment->id);
     if (found == nullptr) {
       return fail("", "the results do not have " + experiment->id,
-                  "measure it with the same --resume");
+                  "run study run with the same --resume first");
     }
     some.experiments.push_back(*found);
   }

@@ -38,25 +38,26 @@ private:
 
 void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
-      "recommend", "the cheapest way to draw a scene that is accurate enough");
+      "recommend", "finds the fastest way to draw a scene that is accurate enough");
   command.footer(
       "Examples:\n"
       "  glassbox study recommend forest --error-budget 'position<0.05px, depth<1e-4, "
       "colour<1/100'\n"
       "  glassbox study recommend model.glb --error-budget 'depth<1e-5' --json -\n\n"
       "Everything is measured on this scene, seen by this camera; docs/study.md says how.\n"
-      "Exit code 1: a budget cannot be met.\n\n" +
+      "The exit code is 1 if a budget cannot be met.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
-      .add_option("--error-budget", budgets_, "limits of position [px], depth and colour [shares]")
+      .add_option("--error-budget", budgets_,
+                  "limits of the errors: of position in px, of depth and colour as shares")
       ->type_name("LIMITS")
       ->required();
   const CLI::Option* size =
       command
           .add_option_function<std::string>(
               "--size", [this](const std::string& text) { picture_.size = parse_size(text); },
-              "of the picture [1280x720]")
+              "size of the picture [1280x720]")
           ->type_name("WxH");
   const auto before = command.get_options().size();
   add_camera_options(command, picture_.camera);

@@ -57,7 +57,7 @@ public:
 
   // Measures all recommended options together, in one picture.
   Together together() {
-    progress_.phase("measuring what is recommended together");
+    progress_.phase("measuring all recommended options together");
     Together found;
     found.options = joint_.options;
     found.ns = study::frame_times(drawers_, {joint_}, study::kLeastRepetitions).front().ns;
@@ -105,9 +105,10 @@ private:
       if (!view) return tl::unexpected(view.error());
       const auto vertices = SceneVertices::of(scene_, *view);
       if (!vertices) return tl::unexpected(vertices.error());
-      all.comparison.error =
-          fmt::format("largest error of the stored distance, as a share of {}, of {} vertices",
-                      view->perspective ? "it" : "the depth of the view", vertices->count());
+      all.comparison.error = fmt::format(
+          "largest error of the distance that is stored as depth, as a share of {}, over {} "
+          "vertices",
+          view->perspective ? "the distance" : "the depth of the view", vertices->count());
       all.comparison.candidates.push_back(
           {name, way.options, true, vertices->depth_error(format), {}});
       all.ways.push_back(std::move(way));
@@ -123,10 +124,11 @@ private:
     reference_ = std::move(*reference);
     Compared all;
     all.comparison.quantity = Quantity::kColour;
-    all.comparison.error = "root mean square difference of red, green and blue, 1 for 255 steps";
-    all.comparison.reference =
-        fmt::format("the picture {0} x {0} times as large with 16 samples, averaged in light",
-                    reference_->factor);
+    all.comparison.error =
+        "root mean square difference of red, green and blue, where 1 is 255 steps";
+    all.comparison.reference = fmt::format(
+        "the picture {0} x {0} times as large with 16 samples, averaged in linear light",
+        reference_->factor);
     for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
       for (const auto& filter : filters()) add_samples(shading, filter, limit, all);
     }
@@ -170,7 +172,7 @@ private:
   }
 
   // Times the candidates whose error is within the limit. The others cannot be recommended,
-  // whatever they cost.
+  // so their times are not needed.
   void add_times(Compared& compared, double limit) {
     Comparison& comparison = compared.comparison;
     comparison.item = "frame";
@@ -182,8 +184,9 @@ private:
       which.push_back(i);
     }
     if (timed.empty()) return;
-    progress_.phase(fmt::format("measuring {}: timing what fits, {} of {} candidates",
-                                name_of(comparison.quantity), timed.size(), compared.ways.size()));
+    progress_.phase(
+        fmt::format("measuring {}: timing the {} of {} candidates that are accurate enough",
+                    name_of(comparison.quantity), timed.size(), compared.ways.size()));
     const auto times = study::frame_times(drawers_, timed, study::kLeastRepetitions);
     for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i].ns;
   }

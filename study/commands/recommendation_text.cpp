@@ -42,41 +42,45 @@ std::string verdict(const Judged& judged) {
   const auto& candidates = judged.comparison.candidates;
   if (!judged.chosen) {
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
-    return fmt::format("No candidate fits: the most accurate, {}, has an error of {:.3g}.",
-                       best->name, best->error);
+    return fmt::format(
+        "No candidate is accurate enough: the most accurate one, {}, has an error of {:.3g}.",
+        best->name, best->error);
   }
   const Candidate& chosen = candidates[*judged.chosen];
-  if (!chosen.in_render) return chosen.name + " fits, which glassbox render does not have.";
-  if (chosen.options.empty()) return chosen.name + " fits, which is what glassbox render does.";
-  return chosen.name + " fits.";
+  if (!chosen.in_render)
+    return chosen.name + " is accurate enough, but glassbox render has no option for it.";
+  if (chosen.options.empty())
+    return chosen.name + " is accurate enough; glassbox render does this without options.";
+  return chosen.name + " is accurate enough.";
 }
 
 std::string together_text(const Together& together) {
   const TimeUnit unit = glassbox::time_unit(together.ns.median);
   const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
-  std::string text =
-      fmt::format("measured so: {} {} a frame with one thread ({} .. {})", time(together.ns.median),
-                  unit.name, time(together.ns.lower), time(together.ns.upper));
-  if (together.color_error) text += fmt::format(", colour off by {:.3g}", *together.color_error);
+  std::string text = fmt::format(
+      "measured with these options: {} {} a frame with one thread ({} .. {})",
+      time(together.ns.median), unit.name, time(together.ns.lower), time(together.ns.upper));
+  if (together.color_error) text += fmt::format(", error of colour {:.3g}", *together.color_error);
   return text;
 }
 
 }  // namespace
 
 std::string recommendation_text(const Recommendation& recommendation) {
-  std::string text =
-      wrapped("", fmt::format("{}, {} x {}; {}; {}; times with one thread", recommendation.scene,
-                              recommendation.size.width, recommendation.size.height,
-                              recommendation.machine, recommendation.compiler));
+  std::string text = wrapped(
+      "", fmt::format("{}, {} x {}; {}; {}; times are those of one thread", recommendation.scene,
+                      recommendation.size.width, recommendation.size.height, recommendation.machine,
+                      recommendation.compiler));
   for (const Judged& each : recommendation.judged) {
     const std::string limit =
         fmt::format("{} below {:.4g}{}", name_of(each.budget.quantity), each.budget.limit,
                     unit_of(each.budget.quantity).empty() ? "" : " px");
-    text += "\n" + wrapped("", fmt::format("{}: {}, against {}", limit, each.comparison.error,
+    text += "\n" + wrapped("", fmt::format("{}: {}, compared with {}", limit, each.comparison.error,
                                            each.comparison.reference));
     text += table_of(each) + wrapped("  ", verdict(each));
   }
-  text += recommendation.meets_all() ? "\n" : "\nNot every budget can be met; the nearest to it:\n";
+  text +=
+      recommendation.meets_all() ? "\n" : "\nNot every budget can be met. This comes nearest:\n";
   return text + "  " + recommendation.command + "\n" +
          wrapped("  ", together_text(recommendation.together));
 }

@@ -36,8 +36,8 @@ Result<void> check_gnuplot();  // an error where it is not there
 // for its further measures. Returns the number of files.
 Result<int> write_svg_charts(const study::StudyResults& results, const std::string& directory);
 
-// A page that needs no other file and no network: charts, tables and findings; beside each experiment the command that
-// measures it, at the end the page's own.
+// A page that needs no other file and no network: charts, tables and findings. It shows the command
+// that measures each experiment, and at its end the command that made the page.
 std::string study_page(const study::StudyResults& results, const std::string& command);
 
 // "0.1.0, build 3f2a9c01": the version, and a checksum of the program file, which differs between

@@ -35,15 +35,15 @@ private:
 
 void StudyReportCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command =
-      *study.add_subcommand("report", "charts and tables of experiments as one HTML page");
+      *study.add_subcommand("report", "makes charts and tables of experiments as one HTML page");
   command.footer(
       "Examples:\n"
       "  glassbox study report --quick -o report.html\n"
       "  glassbox study run --resume results.json\n"
       "  glassbox study report --from results.json -o report.html --svg charts\n\n"
-      "The page needs no other file and no network.");
+      "The page works without other files and without a network.");
   add_measuring_options(command, measuring_);
-  command.add_option("--from", from_, "show these results of study run, and measure nothing")
+  command.add_option("--from", from_, "show these results of study run instead of measuring")
       ->type_name("FILE");
   command.add_option("-o,--output", page_, "the page")->type_name("FILE");
   command
@@ -55,14 +55,14 @@ void StudyReportCommand::add_to(CLI::App& study, int& exit_code) {
 
 Result<void> StudyReportCommand::check_options() const {
   if (!page_ && !svg_directory_) {
-    return fail("", "there is nothing to write", "give -o report.html, --svg DIRECTORY, or both");
+    return fail("", "no output is named", "give -o report.html, --svg DIRECTORY, or both");
   }
   if (from_ && (measuring_.quick || measuring_.threads || measuring_.file)) {
-    return fail("--from", "shows what has been measured already",
+    return fail("--from", "shows results that are measured already",
                 "leave --quick, --threads and --resume out");
   }
   if (svg_directory_ && !std::filesystem::is_directory(*svg_directory_)) {
-    return fail("--svg", *svg_directory_ + " is no directory", "make it first");
+    return fail("--svg", *svg_directory_ + " is not a directory", "make this directory first");
   }
   return check_report_outputs(page_, measuring_.file);
 }

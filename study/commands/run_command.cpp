@@ -34,15 +34,17 @@ private:
 };
 
 void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
-  CLI::App& command = *study.add_subcommand("run", "measure experiments, or all of them");
+  CLI::App& command =
+      *study.add_subcommand("run", "measures the named experiments, or all of them");
   command.footer(
       "Examples:\n"
       "  glassbox study run D-4 --quick\n"
       "  glassbox study run --resume results.json --csv results.csv\n"
       "  glassbox study run D-1 D-2 --json -\n"
       "  glassbox study run --part 2/8 --json parts/2.json\n\n"
-      "Errors are the same in every run; times are medians and quartiles of repetitions in turn.\n"
-      "Exit code 1: an error is not within a factor of two of the theory, and nobody knows why.");
+      "Errors are the same in every run. Times are medians and quartiles of repetitions.\n"
+      "The exit code is 1 if an error is not within a factor of two of the theory, without an "
+      "explanation.");
   add_measuring_options(command, measuring_);
   add_json_output(command, json_output_, "the results");
   command.add_option("--csv", csv_output_, "the results as comma-separated values")
@@ -52,7 +54,7 @@ void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
 
 Result<void> StudyRunCommand::check_options() const {
   if (json_output_ == "-" && csv_output_ == "-") {
-    return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
+    return fail("--csv", "standard output already gets the JSON", "name a file for one of the two");
   }
   return Outputs().data(json_output_).data(csv_output_).data(measuring_.file).check();
 }

@@ -171,22 +171,24 @@ Result<Levels> levels_of(const std::string& word) {
 
 void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command =
-      *study.add_subcommand("scene", "error against time for every way to draw a scene");
+      *study.add_subcommand("scene", "measures error against time for every way to draw a scene");
   command.footer(
       "Examples:\n"
       "  glassbox study scene room\n"
       "  glassbox study scene model.glb --eye 0,1,4 --size 1920x1080 --html curve.html\n"
       "  glassbox study scene teapot --quick --csv -\n"
       "  glassbox study scene checker --filter nearest --json curve.json\n\n"
-      "Turned are --shade, --filter, --samples and --depth where you do not give them, the level "
-      "of\n"
-      "a built-in scene, and what the engine has; docs/study.md says how they are measured.\n"
-      "Exit code 1: an option of the engine changed a byte.\n\n" +
+      "The command varies --shade, --filter, --samples and --depth if you do not give them, the "
+      "level of\n"
+      "detail of a built-in scene, and the options of the engine; docs/study.md says how it "
+      "measures.\n"
+      "The exit code is 1 if an option of the engine changed a byte of the picture.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_picture_options(command, picture_);
-  command.add_flag("--quick", quick_, "each knob alone; shading, filter and samples not combined");
-  command.add_option("--threads", threads_, "the most that are tried [all]")
+  command.add_flag("--quick", quick_,
+                   "vary each option alone, and do not combine shading, filter and samples");
+  command.add_option("--threads", threads_, "the largest number of threads that is tried [all]")
       ->check(CLI::Range(1, kMostThreads));
   add_json_output(command, json_output_, "the measurements");
   command.add_option("--csv", csv_output_, "the measurements as comma-separated values")
@@ -197,10 +199,10 @@ void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
 
 Result<void> StudySceneCommand::check_options() const {
   if (picture_.settings.show != Show::kColor) {
-    return fail("--show", "errors are those of colours", "leave it out");
+    return fail("--show", "study scene measures errors of colours", "leave --show out");
   }
   if (json_output_ == "-" && csv_output_ == "-") {
-    return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
+    return fail("--csv", "standard output already gets the JSON", "name a file for one of the two");
   }
   return Outputs().data(json_output_).data(csv_output_).file(page_, ".html").check();
 }
@@ -217,12 +219,12 @@ std::string StudySceneCommand::command() const {
 SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& progress) const {
   SecondEyes eyes;
   if (picture_.eyes.seen_by) {
-    eyes.left_out = "--seen-by asks for one";
+    eyes.left_out = "--seen-by asks for one eye only";
     return eyes;
   }
   const auto chosen = choose_eyes(scene, picture_);
   if (!chosen || chosen->eyes.pair.half_separation == 0) {
-    eyes.left_out = chosen ? "the eyes stand in one place" : chosen.error().message();
+    eyes.left_out = chosen ? "both eyes are at the same place" : chosen.error().message();
     return eyes;
   }
   eyes.pair = chosen->eyes.pair;

@@ -43,13 +43,14 @@ private:
 
 void StudyStiffnessCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
-      "stiffness", "the condition numbers of a scene in one view, and the bounds that follow");
+      "stiffness",
+      "shows the condition numbers of a scene in one view, and the error bounds that follow");
   command.footer(
       "Examples:\n"
       "  glassbox study stiffness room\n"
       "  glassbox study stiffness model.glb --near 0.001 --far 1e5 --html stiff.html\n"
       "  glassbox study stiffness forest --size 640x360 --json -\n\n"
-      "The options of the picture are those of glassbox render. docs/exactness.md has the "
+      "The options of the picture are those of glassbox render. docs/exactness.md explains the "
       "formulas.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
@@ -82,7 +83,7 @@ int StudyStiffnessCommand::run() const {
   if (!scene) return refuse(scene.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
-  progress.phase("looking at " + scene_title(scene_));
+  progress.phase("examining " + scene_title(scene_));
   const StiffnessReport report{
       scene_, words_given(picture_), picture_.size.width, picture_.size.height,
       study::stiffness_of(*scene, chosen->view, picture_.settings, up_of(*scene, picture_.camera))};

@@ -82,11 +82,11 @@ std::string table_of(const ExperimentResult& result) {
 std::string explanation_of(const study::ConfigurationResult& result) {
   std::string known;
   if (const auto& e = result.explanation) {
-    known = fmt::format("{} (ratios from {:g} to {:g})", e->why, e->least, e->greatest);
+    known = fmt::format("{} (for ratios from {:g} to {:g})", e->why, e->least, e->greatest);
   }
   if (!study::is_unexplained(result)) return known;
-  return "NOT explained: error and theory differ" +
-         (known.empty() ? "" : ", and by another ratio than this accounts for: " + known);
+  return "NOT explained: the error differs from the theory" +
+         (known.empty() ? "" : ", by another ratio than the known reason explains: " + known);
 }
 
 // Each explanation once, with the number of configurations that it explains.

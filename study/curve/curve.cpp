@@ -59,11 +59,11 @@ private:
     const double bytes = double(most) * pixels * sizeof(Rgba8);
     if (bytes <= request_.most_bytes) return {};
     return fail(fmt::format("{} pictures", most),
-                fmt::format("they may take {:.0f} MB, and {:.0f} MB are at hand", 1e-6 * bytes,
-                            1e-6 * request_.most_bytes),
+                fmt::format("they may take {:.0f} MB, but only {:.0f} MB are available",
+                            1e-6 * bytes, 1e-6 * request_.most_bytes),
                 request_.combine
-                    ? "ask for no page, for fewer pixels (--size), or fewer ways (--quick)"
-                    : "ask for no page, or for fewer pixels (--size)");
+                    ? "leave --html out, or ask for fewer pixels (--size) or fewer ways (--quick)"
+                    : "leave --html out, or ask for fewer pixels (--size)");
   }
 
   // The reference is drawn at the finest level of the scene; it is shaded per pixel unless the
@@ -81,7 +81,7 @@ private:
     if (!drawn) return tl::unexpected(drawn.error());
     curve_.reference = std::move(drawn->image);
     curve_.reference_is = fmt::format(
-        "{0} x {0} times as large with 16 samples a pixel, averaged in light; {1}, {2}{3}",
+        "{0} x {0} times as large with 16 samples a pixel, averaged in linear light; {1}, {2}{3}",
         drawn->factor, name_of(settings.shading), name_of(drawn->depth),
         finest.level ? fmt::format(", level {}", *finest.level) : "");
     return {};
@@ -139,7 +139,7 @@ private:
           curve_.points, [&](const CurvePoint& point) { return point.way.knob == knob; });
       if (tried && !shown.contains(knob)) {
         curve_.left_out.push_back(
-            {knob, "it changes no byte of this picture, and is not combined"});
+            {knob, "it changes no byte of this picture, so it is not combined with others"});
       }
     }
     return turns;
@@ -153,7 +153,7 @@ private:
   }
 
   Result<void> measure_geometry() {
-    tell("following vertices with 50 digits");
+    tell("computing vertices with 50 digits");
     std::map<std::pair<int, DepthFormat>, double> errors;  // keys: level and format
     for (CurvePoint& point : curve_.points) {
       const DepthFormat format = point.way.settings.depth;
@@ -174,7 +174,7 @@ private:
   }
 
   void add_times() {
-    tell(fmt::format("timing {} ways in turn", curve_.points.size()));
+    tell(fmt::format("timing {} ways", curve_.points.size()));
     std::vector<Way> ways;
     for (const CurvePoint& point : curve_.points) ways.push_back(point.way);
     const std::vector<Timed> times = frame_times(drawers_, ways, request_.repetitions);

@@ -45,7 +45,7 @@ private:
 
   bool is_held(Knob knob) {
     if (!asked_.held.contains(knob)) return false;
-    found_.left_out.push_back({knob, "it was asked for"});
+    found_.left_out.push_back({knob, "you gave its value"});
     return true;
   }
 
@@ -101,7 +101,7 @@ private:
 
   void turn_level() {
     if (asked_.levels.empty()) {
-      found_.left_out.push_back({Knob::kLevel, "the scene has one level of detail"});
+      found_.left_out.push_back({Knob::kLevel, "the scene has only one level of detail"});
       return;
     }
     for (const int level : asked_.levels) {

@@ -45,7 +45,7 @@ void compare(const ExperimentResult& one, const ExperimentResult& other, int thr
       if (here * there >= 0) continue;
       const std::string first = name_of(configurations[i]), second = name_of(configurations[j]);
       found.contradictions.push_back(
-          fmt::format("{}, {}: {} is {} than {} in the one, and {} in the other", one.id,
+          fmt::format("{}, {}: {} is {} than {} in one run, and {} in the other", one.id,
                       counted(threads, "thread"), first, here < 0 ? "faster" : "slower", second,
                       here < 0 ? "slower" : "faster"));
     }
@@ -61,13 +61,14 @@ Result<Agreement> agreement(const StudyResults& one, const StudyResults& other) 
     const auto match = std::ranges::find(other.experiments, experiment.id, &ExperimentResult::id);
     if (match == other.experiments.end()) continue;
     if (!std::ranges::equal(experiment.configurations, match->configurations, are_the_same)) {
-      return fail(experiment.id, "the two runs have other configurations of it",
-                  "compare runs of one version and effort");
+      return fail(experiment.id, "the two runs have different configurations of this experiment",
+                  "compare runs of the same version and effort");
     }
     any = true;
     for (const int threads : thread_counts(experiment)) compare(experiment, *match, threads, found);
   }
-  if (!any) return fail("", "the two runs have no experiment in common", "run the same ones twice");
+  if (!any)
+    return fail("", "the two runs have no experiment in common", "run the same experiments twice");
   return found;
 }
 

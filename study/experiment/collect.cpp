@@ -46,7 +46,9 @@ std::vector<ExperimentResult> in_order(const std::vector<const PartFile*>& parts
 }  // namespace
 
 Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machine) {
-  if (parts.empty()) return fail("", "there are no parts", "measure them: study run --part 1/4");
+  if (parts.empty())
+    return fail("", "there are no parts",
+                "measure the parts with study run --part, such as --part 1/4");
   const Origin& first = parts.front().results.origin;
   std::vector<const PartFile*> by_number(std::size_t(first.parts), nullptr);
   StudyResults joined{first, {}};
@@ -56,18 +58,19 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
     if (const std::string differs =
             first_difference(shared(first, any_machine), shared(origin, any_machine));
         !differs.empty()) {
-      return refused(part, "is of another run than " + parts.front().path + ": " + differs,
-                     "join parts of one run; --any-machine joins those of machines that differ");
+      return refused(part, "belongs to another run than " + parts.front().path + ": " + differs,
+                     "join parts of one run; --any-machine also joins parts of different machines");
     }
     const PartFile*& place = by_number[std::size_t(origin.part) - 1];
     if (place != nullptr) {
-      return refused(part, fmt::format("is part {}, and so is {}", origin.part, place->path),
-                     "leave one of them out");
+      return refused(part,
+                     fmt::format("is part {}, and {} is the same part", origin.part, place->path),
+                     "remove one of them");
     }
     place = &part;
     for (const ExperimentResult& each : part.results.experiments) {
       if (measured.insert(each.id).second) continue;
-      return refused(part, "has " + each.id + ", which another part has as well",
+      return refused(part, "has " + each.id + ", which another part contains too",
                      "measure all parts with the same experiments");
     }
     machines.insert(origin.machine);
@@ -75,9 +78,9 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
   }
   const auto missing = std::ranges::find(by_number, nullptr);
   if (missing != by_number.end()) {
-    return fail("",
-                fmt::format("part {}/{} is missing", missing - by_number.begin() + 1, first.parts),
-                "measure it: study run --part with the other words as for the others");
+    return fail(
+        "", fmt::format("part {}/{} is missing", missing - by_number.begin() + 1, first.parts),
+        "measure it with study run --part and the same other options as for the other parts");
   }
   joined.origin.part = joined.origin.parts = 1;
   joined.origin.machine = fmt::format("{}", fmt::join(machines, "; "));

@@ -25,7 +25,7 @@ tl::unexpected<Error> in_file(const std::string& path, Error error) {
 // Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
 std::string difference(const char* what, const std::string& there, const std::string& here) {
   if (there == here) return {};
-  return fmt::format("the {} is '{}' there and '{}' here", what, there, here);
+  return fmt::format("the {} is '{}' in the file and '{}' now", what, there, here);
 }
 
 }  // namespace
@@ -71,8 +71,8 @@ Result<StudyResults> resume(const std::string& path, const Origin& origin) {
   if (const std::string differs = first_difference(results->origin, origin); !differs.empty()) {
     return in_file(path, {{},
                           "",
-                          "was measured otherwise: " + differs,
-                          "run it as it was begun, or name another file"});
+                          "was measured differently: " + differs,
+                          "use the options of the first run, or name another file"});
   }
   return results;
 }

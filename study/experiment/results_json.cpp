@@ -77,7 +77,8 @@ struct Unread {
 
 const Json& field(const Json& json, const char* name) {
   if (const auto found = json.find(name); found != json.end()) return *found;
-  throw Unread{std::string("has no '") + name + "', and so is an older version's, or damaged"};
+  throw Unread{std::string("has no '") + name +
+               "', so it was written by an older version, or is damaged"};
 }
 
 Measure measure_of(const Json& json) {
@@ -92,7 +93,7 @@ double number_of(const Json& json) {
   if (name == "infinity") return kInfinity;
   if (name == "-infinity") return -kInfinity;
   if (name == "nan") return std::numeric_limits<double>::quiet_NaN();
-  throw Unread{"is damaged: '" + name + "' is no number"};
+  throw Unread{"is damaged: '" + name + "' is not a number"};
 }
 
 Timing timing_of(const Json& json) {
@@ -146,7 +147,7 @@ StudyResults unchecked_results_of(const Json& json) {
   StudyResults results;
   const std::string effort = field(json, "effort");
   if (effort != "quick" && effort != "full") {
-    throw Unread{"is damaged: '" + effort + "' is no effort"};
+    throw Unread{"is damaged: '" + effort + "' is not an effort"};
   }
   results.origin = {field(json, "machine"),
                     field(json, "compiler"),
@@ -160,7 +161,7 @@ StudyResults unchecked_results_of(const Json& json) {
                     field(json, "caches")};
   const Origin& origin = results.origin;
   if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
-    throw Unread{"is damaged: there is no such part"};
+    throw Unread{"is damaged: its part does not exist"};
   }
   for (const Json& each : field(json, "experiments"))
     results.experiments.push_back(experiment_of(each));
@@ -220,14 +221,14 @@ Json results_json(const StudyResults& results) {
 Result<StudyResults> results_of(const Json& json) {
   constexpr const char* kRemedy = "give a file that this version of glassbox study run has written";
   if (!json.is_object() || json.value("format", Json()) != kFormat) {
-    return fail("", "is no result file of the study", kRemedy);
+    return fail("", "is not a result file of glassbox study run", kRemedy);
   }
   try {
     return unchecked_results_of(json);
   } catch (const Unread& unread) {
     return fail("", unread.cause, kRemedy);
   } catch (const Json::exception&) {
-    return fail("", "is damaged: a value is of another kind than it was written with", kRemedy);
+    return fail("", "is damaged: a value has the wrong type", kRemedy);
   }
 }
 

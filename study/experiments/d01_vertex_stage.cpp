@@ -88,8 +88,8 @@ double of_far_roundings(double offset) {
 }
 
 // The error that remains if the origin is at the eye. The distance 4 takes the place of D, and the
-// view has no translation; then the object's own coordinates (mean square 1/5 each in the unit
-// ball): entries, products and 5/3 sums.
+// view has no translation. Besides, the object's own coordinates (mean square 1/5 each in the unit
+// ball) have the roundings of the entries, of the products, and 5/3 times one of a sum.
 double of_near_roundings() {
   return rms_rounding<float> * std::sqrt(square(kShotDistance) / 3 * (17.0 / 3) + 0.2 * (11.0 / 3));
 }
@@ -181,8 +181,8 @@ double predict_depth_composed(double near) {
 std::optional<Finding> few_depths(double near) {
   if (near / kShotDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
-      "within n/z = 4 u of 1 there are four depths: the matrix's entry is 1, its product exact, "
-      "and the quotient of two neighbouring floats one of the four",
+      "within n/z = 4 u of 1 there are only four depths: the entry of the matrix is 1, its product "
+      "is exact, and the quotient of two neighbouring floats is one of the four",
       0.25, 0.5};
 }
 
@@ -261,36 +261,36 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d01_vertex_stage() {
   using namespace d01;
-  return {
-      .id = "D-1",
-      .name = "Vertices: in which numbers they are carried to the screen",
-      .question =
-          "How far from the origin may a scene be before its vertices tremble, and what do the "
-          "remedies cost?",
-      .axis = "distance of camera and object from the origin",
-      .axis_unit = "units; the object has a radius of 1",
-      .error = "root mean square distance from the right place on the screen",
-      .error_unit = "px",
-      .reference = "50 digits, for the same rotations and positions",
-      .theory =
-          "roundings counted as random, 0.42 u each (u = 2^-24 or 2^-53): float 0.63 u D "
-          "sqrt(2) F/z px for focal length F and distance z, at most the picture's diagonal; "
-          "composed in double 0.62 u D the same way; relative to the camera, and fixed point "
-          "after the eye is subtracted, flat; the last rounding of a float in px adds 2.5e-5. The "
-          "largest of n is sqrt(ln n) times as much. Near and far plane are in no row that x, y "
-          "and w come from; depth lies within n/z of 1, where roundings of 1 are worth z^2/n "
-          "along the gaze, and those of z and w, where they come from one matrix, z/n each",
-      .item = "vertex",
-      .measures = {{kLargest, "largest distance from the right place on the screen", "px"},
-                   {kPlanes,
-                    "root mean square distance from the right place on the screen, at "
-                    "1 unit from the origin",
-                    "px", "far plane, at 100 units, over near plane"},
-                   {kDepth,
-                    "root mean square error of the depth as a distance along the gaze, "
-                    "at 1 unit from the origin and 4 from the camera",
-                    "units", "far plane, at 100 units, over near plane"}},
-      .configurations = configurations};
+  return {.id = "D-1",
+          .name = "Vertices: the numbers that carry them to the screen",
+          .question =
+              "How far from the origin may a scene be before its vertices tremble, and what do the "
+              "remedies cost?",
+          .axis = "distance of camera and object from the origin",
+          .axis_unit = "units; the object has a radius of 1",
+          .error = "root mean square distance from the right place on the screen",
+          .error_unit = "px",
+          .reference = "50 digits, for the same rotations and positions",
+          .theory =
+              "rounding errors count as random, 0.42 u each (u = 2^-24 or 2^-53). Float: 0.63 u D "
+              "sqrt(2) F/z px for the focal length F and the distance z, at most the picture's "
+              "diagonal. Composed in double: 0.62 u D in the same formula. Relative to the camera, "
+              "and in fixed point after the eye is subtracted: independent of D. The last rounding "
+              "of a float in px adds 2.5e-5. The largest of n errors is sqrt(ln n) times as large. "
+              "The near and the far plane are in none of the rows that give x, y and w. Depth is "
+              "within n/z of 1: there a rounding error of 1 is worth z^2/n along the gaze, and "
+              "rounding errors of z and w, if they come from one matrix, z/n each",
+          .item = "vertex",
+          .measures = {{kLargest, "largest distance from the right place on the screen", "px"},
+                       {kPlanes,
+                        "root mean square distance from the right place on the screen, at "
+                        "1 unit from the origin",
+                        "px", "far plane, at 100 units, over near plane"},
+                       {kDepth,
+                        "root mean square error of the depth as a distance along the gaze, "
+                        "at 1 unit from the origin and 4 from the camera",
+                        "units", "far plane, at 100 units, over near plane"}},
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -302,29 +302,32 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d02_subpixel_bits() {
   using namespace d02;
-  return {.id = "D-2",
-          .name = "Snapping: how many subpixel bits",
-          .question =
-              "How many pixels change hands because vertices are rounded to a grid, and what does "
-              "a finer grid cost?",
-          .axis = "subpixel bits",
-          .logarithmic_axis = false,
-          .error = "pixels whose coverage changes, for each pixel of boundary length",
-          .error_unit = "pixels per px",
-          .reference = "the triangle before the snap, in exact integers",
-          .theory =
-              "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
-              "0.187 * 2^-b for each pixel of its length; of the union of both coverages that is "
-              "as much as boundary and area say. The middle of a gliding edge is off by half the "
-              "sum of what its ends are, each by 2^-b/sqrt(12) sideways: 2^-b/sqrt(24)",
-          .item = "triangle",
-          .axis_is_chosen = true,
-          .measures = {{kOverlap, "1 - IoU: pixels in one coverage alone over those in either", ""},
-                       {kCrawl,
-                        "RMS distance of an edge's middle from its path while the triangle "
-                        "glides by 8 px in 64 frames",
-                        "px"}},
-          .configurations = configurations};
+  return {
+      .id = "D-2",
+      .name = "Snapping: how many subpixel bits",
+      .question =
+          "How many pixels change hands because vertices are rounded to a grid, and what does "
+          "a finer grid cost?",
+      .axis = "subpixel bits",
+      .logarithmic_axis = false,
+      .error = "pixels whose coverage changes, per pixel of boundary length",
+      .error_unit = "pixels per px",
+      .reference = "the triangle before the snap, in exact integers",
+      .theory =
+          "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
+          "0.187 * 2^-b per pixel of its length. As a share of the union of both coverages, it "
+          "follows from boundary and area. The middle of a gliding edge is off by half the sum of "
+          "the errors of its ends, 2^-b/sqrt(12) sideways each: 2^-b/sqrt(24)",
+      .item = "triangle",
+      .axis_is_chosen = true,
+      .measures = {{kOverlap,
+                    "1 - IoU: pixels in only one of the two coverages, divided by those in either",
+                    ""},
+                   {kCrawl,
+                    "RMS distance of an edge's middle from its path while the triangle "
+                    "glides by 8 px in 64 frames",
+                    "px"}},
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

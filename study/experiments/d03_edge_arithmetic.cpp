@@ -126,7 +126,7 @@ Experiment d03_edge_arithmetic() {
   using namespace d03;
   return {
       .id = "D-3",
-      .name = "Coverage: in which arithmetic edges are evaluated",
+      .name = "Coverage: the arithmetic of edge functions",
       .question =
           "How often do rounded edge functions give a pixel to the wrong triangle, to both or to "
           "neither?",
@@ -135,11 +135,12 @@ Experiment d03_edge_arithmetic() {
       .error = "share of pixel centres within half a pixel of an edge that are decided wrongly",
       .reference = "128-bit integers, vertices snapped to 1/256 px",
       .theory =
-          "E|error of the edge function| / (longer side of the edge * 1 px), roundings counted as "
-          "random, 0.42 u each: two equal products for the difference form (0.048 u W on average), "
-          "one with FMA, three products and three sums of the size of the screen for the plane "
-          "form. The plane form only changes its sign with the edge's direction, so that it is "
-          "wrong but leaves no gap; integers, and doubles of 53 bits for values of 50, are exact",
+          "E|error of the edge function| / (longer side of the edge * 1 px), with rounding errors "
+          "counted as random, 0.42 u each: two equal products in the difference form (0.048 u W on "
+          "average), one with FMA, and three products and three sums of the size of the screen in "
+          "the plane form. If the direction of the edge is reversed, the plane form only changes "
+          "its sign: it is wrong, but leaves no gap. Integers are exact, and so are doubles, which "
+          "have 53 bits for values of 50 bits",
       .item = "pixel",
       .configurations = configurations};
 }

@@ -258,23 +258,23 @@ Experiment d04_perspective() {
   return {.id = "D-4",
           .name = "Perspective: where the divide is done",
           .question =
-              "How wrong are texture coordinates when the divide is approximated, or done only now "
-              "and then?",
+              "How wrong are texture coordinates if the divide is approximated, or done only every "
+              "few pixels?",
           .axis =
-              "w at the far end of a line of 256 pixels over w at its near end; the largest of "
-              "a floor's or the teapot's rows",
+              "w at the far end of a line of 256 pixels over w at its near end; for the floor and "
+              "the teapot, the largest ratio of their rows",
           .error =
-              "largest error of u at a pixel centre, of 256 texels along the line; of the "
-              "level that fits each row on the floor and the teapot",
+              "largest error of u at a pixel centre, with 256 texels along the line; on the floor "
+              "and the teapot, in texels of the mip level that fits each row",
           .error_unit = "texel",
           .reference = "the same interpolation in double",
           .theory =
               "|du| (sqrt r - 1)/(sqrt r + 1) over a span in which w grows r-fold and u by du "
-              "(exact; B.11), the largest of the line's spans, and the integral of its square; for "
-              "an approximate reciprocal u "
-              "times 2^-12 + 2^-14 (the table's bound, 2^-11.7), its square after a Newton step; "
-              "six roundings of float otherwise. Errors are those of a table that stands for the "
-              "instruction, which differs between processors; times are the instruction's",
+              "(exact; B.11 in docs/references.md): the largest over the line's spans, and the "
+              "integral of its square. Approximate reciprocal: u times 2^-12 + 2^-14 (the table's "
+              "bound, 2^-11.7), and its square after a Newton step. Otherwise: six rounding errors "
+              "of float. Errors are those of a table, because the instruction differs between "
+              "processors; times are those of the instruction",
           .item = "pixel",
           .measures = {{kRms, "root mean square error of u over the pixel centres", "texel"}},
           .configurations = configurations};

@@ -146,7 +146,7 @@ constexpr Series kSeries[] = {
 // difference, another instruction would have been timed.
 std::optional<Finding> better_than_promised(By by) {
   if (by == By::kTable) return std::nullopt;
-  return Finding{"the processor is better than it promises to be", 1.0 / 16, 0.5};
+  return Finding{"the processor is more accurate than its maker promises", 1.0 / 16, 0.5};
 }
 
 constexpr int kTimed = 1 << 11;
@@ -196,19 +196,19 @@ std::vector<Configuration> configurations(Effort effort) {
 Experiment d05_reciprocal() {
   using namespace d05;
   return {.id = "D-5",
-          .name = "Reciprocals: division, approximation, Newton's step",
+          .name = "Reciprocals: division, approximation, Newton step",
           .question = "How many digits do approximate reciprocals have, over six decades of w?",
-          .axis = "the decade of w starts at",
+          .axis = "start of the decade of w",
           .error =
-              "largest relative error; times u in texels it is the error of a texture coordinate "
-              "(a texture of 4096 texels: 2^-11.7 is 1.2 texels)",
+              "largest relative error; multiplied by u in texels, it is the error of a texture "
+              "coordinate (in a texture of 4096 texels, 2^-11.7 is 1.2 texels)",
           .reference = "double",
           .theory =
               "2^-12 + 2^-14 for 1/w from a table of 2^11 entries of 13 bits, 2^-12 + 2^-13.5 for "
-              "1/sqrt(w) from one of 2 x 2^10; what the processor promises for its own (2^-14 "
-              "with AVX-512, 1.5 * 2^-12 on x86 before), which is what is timed; a Newton step "
-              "squares it (3/2 of the square for the root) and adds roundings of u = 2^-24 each; "
-              "0.0344 for 0x5f3759df (Lomont 2003)",
+              "1/sqrt(w) from one of 2 x 2^10; for the processor's own instruction, which is "
+              "timed, the bound that its maker promises (2^-14 with AVX-512, 1.5 * 2^-12 on older "
+              "x86); a Newton step squares the error (3/2 of the square for the root) and adds "
+              "rounding errors of u = 2^-24 each; 0.0344 for the constant 0x5f3759df (Lomont 2003)",
           .item = "reciprocal",
           .configurations = configurations};
 }

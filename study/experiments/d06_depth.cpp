@@ -201,20 +201,21 @@ Experiment d06_depth() {
   using namespace d06;
   return {
       .id = "D-6",
-      .name = "Depth formats: what lies in front",
+      .name = "Depth formats: which surface is in front",
       .question =
           "How far apart must two surfaces be for a depth buffer to tell which is in front?",
       .axis = "distance, with the near plane at 0.1 and the far one at 10000",
       .axis_unit = "world units",
-      .error = "largest relative distance dz/z of two surfaces of which the farther one wins",
+      .error = "largest relative distance dz/z of two surfaces of which the farther one is drawn",
       .error_unit = "of the distance",
       .reference =
           "the order of the floats on the ladder; in pictures, distances interpolated in double",
       .theory =
-          "B.3: b-bit codes z (1/n - 1/f) 2^-b, reversed or not; float with depth near 1 the same "
-          "with 2^-24; float reversed 2^-23 everywhere; reversed through [-1, 1] the step below "
-          "-1, 2^-25; linear w (f - n) 2^-b/z; logarithmic ln(f/n) 2^-b. Never finer than "
-          "positions as floats, 2^-23, and never beyond the far plane.",
+          "B.3 in docs/references.md. Codes of b bits: z (1/n - 1/f) 2^-b, reversed or not. Float "
+          "with depth near 1: the same with 2^-24. Reversed float: 2^-23 everywhere. Reversed by "
+          "way of [-1, 1]: the step below -1, 2^-25. Linear w: (f - n) 2^-b/z. Logarithmic: "
+          "ln(f/n) 2^-b. It is never finer than positions as floats, 2^-23, and never beyond the "
+          "far plane.",
       .item = "fragment",
       .configurations = configurations,
   };

@@ -152,26 +152,26 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d07_composition() {
   using namespace d07;
-  return {
-      .id = "D-7",
-      .name = "View and projection: one matrix or two",
-      .question =
-          "How far apart must two surfaces be for the depth test to order them, when the matrices "
-          "are composed?",
-      .axis = "distance of the camera from the origin",
-      .axis_unit = "units",
-      .error =
-          "root mean square error of the depth, as a distance along the gaze (at 10 units): "
-          "surfaces closer than that are drawn in either order",
-      .error_unit = "units",
-      .reference = "50 digits, for vertices and an eye that are floats exactly",
-      .theory =
-          "roundings counted as random, 0.42 u each: 0.53 u D in a row of the matrix. In one "
-          "matrix, z and w have their own, which for depth 0..1 is worth sqrt(2) z/n as much along "
-          "the gaze; in two matrices they share it, and with z = n exactly (reversed, infinite far "
-          "plane) only w has it. With the eye subtracted first nothing grows with D",
-      .item = "vertex",
-      .configurations = configurations};
+  return {.id = "D-7",
+          .name = "View and projection: one matrix or two",
+          .question =
+              "How far apart must two surfaces be for the depth test to order them, if the "
+              "matrices are composed?",
+          .axis = "distance of the camera from the origin",
+          .axis_unit = "units",
+          .error =
+              "root mean square error of the depth, as a distance along the gaze (at 10 units): "
+              "surfaces closer together than this may be drawn in either order",
+          .error_unit = "units",
+          .reference = "50 digits, for vertices and an eye that are exactly floats",
+          .theory =
+              "rounding errors count as random, 0.42 u each: 0.53 u D in a row of the matrix. With "
+              "one matrix, z and w have independent errors, which for depth 0..1 are worth sqrt(2) "
+              "z/n as much along the gaze. With two matrices they share one error, and if z = n "
+              "exactly (reversed, infinite far plane), only w has one. If the eye is subtracted "
+              "first, nothing grows with D",
+          .item = "vertex",
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -223,8 +223,8 @@ Experiment d08_normals() {
   return {.id = "D-8",
           .name = "Normals of polygons",
           .question =
-              "Which corners should a polygon's normal be made from, and where should they be "
-              "measured from?",
+              "From which corners should a polygon's normal be computed, and from which origin "
+              "should they be measured?",
           .axis = "bend of the second corner, or distance from the origin",
           .axis_unit = "units; an octagon of radius 1",
           .error = "root mean square angle to the right normal",
@@ -232,10 +232,11 @@ Experiment d08_normals() {
           .reference =
               "the plane before the corners are moved off it; 50 digits for flat octagons far away",
           .theory =
-              "heights off by sigma tilt the normal by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / (2 "
-              "area), over the corners that are used: sigma sqrt(3/2)/bend for a cross product at "
-              "the bent corner, sigma for all. Far from the origin Newell's raw sums round terms "
-              "of size D: about 0.42 u D; differences of corners are exact",
+              "errors sigma of the heights tilt the normal by sigma sqrt(sum |p_(i+1) - "
+              "p_(i-1)|^2) / (2 area), summed over the corners that are used: sigma sqrt(3/2)/bend "
+              "for a cross product at the bent corner, sigma for all corners. Far from the origin, "
+              "Newell's sums of raw coordinates round terms of size D: about 0.42 u D; differences "
+              "of corners are exact",
           .item = "polygon",
           .configurations = configurations};
 }

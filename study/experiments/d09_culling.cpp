@@ -175,26 +175,25 @@ Experiment d09_culling() {
   using namespace d09;
   return {
       .id = "D-9",
-      .name = "Back faces: where they are found out",
-      .question = "What is gained by throwing back faces away early, and is anything lost?",
+      .name = "Back faces: where to find and cull them",
+      .question = "What is gained by culling back faces early, and is anything lost?",
       .axis = "triangles of the mesh",
-      .error = "faces thrown away although their snapped triangle shows its front",
+      .error = "faces that are culled although their snapped triangle shows its front",
       .error_unit = "faces",
       .reference =
           "the sign of the snapped triangle's area, which decides what is drawn, in 128 bits",
       .theory =
-          "An exact test in object space does not see the snap, which turns a face of twice the "
-          "area -a with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the sum over "
-          "all that are thrown away. With a margin for the snap: 0. Half the faces of a closed "
-          "surface are backs, so at most half of the set-up is saved. From far away all cosines "
-          "between gaze and normal are as likely, so that a filter cannot tell in the share "
-          "bound/(|normal| distance) of directions.",
+          "An exact test in object space does not know the snap, which turns a face with twice the "
+          "area -a round with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the "
+          "sum over all culled faces. With a margin for the snap: 0. Half of the faces of a closed "
+          "surface are back faces, so at most half of the set-up is saved. From far away all "
+          "cosines between gaze and normal are equally likely, so a filter cannot decide for the "
+          "share bound/(|normal| distance) of directions.",
       .item = "triangle",
-      .measures =
-          {{kFallbacks,
-            "share of eyes, in all directions and 64 units away, from which a filter cannot tell "
-            "a face's side and expansions decide",
-            ""}},
+      .measures = {{kFallbacks,
+                    "share of eyes, in all directions and 64 units away, for which a filter cannot "
+                    "decide a face's side, so that exact expansions decide",
+                    ""}},
       .configurations = configurations,
   };
 }

@@ -87,10 +87,9 @@ std::vector<Configuration> configurations(Effort effort) {
     const auto eyes = make_eyes(std::move(forest), standing, pair);
     add_scene(
         "forest", eyes, share, strip_columns(*eyes),
-        Finding{
-            "a triangle that reaches into the centre's picture is drawn whole, and those of near "
-            "trees are wider than the strip: less is lost, down to nothing",
-            0, 1},
+        Finding{"a triangle that reaches into the picture of the centre camera is drawn whole, and "
+                "triangles of near trees are wider than the strip: less is lost, or nothing",
+                0, 1},
         all);
   }
   return all;
@@ -102,19 +101,20 @@ Experiment d10_stereo_culling() {
   using namespace d10;
   return {
       .id = "D-10",
-      .name = "Stereo culling: by whose frustum",
+      .name = "Stereo culling: with which frustum",
       .question =
-          "What do the eyes miss when one frustum culls for both, and what does it cost to miss "
+          "What do the eyes miss if one frustum culls for both, and what does it cost to miss "
           "nothing?",
       .axis = "half the separation of the eyes over the distance of the window",
       .axis_unit = "%",
-      .error = "columns of the picture that show something else, per row and eye",
+      .error = "pixels that show something else, per row and eye",
       .error_unit = "px",
       .reference = "both eyes' pictures with nothing culled",
       .theory =
-          "The centre's frustum ends half the parallax short of each eye's at one side: (W/2)(d/h) "
-          "s |1/z - 1/f| columns (S0-04); in the forest the pixels of trees for which that holds "
-          "at their own distance. The others are conservative: 0.",
+          "At one side, the frustum of the centre camera ends half the parallax short of each "
+          "eye's frustum: (W/2)(d/h) s |1/z - 1/f| columns (S0-04 in docs/references.md); in the "
+          "forest, the pixels of trees for which this is true at their own distance. The other "
+          "ways are conservative: 0.",
       .item = "triangle",
       .configurations = configurations,
   };

@@ -146,7 +146,7 @@ struct Way {
 inline constexpr Way kWays[] = {{"each eye by itself", cull_each_eye},
                                 {"centre camera", cull_by_centre},
                                 {"union, eight planes", cull_by_union},
-                                {"union, ball of the object", cull_by_ball}};
+                                {"union, bounding sphere of the object", cull_by_ball}};
 
 inline std::vector<KeptOfDraw> cull(const Eyes& eyes, const Way& way) {
   std::vector<KeptOfDraw> kept(eyes.list.draws.size());

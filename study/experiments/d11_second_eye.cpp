@@ -266,17 +266,18 @@ Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
 // With one layer at 2 %, 9858 pixels stay open; with two layers 5893, and 4005 with back-face
 // culling.
 const Finding kOwnBack{
-    "a tree's second layer is its own back, which no hole shows; the third has what stands behind "
-    "it, and fills more than other layers do",
+    "the second layer of a tree is its own back, which no hole shows; the third layer has the "
+    "objects behind the tree, and fills more holes than other layers",
     0.25, 0.5};
 
 const Finding kStillTheSame{
-    "parallaxes of a few px, less than trees are wide, leave most pixels on what they showed", 0.25,
-    0.5};
+    "with parallaxes of a few px, less than the width of a tree, most pixels still show the same "
+    "object",
+    0.25, 0.5};
 
 const Finding kWrongThing{
-    "where layers leave few holes, what is left are places that show something farther away than "
-    "what no layer has",
+    "where layers leave few holes, the remaining errors are pixels that show something farther "
+    "away, because no layer has the surface that belongs there",
     2, 3};
 
 using Prediction = std::function<Errors(const Way&)>;
@@ -363,13 +364,14 @@ Experiment d11_second_eye() {
       .error_unit = "1/255",
       .reference = "the right eye's picture, drawn by itself",
       .theory =
-          "Shared stages are the same bytes: 0. A warp lacks (W/2)(d/h) B (1/z_front - 1/z_back) "
-          "columns beside every edge in depth (B.9): over the cards' rows that is a share of the "
-          "picture, whose colours are black or, filled, another cell's: sqrt(share 255 511/6), "
-          "sqrt(share (256^2 - 1)/6). Two layers have the first thing behind every edge, three the "
-          "next: enough for cards. What is seen at a wrong place differs by sqrt(2) of the "
-          "picture's deviation, and by a parallax of all that there is at most; between the "
-          "forest's trees most of what comes into view lies behind two surfaces or more.",
+          "Shared stages give the same bytes: 0. A warp lacks (W/2)(d/h) B (1/z_front - 1/z_back) "
+          "columns beside every edge in depth (B.9 in docs/references.md). Over the rows of the "
+          "cards this is a share of the picture, whose colours are black or, if filled, those of "
+          "another cell: sqrt(share 255 511/6), sqrt(share (256^2 - 1)/6). Two layers have the "
+          "first object behind every edge, and three the next: enough for the cards. A pixel that "
+          "shows a wrong place differs by sqrt(2) of the picture's standard deviation, and its "
+          "parallax is wrong by at most the largest one. Between the forest's trees, most of what "
+          "comes into view is behind two surfaces or more.",
       .item = "pair of pictures",
       .measures = {{.name = kPsnr,
                     .error = "peak signal-to-noise ratio of the right eye's picture",
@@ -378,8 +380,8 @@ Experiment d11_second_eye() {
                    {kHoles, "pixels that show nothing where a surface is, over all pixels", ""},
                    {kDisparity, "largest error of the parallax of what a pixel shows", "px"},
                    {kSetup,
-                    "triangles whose set-up for either eye is not that of the eye by itself",
-                    "triangles", "triangles that lie wholly in both pictures"}},
+                    "triangles whose set-up for an eye differs from the set-up for this eye alone",
+                    "triangles", "triangles that are completely inside both pictures"}},
       .configurations = configurations,
   };
 }

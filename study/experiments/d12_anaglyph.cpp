@@ -298,18 +298,19 @@ Experiment d12_anaglyph() {
       .error_unit = "of white",
       .reference = "equal relative luminance in both eyes; no light of the other eye",
       .theory =
-          "B.6: the mean over eight colours from the luminances of screen and lenses, colour .411, "
-          "half-colour .123, Dubois 2009 .075 and 2001 .062, optimised .036, grey 0; desaturated "
-          "by k and brightened by b times (1 - k)(1 - b) exactly; ghosts .0136/.0876 on the left "
-          "and .0176/.3865 on the right. Elsewhere rivalry is a . c, and its mean that of a normal "
-          "distribution with the mean and deviation that the picture's colours give it; of a "
-          "search between both eyes' goals, half of the colour method's. Photographs' colours are "
-          "more peaked than normal ones, so that their mean is below it.",
+          "B.6 in docs/references.md. The mean over eight colours follows from the luminances of "
+          "screen and lenses: colour .411, half-colour .123, Dubois 2009 .075 and 2001 .062, "
+          "optimised .036, grey 0. Desaturating by k and brightening by b multiplies it by exactly "
+          "(1 - k)(1 - b). Ghosts: .0136/.0876 on the left and .0176/.3865 on the right. For other "
+          "pictures, rivalry is a . c, and its mean is that of a normal distribution with the mean "
+          "and standard deviation that the picture's colours give; for the search between the "
+          "goals of both eyes, half of the colour method's. The colours of photographs are more "
+          "peaked than a normal distribution, so their mean is lower.",
       .item = "pixel",
-      .measures =
-          {{kGhosts,
-            "the other eye's white where the own picture is black, over the own eye's white",
-            "of white"}},
+      .measures = {{kGhosts,
+                    "light of the other eye's white where this eye's picture is black, divided by "
+                    "this eye's white",
+                    "of white"}},
       .configurations = configurations,
   };
 }

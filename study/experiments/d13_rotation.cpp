@@ -140,19 +140,19 @@ std::vector<Configuration> configurations(Effort effort) {
 Experiment d13_rotation() {
   using namespace d13;
   return {.id = "D-13",
-          .name = "Rotations that are kept for long",
+          .name = "Rotations after many multiplications",
           .question =
               "How soon does a matrix that is multiplied again and again stop being a rotation, "
-              "and what keeps it one?",
+              "and what prevents this?",
           .axis = "steps of 0.01 radian",
           .error =
               "largest |R R^T - I| (Frobenius); half of it is the relative error of lengths in the "
               "picture",
           .reference = "double with error-free products and sums",
           .theory =
-              "the rounded step S has a defect E = S S^T - I, of which what is symmetric about its "
-              "axis is added at each step: linear; roundings add 0.42 u * 3.1 sqrt(8/3 n) as a "
-              "random walk. After a renormalisation both begin anew",
+              "the rounded step S has a defect E = S S^T - I, and the part of E that is symmetric "
+              "about the axis is added at each step: linear growth. Rounding errors add 0.42 u * "
+              "3.1 sqrt(8/3 n) as a random walk. Each renormalisation resets both",
           .item = "step",
           .configurations = configurations};
 }

@@ -163,14 +163,14 @@ std::vector<Configuration> configurations(Effort effort) {
     const auto stage =
         std::make_shared<const Stage>(make_stage(width, effort == Effort::kQuick ? 8 : 16));
     add_way<FullProduct<float>>("float, 16 products", stage, all);
-    add_way<Additions<float, kNever>>("float, added up, never anew", stage, all);
-    add_way<Additions<float, kLine>>("float, added up, anew each row", stage, all);
-    add_way<Additions<float, 64>>("float, added up, anew every 64 px", stage, all);
-    add_way<Additions<float, 16>>("float, added up, anew every 16 px", stage, all);
-    add_way<Multiples>("float, multiples of the step, anew every 64 px", stage, all);
-    add_way<FixedPoint>("fixed point, added up, anew each row", stage, all);
+    add_way<Additions<float, kNever>>("float, added up, never restarted", stage, all);
+    add_way<Additions<float, kLine>>("float, added up, restarted each row", stage, all);
+    add_way<Additions<float, 64>>("float, added up, restarted every 64 px", stage, all);
+    add_way<Additions<float, 16>>("float, added up, restarted every 16 px", stage, all);
+    add_way<Multiples>("float, multiples of the step, restarted every 64 px", stage, all);
+    add_way<FixedPoint>("fixed point, added up, restarted each row", stage, all);
     add_way<FullProduct<double>>("double, 16 products", stage, all);
-    add_way<Additions<double, kLine>>("double, added up, anew each row", stage, all);
+    add_way<Additions<double, kLine>>("double, added up, restarted each row", stage, all);
   }
   return all;
 }
@@ -182,21 +182,21 @@ Experiment d14_layer_warp() {
   return {
       .id = "D-14",
       .name = "Warping the samples of a layered image",
-      .question = "What do additions in place of products save, and how far do they drift?",
+      .question = "What do additions instead of products save, and how far do they drift?",
       .axis = "width of a row",
       .axis_unit = "px",
       .error = "RMS distance of a sample from its place, before the division",
       .error_unit = "px",
       .reference = "the product with the matrix, to twice the digits of double",
       .theory =
-          "each rounding is within half a unit of the last place, evenly: ulp/sqrt 12. Adding the "
-          "same step again to a sum of the same power of two is rounded by the same amount again, "
-          "so that n additions are off by n ulp/sqrt 12; w's error counts x times. At most W u W "
-          "px, of which a sum over the powers of two is left. A coordinate with the error e comes "
-          "to "
-          "another pixel with the probability E min(1, |e|)",
+          "a rounding error is uniform within half a unit in the last place: ulp/sqrt 12. Adding "
+          "the same step again to a sum with the same power of two is rounded by the same amount "
+          "again, so n additions are off by n ulp/sqrt 12; the error of w counts x times. At most "
+          "W u W px, of which a sum over the powers of two remains. A coordinate with the error e "
+          "falls into another pixel with the probability E min(1, |e|)",
       .item = "sample",
-      .measures = {{kMoved, "samples whose row or column is another pixel's, a share of all", ""}},
+      .measures = {{kMoved,
+                    "share of the samples that fall into the row or column of another pixel", ""}},
       .configurations = configurations};
 }
 

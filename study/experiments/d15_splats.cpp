@@ -151,30 +151,31 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d15_splats() {
   using namespace d15;
-  return {
-      .id = "D-15",
-      .name = "Splats: one pixel, a square, a bell",
-      .question = "Which footprint of a sample leaves no holes, and what does it blur?",
-      .axis = "magnification from one picture to the other",
-      .error = "pixels of a wall that show nothing, over all",
-      .reference = "the wall of samples, averaged over each pixel",
-      .theory =
-          "one pixel a sample covers 1/m^2, so that 1 - 1/m^2 are holes, 1 - 9/m^2 with three "
-          "pixels from m = 3 on, and none with sides l = m; a wall at 60 degrees is twice as wide. "
-          "Colours of samples are independent, with the mean 127.5 and the variance s = (256^2 - "
-          "1)/12: a footprint is a filter, whose error with weights d has the mean square s "
-          "sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
-      .item = "sample",
-      .measures = {{kRms, "RMS error of a channel", "1/255"},
-                   {.name = kPsnr,
-                    .error = "peak signal-to-noise ratio",
-                    .error_unit = "dB",
-                    .more_is_better = true},
-                   {.name = kSharpness,
-                    .error = "mean square of neighbours' differences, over what is there",
-                    .error_unit = "",
-                    .more_is_better = true}},
-      .configurations = configurations};
+  return {.id = "D-15",
+          .name = "Splats: one pixel, a square or a bell (Gaussian)",
+          .question = "Which footprint of a sample leaves no holes, and what does it blur?",
+          .axis = "magnification from one picture to the other",
+          .error = "share of a wall's pixels that show nothing",
+          .reference = "the wall of samples, averaged over each pixel",
+          .theory =
+              "one pixel per sample covers 1/m^2, so 1 - 1/m^2 are holes; with 3 x 3 pixels, 1 - "
+              "9/m^2 from m = 3 on; with sides l = m, none. A wall at 60 degrees is twice as wide. "
+              "The colours of the samples are independent, with the mean 127.5 and the variance s "
+              "= (256^2 - 1)/12. A footprint is a filter: with weights d, its error has the mean "
+              "square s sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
+          .item = "sample",
+          .measures =
+              {{kRms, "RMS error of a channel", "1/255"},
+               {.name = kPsnr,
+                .error = "peak signal-to-noise ratio",
+                .error_unit = "dB",
+                .more_is_better = true},
+               {.name = kSharpness,
+                .error =
+                    "mean square of the differences between neighbours, divided by the reference's",
+                .error_unit = "",
+                .more_is_better = true}},
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

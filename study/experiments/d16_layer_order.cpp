@@ -215,23 +215,23 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d16_layer_order() {
   using namespace d16;
-  return {
-      .id = "D-16",
-      .name = "Who is in front: order or depth",
-      .question = "Does an order of visits show what a depth buffer shows, and what does it save?",
-      .axis = "samples for each pixel",
-      .error = "pixels that do not show the nearest sample that falls on them, of those with any",
-      .reference = "each sample's place, and the nearest of each pixel",
-      .theory =
-          "McMillan's order is right for points: two that fall on one pixel and are visited in the "
-          "wrong order would have to be less than a pixel apart in the picture and at least one in "
-          "the first, which is impossible where things are seen as large or larger. Seen half as "
-          "large, four pixels come to one, of which the last is the nearest in 1 of 4 thin slabs. "
-          "As they are packed the farthest stays, wherever two samples fall on a pixel, to the "
-          "left of a move to the right and above a move ahead: 1 - m e^-m/(1 - e^-m) with m on "
-          "average (Poisson)",
-      .item = "sample",
-      .configurations = configurations};
+  return {.id = "D-16",
+          .name = "Visibility: by order or by depth",
+          .question =
+              "Does drawing in an order show the same as a depth buffer, and what does it save?",
+          .axis = "samples for each pixel",
+          .error = "share of the pixels with samples that do not show their nearest sample",
+          .reference = "the place of each sample, and the nearest sample of each pixel",
+          .theory =
+              "McMillan's order is right for points: two that fall on one pixel and are visited in "
+              "the wrong order would have to be less than a pixel apart in the new picture and at "
+              "least one pixel apart in the first, which is impossible if objects look as large or "
+              "larger. If they look half as large, four pixels fall on one, and the last of them "
+              "is the nearest in 1 of 4 thin slabs. In packed order the farthest sample stays "
+              "wherever two samples fall on one pixel, to the left for a move to the right, and "
+              "above for a move ahead: 1 - m e^-m/(1 - e^-m), with m samples on average (Poisson)",
+          .item = "sample",
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -173,13 +173,12 @@ void add_epsilon(const std::shared_ptr<const Stage>& stage, double epsilon,
 }
 
 const Finding kLargeThings{
-    "walls and furniture are larger than the move: neighbouring lines meet the same things, and "
-    "only "
-    "a strip beside each edge comes into view",
+    "walls and furniture are larger than the move of the eye: neighbouring lines meet the same "
+    "objects, and only a strip beside each edge comes into view",
     0, 0.5};
 const Finding kTrees{
-    "trees are as wide as the move, so that lines of both eyes that meet in a point often meet the "
-    "same tree on the way",
+    "trees are as wide as the move of the eye, so the lines of both eyes to a point often pass "
+    "through the same tree",
     0.2, 1};
 
 // A built-in scene: the eye of its camera, and another one a little to the side.
@@ -225,23 +224,25 @@ Experiment d17_layers() {
   using namespace d17;
   return {
       .id = "D-17",
-      .name = "How many layers, of how many eyes",
-      .question = "How much of what another eye sees is in the layers, and what do they weigh?",
+      .name = "Layers: how many, and of how many eyes",
+      .question =
+          "How much of another eye's view do the layers contain, and how much memory do they take?",
       .axis = "layers of each eye",
       .logarithmic_axis = false,
-      .error = "pixels of another eye whose surface no layer has, of those that show one",
+      .error = "share of another eye's pixels with a surface that no layer has",
       .reference = "the scene as that eye sees it",
       .theory =
-          "things that lie anywhere are met by a line as Poisson has it, T on average. What an eye "
-          "sees lies behind t of them for another one, with the density e^-t: k layers lack "
-          "int e^-t P(N(t) >= k) dt, 2^-k for an endless slab, and of two eyes the square of P. A "
-          "pixel keeps E min(N, k) samples of 8 bytes, and an offset of 4. Samples that take in "
-          "what is within epsilon of their depth lose 1 - ln(1 + T epsilon)/(T epsilon)",
+          "a line meets randomly placed objects as in a Poisson process, T on average. A point "
+          "that one eye sees is behind t objects for the other eye, with the density e^-t: k "
+          "layers lack int e^-t P(N(t) >= k) dt, which is 2^-k for an endless slab; for the layers "
+          "of two eyes, P is squared. A pixel stores E min(N, k) samples of 8 bytes, and an offset "
+          "of 4 bytes. If samples absorb those within epsilon of their depth, 1 - ln(1 + T "
+          "epsilon)/(T epsilon) are lost",
       .item = "picture",
       .axis_is_chosen = true,
       .measures = {{kStorage, "bytes for each pixel", "bytes"},
                    {.name = kMerged,
-                    .error = "samples that are taken for another one's, of all",
+                    .error = "share of the samples that are merged with one of another surface",
                     .error_unit = "",
                     .axis = "epsilon, as a share of the depth"}},
       .configurations = configurations};

@@ -147,25 +147,25 @@ Experiment d18_voxels() {
       .id = "D-18",
       .name = "Voxels: how small, how many pictures",
       .question =
-          "What do smaller voxels, more pictures, larger footprints and better thresholds bring, "
+          "What do smaller voxels, more pictures, larger footprints and better thresholds improve, "
           "and what do they cost?",
       .axis = "voxels across the ball",
-      .error = "mean distance from what two pictures see to the nearest coloured voxel",
+      .error = "mean distance from points that two pictures see to the nearest coloured voxel",
       .error_unit = "ball radii",
       .reference = "the ball's formula",
       .theory =
-          "0.480 of a voxel's edge, the mean distance from a point of a cube to its centre, and, "
-          "in "
-          "squares, 0.383 of a pixel, that from a point of a square; look-ups N^3 m, memory N^2 m "
-          "(S1-22): 9 bytes of a pixel, and what is known of the voxels of six faces and a layer",
+          "0.480 of a voxel's edge (the mean distance from a point of a cube to its centre) and "
+          "0.383 of a pixel (the same for a square), added in squares. Look-ups: N^3 m. Memory: "
+          "N^2 m (S1-22 in docs/references.md), 9 bytes per pixel and the data of the voxels of "
+          "six faces and a layer",
       .item = "voxel and picture",
       .measures = {{.name = "left out",
-                    .error = "RMS of a picture that was left out, where voxels cover it",
+                    .error = "RMS error of a picture that was left out, where voxels cover it",
                     .error_unit = "levels"},
-                   {.name = "looks", .error = "voxels judged, times pictures", .error_unit = ""},
+                   {.name = "looks", .error = "examined voxels times pictures", .error_unit = ""},
                    {.name = "memory", .error = "bytes asked for", .error_unit = "byte"},
                    {.name = "pictures",
-                    .error = "RMS of a picture that was left out, where voxels cover it",
+                    .error = "RMS error of a picture that was left out, where voxels cover it",
                     .error_unit = "levels",
                     .axis = "pictures"}},
       .configurations = configurations};

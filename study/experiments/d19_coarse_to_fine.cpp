@@ -95,12 +95,13 @@ Experiment d19_coarse_to_fine() {
       .error = "share of the coloured voxels that are lost",
       .reference = "a sweep through all voxels",
       .theory =
-          "judged: the cells of two voxels around a surface of the ball's area, three deep, of all "
-          "voxels, O(N^2); what is lost has no law: thin parts and corners that coarse pixels blur",
+          "examined: the cells of two voxels around a surface of the ball's area, three cells "
+          "deep, as a share of all voxels, O(N^2). The loss follows no law: it is thin parts, and "
+          "corners that coarse pixels blur",
       .item = "voxel",
       .axis_is_chosen = true,
       .measures = {{.name = "judged",
-                    .error = "share of all voxels that are looked at on the finest level",
+                    .error = "share of all voxels that are examined at the finest level",
                     .error_unit = ""}},
       .configurations = d19::configurations};
 }

@@ -153,25 +153,25 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d20_search() {
   using namespace d20;
-  return {
-      .id = "D-20",
-      .name = "Along the row or anywhere",
-      .question =
-          "What does it save to know on which line the other picture has a point, in time and in "
-          "mistakes?",
-      .axis = "width of the picture",
-      .axis_unit = "px",
-      .error = "share of pixels that are given to a wrong one",
-      .reference = "the disparity that the pair was made with, below a quarter of the width",
-      .theory =
-          "each of C candidates has the same 8 bits with probability p = 1/256, and the first is "
-          "taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row and W H anywhere (S2-11); "
-          "comparisons W H D and W^2 H^2, so that time for a pixel goes with W and with W^2",
-      .item = "pixel",
-      .measures = {{.name = "comparisons",
-                    .error = "comparisons for all pixels of the left picture",
-                    .error_unit = ""}},
-      .configurations = configurations};
+  return {.id = "D-20",
+          .name = "Matching: along the row or anywhere",
+          .question =
+              "How much time and how many mistakes does it save to know on which line of the other "
+              "picture a point is?",
+          .axis = "width of the picture",
+          .axis_unit = "px",
+          .error = "share of pixels with a wrong match",
+          .reference = "the disparity with which the pair was made, below a quarter of the width",
+          .theory =
+              "each of C candidates has the same 8 bits with probability p = 1/256, and the first "
+              "is taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row and W H anywhere (S2-11 in "
+              "docs/references.md). There are W H D and W^2 H^2 comparisons, so the time for a "
+              "pixel grows like W and like W^2",
+          .item = "pixel",
+          .measures = {{.name = "comparisons",
+                        .error = "comparisons for all pixels of the left picture",
+                        .error_unit = ""}},
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

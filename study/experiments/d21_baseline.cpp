@@ -154,16 +154,17 @@ Unseen unseen(double baseline_over_depth) {
 std::optional<Finding> finding(double baseline_over_depth) {
   const double step = kFocal * baseline_over_depth * kDepth * (1 / kPillars - 1 / kDepth);  // in px
   if (step < double(views::kSmoothed)) {
-    return Finding{"no step is so high that it would not be averaged away with its surroundings",
-                   0.2, 0.5};
+    return Finding{
+        "no step in depth is so high that averaging with its surroundings does not remove it", 0.2,
+        0.5};
   }
   if (baseline_over_depth < 0.1) return std::nullopt;
   const Unseen guessed = unseen(baseline_over_depth);
   const auto ratio = [&](double of_law, double off) {
     return std::hypot(of_law, std::sqrt(guessed.share) * off / predicted(baseline_over_depth));
   };
-  return Finding{"what one camera does not see is guessed", ratio(0.5, guessed.least),
-                 ratio(2, guessed.worst)};
+  return Finding{"the depth of points that one camera does not see is guessed",
+                 ratio(0.5, guessed.least), ratio(2, guessed.worst)};
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -192,15 +193,15 @@ Experiment d21_baseline() {
   using namespace d21;
   return {
       .id = "D-21",
-      .name = "How far apart the cameras stand",
+      .name = "Stereo: how far apart the cameras are",
       .question =
           "A longer baseline makes depth more exact and matching harder: where is the best one?",
       .axis = "baseline over distance",
       .error = "RMS relative error of the depth, of all pixels",
       .reference = "the depth of a leaning, textured wall behind pillars, from its formula",
       .theory =
-          "sigma_Z/Z = sigma_d Z/(f B) with a disparity right to sigma_d = 1/4 px (S2-13), while "
-          "all is matched",
+          "sigma_Z/Z = sigma_d Z/(f B) for an error of the disparity of sigma_d = 1/4 px (S2-13 in "
+          "docs/references.md), as long as everything is matched",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations};

@@ -81,20 +81,20 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d23_triangulation() {
   using namespace d23;
-  return {
-      .id = "D-23",
-      .name = "Where two lines of sight meet",
-      .question = "Which way to triangulate is best, and where does it matter?",
-      .axis = "angle between the lines of sight",
-      .axis_unit = "degrees",
-      .error = "RMS distance from the point, with a noise of 1 px",
-      .error_unit = "world units",
-      .reference = "the point, 6 in front of a camera of 640 x 480 pixels and focal length 800",
-      .theory =
-          "(J^T J)^-1 sigma^2, J the four pixel coordinates' derivatives by the point: what the "
-          "best estimate leaves, to first order (S2-13, D-23)",
-      .item = "point",
-      .configurations = configurations};
+  return {.id = "D-23",
+          .name = "Triangulation: where two lines of sight meet",
+          .question = "Which way to triangulate is best, and where does it matter?",
+          .axis = "angle between the lines of sight",
+          .axis_unit = "degrees",
+          .error = "RMS distance from the point, for a noise of 1 px",
+          .error_unit = "world units",
+          .reference = "the point, 6 in front of a camera of 640 x 480 pixels and focal length 800",
+          .theory =
+              "(J^T J)^-1 sigma^2, where J has the derivatives of the four pixel coordinates with "
+              "respect to the point: the covariance of the best estimate, to first order (S2-13 in "
+              "docs/references.md)",
+          .item = "point",
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -218,31 +218,30 @@ Experiment d24_view_blends() {
   return {
       .id = "D-24",
       .name = "Textures that depend on the view",
-      .question = "How well do pictures from all around make the one in between, and how smoothly?",
+      .question =
+          "How well do pictures from all around give a picture in between, and how smoothly?",
       .axis = "angle between neighbouring pictures",
       .axis_unit = "degrees",
       .error = "RMS difference from the picture half way between two, over the object",
       .error_unit = "levels",
       .reference =
-          "the picture drawn from there, 96 px wide, of pictures four times as fine: a teapot "
-          "under "
-          "a light that stands still",
+          "the picture drawn from there, 96 px wide; the given pictures are four times as fine, of "
+          "a teapot under a fixed light",
       .theory =
           "the nearest picture is wrong by half the angle times the change of a surface's light "
-          "with the eye, and goes with the angle; what is linear between two goes with its square "
-          "(D-24, S1-40). To it comes, in squares, what the same surface without highlights "
-          "leaves: "
-          "the resampling of pixels, whatever the angle. The constant is that of the widest "
-          "spacing. "
-          "One colour leaves nothing. Over the middle between two views the nearest one's weight "
-          "jumps by 1; barycentric weights change by the step over 2 tan(d/2), those of four "
-          "neighbours by 15/14 of the step over d",
+          "with the eye, so its error grows like the angle. Linear interpolation between two "
+          "pictures has an error that grows like the square of the angle (S1-40 in "
+          "docs/references.md). The error of the same surface without highlights is added in "
+          "squares: the resampling of pixels, which does not depend on the angle. The constants "
+          "are those of the widest spacing. A surface of one colour leaves no error. In the middle "
+          "between two views, the weight of the nearest one jumps by 1; barycentric weights change "
+          "by the step over 2 tan(d/2), and those of four neighbours by 15/14 of the step over d",
       .item = "picture",
       .measures = {{.name = kJump,
-                    .error = "largest change of a weight by a step of 1e-6 over the middle",
+                    .error = "largest change of a weight in a step of 1e-6 across the middle",
                     .error_unit = ""},
                    {.name = kFiner,
-                    .error = "RMS difference of a dull surface: resampling alone",
+                    .error = "RMS difference of a dull surface: the error of resampling alone",
                     .error_unit = "levels",
                     .axis = "times finer than the picture in between"}},
       .configurations = configurations};

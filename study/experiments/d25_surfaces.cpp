@@ -57,7 +57,7 @@ const std::vector<Solid>& solids() {
   static const std::vector<Solid> all{
       {"sphere", 1.0, 4 * kPi / 3, 4 * kPi, 8 * kPi / 12 / (4 * kPi / 3),
        [](const Vector3d& p, double scale) { return scale - p.norm(); }},
-      // The axis is the radius of the tube; the radius of the ring is 2.5 times that.
+      // The unit is the radius of the tube; the radius of the ring is 2.5.
       {"torus", 3.5, 2.5 * 2 * kPi * kPi, 2.5 * 4 * kPi * kPi,
        4 * kPi * kPi * 2.5 / 12 / (2.5 * 2 * kPi * kPi), [](const Vector3d& p, double scale) {
          return scale - std::hypot(std::hypot(p.x(), p.y()) - 2.5 * scale, p.z());
@@ -204,17 +204,19 @@ Experiment d25_surfaces() {
   using namespace d25;
   return {
       .id = "D-25",
-      .name = "Marching cubes: which table",
-      .question = "Which way to lay a surface around a solid closes it, and what does that cost?",
+      .name = "Marching cubes: which table of cases",
+      .question =
+          "Which way of making a surface around a solid leaves no holes, and what does it cost?",
       .axis = "radius, in cells",
       .error = "volume that a solid loses, as a share of it",
       .reference = "the solid's formula; the torus has a ring of 2.5 times its tube's radius",
       .theory =
           "linear interpolation of a distance loses h^2/12 times the integral of k1 + k2 over the "
-          "surface (D-25, S1-39): (h/r)^2/2 of a sphere, (h/a)^2/6 of a torus. Triangles are twice "
-          "the crossed edges, 3/2 of them for each square of a cell, (3 + 3 sqrt 2 + sqrt 3)/2 "
-          "with the diagonals of tetrahedra. Fifteen cases leave four edges open on an ambiguous "
-          "face of which one cell has more than four corners inside and the other has not",
+          "surface (S1-39 in docs/references.md): (h/r)^2/2 of a sphere, (h/a)^2/6 of a torus. "
+          "There are twice as many triangles as crossed edges: 3/2 crossed edges for each square "
+          "of a cell, (3 + 3 sqrt 2 + sqrt 3)/2 with the diagonals of tetrahedra. The fifteen "
+          "cases leave four open edges on an ambiguous face if one of its cells has more than four "
+          "corners inside and the other has not",
       .item = "corner of the lattice",
       .measures = {{.name = kTriangles,
                     .error = "triangles for each square of a cell's side of the true surface",

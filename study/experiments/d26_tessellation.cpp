@@ -328,7 +328,8 @@ std::function<void(int)> frame_of(MakeScene make) {
 
 // Collapsing the cheapest edge first does not give the best set of triangles.
 const Finding kGreedy{
-    "edges are collapsed one after the other, by the mean of squares and not the largest distance",
+    "edges are collapsed one by one, chosen by the mean square of the distance and not by the "
+    "largest distance",
     2, 8};
 
 // The largest deviation and the outline error of one mesh, at its number of triangles.
@@ -388,7 +389,7 @@ Experiment d26_tessellation() {
       .id = "D-26",
       .name = "Tessellation: into how many triangles",
       .question =
-          "How far are a curved surface's triangles from it in the picture, and what does a finer "
+          "How far are the triangles from the curved surface in the picture, and what does a finer "
           "mesh cost?",
       .axis = "cells along each side of a patch",
       .error =
@@ -397,24 +398,23 @@ Experiment d26_tessellation() {
       .error_unit = "px",
       .reference = "the Bezier patches in double",
       .theory =
-          "a chord misses its arc by h^2/8 of the second derivative across the surface: the "
-          "largest over the teapot, times 1/level^2, so that error times triangles stays the same. "
-          "Of a decimated mesh: what no mesh with corners on the surface is below, 2/(3 sqrt 3) of "
-          "the integral of sqrt|K| over the triangles (D'Azevedo and Simpson 1989). An outline "
-          "along chords is off by h^2/12 of the curvature along it and, as corners lie beside it, "
-          "h^2/24 of that across",
+          "a chord is h^2/8 of the second derivative across the surface away from its arc: the "
+          "largest over the teapot, times 1/level^2, so error times triangles stays the same. For "
+          "a decimated mesh, the lower limit of all meshes with corners on the surface: 2/(3 sqrt "
+          "3) of the integral of sqrt|K|, over the number of triangles (D'Azevedo and Simpson "
+          "1989). An outline along chords is off by h^2/12 of the curvature along it and, because "
+          "corners are beside it, by h^2/24 of the curvature across it",
       .item = "frame",
       .threaded = true,
       .axis_is_chosen = true,
-      .measures =
-          {{kDeviation,
-            "largest distance between triangles and surface; of decimated ones, from the corners "
-            "of a fine mesh",
-            "px", "triangles"},
-           {kOutline,
-            "area between the outline and that of a mesh of level 64, for each pixel of its "
-            "length",
-            "px", "triangles"}},
+      .measures = {{kDeviation,
+                    "largest distance between triangles and surface; for decimated meshes, "
+                    "measured at the corners of a fine mesh",
+                    "px", "triangles"},
+                   {kOutline,
+                    "area between the outline and the outline of a mesh of level 64, per pixel of "
+                    "its length",
+                    "px", "triangles"}},
       .configurations = configurations};
 }
 

@@ -141,19 +141,19 @@ Experiment d27_hierarchical_raster() {
   using namespace d27;
   return {
       .id = "D-27",
-      .name = "Hierarchical raster: which pixels are looked at",
-      .question = "From which size on does it pay to ask blocks of pixels before pixels?",
+      .name = "Hierarchical rasterization: which pixels are tested",
+      .question = "From which size on does it pay to test blocks of pixels before single pixels?",
       .axis = "size of the triangles",
       .axis_unit = "px",
-      .error = "pixels that are counted as covered and are not, or the other way round",
+      .error = "pixels that are wrongly covered or wrongly not covered",
       .error_unit = "pixels",
       .reference =
           "the definition (edge functions and top-left rule) in 128 bits at every pixel of the "
           "picture",
       .theory =
-          "All are integers: 0. A box of side L has L^2 pixels, of which a compact triangle covers "
-          "up to a half and a sliver L/2 (its worst case, O(L^2) for O(L)); blocks look at O(L) "
-          "along the edges, rows divide 3 times.",
+          "All ways compute in integers: 0. A box of side L has L^2 pixels. A compact triangle "
+          "covers up to half of them, a sliver L/2 (the worst case: O(L^2) tests for O(L) pixels). "
+          "Blocks test O(L) pixels along the edges, and rows need three divisions.",
       .item = "triangle",
       .configurations = configurations,
   };

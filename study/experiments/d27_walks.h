@@ -101,7 +101,7 @@ struct NamedWalk {
   const char* name;
   Walk walk;
 };
-inline constexpr NamedWalk kWalks[] = {{"whole box, edges anew", walk_box},
+inline constexpr NamedWalk kWalks[] = {{"whole box, edges computed for each pixel", walk_box},
                                        {"whole box, incremental", walk_incrementally},
                                        {"scan lines", walk_rows},
                                        {"8x8 blocks", walk_blocks}};

@@ -235,10 +235,11 @@ Experiment d28_elision() {
   return {
       .id = "D-28",
       .name = "Stage elision: leaving out what a scene does not need",
-      .question = "What does each decision of the plan save, where it holds and where it does not?",
+      .question =
+          "What does each decision of the plan save, where its proof holds and where it does not?",
       .axis = "1: the decision is taken where its proof holds; 0: everything runs",
       .logarithmic_axis = false,
-      .error = "pixels whose colour (or depth, where it is asked for) differs",
+      .error = "pixels whose colour (or depth, if it is wanted) differs",
       .error_unit = "pixels",
       .reference = "the staged reference",
       .theory = "A decision needs a proof that no byte changes: 0.",

@@ -85,7 +85,7 @@ struct Way {
   double records;  // value on the axis
   Rendering (*run)(const Watched&);
 };
-constexpr Way kWays[] = {{"compiled out: nobody watches", 0, run_untraced},
+constexpr Way kWays[] = {{"compiled out: no observer", 0, run_untraced},
                          {"called at every stage, nothing done", 1, run_watched},
                          {"counters at every stage", 2, run_counted},
                          {"trace of one pixel", 3, run_filtered},
@@ -124,19 +124,18 @@ Experiment d29_trace() {
   using namespace d29;
   return {
       .id = "D-29",
-      .name = "Trace: what being watched costs",
-      .question = "What does a run pay for being able to be looked at, and for being looked at?",
+      .name = "Trace: the cost of observing a run",
+      .question = "What does it cost that a run can be observed, and what does observing it cost?",
       .axis =
           "0 no calls in the code, 1 all stages call, 2 all stages counted, 3 one pixel "
           "recorded, 4 everything recorded",
       .logarithmic_axis = false,
       .error = "pixels whose colour or depth differ",
       .error_unit = "pixels",
-      .reference = "the picture of a run that nobody watches",
+      .reference = "the picture of a run without an observer",
       .theory =
-          "Whoever only watches changes nothing: 0. Who watches is a type: a run that nobody "
-          "watches "
-          "is compiled without a call.",
+          "An observer changes nothing: 0. The observer is a type, so a run without an observer is "
+          "compiled without its calls.",
       .item = "picture",
       .configurations = configurations,
   };

@@ -82,8 +82,9 @@ double variance_without(const views::Klt& klt, int kept) {
 std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
   const double added = rounding_of(klt, kept) / klt.dropped(kept);
   if (added < 0.5) return std::nullopt;
-  return Finding{"components in bytes are rounded: that is more than what was dropped",
-                 1 + 0.9 * added, 1 + 1.1 * added};
+  return Finding{
+      "components stored as bytes are rounded, by more than the error of the dropped components",
+      1 + 0.9 * added, 1 + 1.1 * added};
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -116,17 +117,16 @@ std::vector<Configuration> configurations(Effort effort) {
 Experiment d30_klt() {
   using namespace d30;
   return {.id = "D-30",
-          .name = "How many components",
-          .question = "How much of five bands do a few numbers a pixel keep?",
+          .name = "Components of bands: how many",
+          .question = "How much of five bands do a few numbers per pixel keep?",
           .axis = "components that are kept",
           .logarithmic_axis = false,
-          .error = "mean squared distance of a pixel from what it was",
+          .error = "mean squared distance of a pixel from its original",
           .error_unit = "counts^2",
           .reference = "the bands of a generated planet, ten bits each",
           .theory =
-              "the sum of the eigenvalues that were dropped, exactly (S1-14); of bands as they "
-              "are, the "
-              "sum of the variances of those that were dropped",
+              "exactly the sum of the eigenvalues that were dropped (S1-14 in docs/references.md); "
+              "for bands as they are, the sum of the variances of the dropped bands",
           .item = "pixel",
           .axis_is_chosen = true,
           .configurations = configurations};

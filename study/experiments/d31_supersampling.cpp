@@ -145,29 +145,30 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
            .items = items});
     }
   }
-  all.push_back(
-      {.series = "analytic area, double",
-       .parameter = 1,
-       .scene = name,
-       .error =
-           [=] {
-             double squares = 0;
-             for (std::size_t i = 0; i < samples->pieces.size(); ++i) {
-               const double e = covered_share<double>(samples->pieces[i]) - samples->exact[i];
-               squares += e * e;
-             }
-             return std::sqrt(squares / items);
-           },
-       .predicted_error = 0x1p-53,
-       .finding =
-           Finding{"long edges cost digits: where an edge crosses the pixel's border is computed "
-                   "from corners up to 120 px away, and rounded as numbers of that size are",
-                   2, 120},
-       .work =
-           [=](int) {
-             for (const Piece& piece : samples->pieces) consume(covered_share<double>(piece));
-           },
-       .items = items});
+  all.push_back({.series = "analytic area, double",
+                 .parameter = 1,
+                 .scene = name,
+                 .error =
+                     [=] {
+                       double squares = 0;
+                       for (std::size_t i = 0; i < samples->pieces.size(); ++i) {
+                         const double e =
+                             covered_share<double>(samples->pieces[i]) - samples->exact[i];
+                         squares += e * e;
+                       }
+                       return std::sqrt(squares / items);
+                     },
+                 .predicted_error = 0x1p-53,
+                 .finding = Finding{"long edges cost digits: the crossing of an edge with the "
+                                    "pixel's border is computed from corners up to 120 px away, "
+                                    "with rounding errors of numbers of this size",
+                                    2, 120},
+                 .work =
+                     [=](int) {
+                       for (const Piece& piece : samples->pieces)
+                         consume(covered_share<double>(piece));
+                     },
+                 .items = items});
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -184,18 +185,18 @@ Experiment d31_supersampling() {
   using namespace d31;
   return {
       .id = "D-31",
-      .name = "Supersampling: where the samples of a pixel lie",
-      .question = "How many samples, and placed how, for how smooth an edge?",
-      .axis = "samples to a pixel",
+      .name = "Supersampling: where the samples of a pixel are",
+      .question = "How smooth an edge do how many samples give, and where should they be?",
+      .axis = "samples per pixel",
       .error = "RMS error of the covered share, over partly covered pixels",
       .error_unit = "pixel",
       .reference = "the exact area of triangle and pixel, by clipping in rationals",
       .theory =
-          "With m the mean of c(1 - c) over the pixels: random sqrt(m/S), the binomial variance. A "
-          "cell of a grid of S errs only where an edge crosses it, and a line crosses sqrt(S) of "
-          "the S cells on the average (Cauchy-Crofton): sqrt(m) S^-3/4, which regular patterns "
-          "follow too. One sample at the centre: RMS of min(c, 1 - c). Analytic: a few roundings "
-          "of numbers below one pixel, 2^-53",
+          "m is the mean of c(1 - c) over the pixels. Random samples: sqrt(m/S), the binomial "
+          "variance. A cell of a grid of S cells has an error only if an edge crosses it, and a "
+          "line crosses sqrt(S) of the S cells on average (Cauchy-Crofton): sqrt(m) S^-3/4, which "
+          "is also true for regular patterns. One sample at the centre: RMS of min(c, 1 - c). "
+          "Analytic area: a few rounding errors of numbers below one pixel, 2^-53",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations,

@@ -94,20 +94,20 @@ Experiment d32_clipping() {
   return {
       .id = "D-32",
       .name = "Clipping: in eye space or in clip space",
-      .question =
-          "What is gained by clipping against a box rather than against the viewing pyramid?",
+      .question = "What is gained by clipping against a box instead of the viewing pyramid?",
       .axis = "length of a triangle's edges over the picture's width",
       .error =
-          "largest distance of a vertex that clipping made from the edge of the picture that made "
-          "it",
+          "largest distance of a vertex that clipping made from the edge of the picture at which "
+          "it was made",
       .error_unit = "px",
       .reference = "the edge itself",
       .theory =
-          "The distances from a plane of the pyramid and from the box's are the same number, so in "
-          "exact arithmetic both leave the same polygon. In floats, x = w can be set and x = z/a "
-          "only rounded: x, z and the projection's product by u each, 3 u W/2. A side of the "
-          "pyramid costs a product more for each vertex; the box costs the projection of vertices "
-          "that are thrown away, and a fourth coordinate for each crossing",
+          "The distances from a plane of the pyramid and from a plane of the box are the same "
+          "number, so in exact arithmetic both leave the same polygon. In floats, x = w can be set "
+          "exactly, but x = z/a only rounded: x, z and the projection's product by u each, 3 u "
+          "W/2. Each side of the pyramid costs one more product per vertex; the box costs the "
+          "projection of vertices that are discarded later, and a fourth coordinate for each "
+          "crossing",
       .item = "triangle",
       .configurations = configurations,
   };

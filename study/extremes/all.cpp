@@ -18,9 +18,9 @@ const std::vector<ExtremeCase>& extreme_cases() {
 
 const std::vector<LeftOut>& left_out_cases() {
   static const std::vector<LeftOut> all{
-      {"C-116", "No numbers in pixels and vertices",
-       "loaders refuse them with the place (tests/mesh, tests/images); no stage after them is "
-       "strained"},
+      {"C-116", "Pixels and vertices that are not numbers",
+       "the loaders refuse them and name the place (tests/mesh, tests/images), so they reach no "
+       "later stage"},
   };
   return all;
 }

@@ -53,15 +53,15 @@ Result<Budget> parse_budget(std::string_view part) {
   const auto sign = part.find('<');
   if (sign == std::string_view::npos) return refused(part, "has no <");
   const auto quantity = quantity_of(trimmed(part.substr(0, sign)));
-  if (!quantity) return refused(part, "is about none of position, depth and colour");
+  if (!quantity) return refused(part, "limits neither position nor depth nor colour");
   std::string_view value = trimmed(part.substr(sign + 1));
   const std::string_view unit = unit_of(*quantity);
   if (!unit.empty() && value.ends_with(unit))
     value = trimmed(value.substr(0, value.size() - unit.size()));
   const auto limit = share_of(value);
   if (!limit) {
-    return refused(part, unit.empty() ? "has a limit that is no number"
-                                      : "has a limit that is no number of " + std::string(unit));
+    return refused(part, unit.empty() ? "has a limit that is not a number"
+                                      : "has a limit that is not a number of " + std::string(unit));
   }
   if (!(*limit > 0 && std::isfinite(*limit)))
     return refused(part, "has a limit that is not above 0");
@@ -94,7 +94,7 @@ Result<std::vector<Budget>> parse_budgets(const std::string& text) {
     const auto budget = parse_budget(trimmed(rest.substr(0, comma)));
     if (!budget) return tl::unexpected(budget.error());
     if (std::ranges::count(budgets, budget->quantity, &Budget::quantity) != 0)
-      return refused(text, "has two limits of " + std::string(name_of(budget->quantity)));
+      return refused(text, "has two limits for " + std::string(name_of(budget->quantity)));
     budgets.push_back(*budget);
     if (comma == std::string_view::npos) return budgets;
     rest = rest.substr(comma + 1);

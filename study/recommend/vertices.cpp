@@ -229,7 +229,7 @@ Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, st
   const std::vector<RightPlace>& usable = inside.empty() ? beside : inside;
   if (usable.empty()) {
     return fail("", "no vertex of the scene lies between the near and the far plane",
-                "look at it from elsewhere: --eye, --look-at, or --camera");
+                "look at the scene from another place: --eye, --look-at, or --camera");
   }
   const std::size_t stride = (usable.size() + most - 1) / most;
   for (std::size_t i = 0; i < usable.size(); i += stride) vertices.places_.push_back(usable[i]);
@@ -251,7 +251,8 @@ Comparison SceneVertices::positions() const {
       {"double, one matrix after the other", false, separately<double>(*scene_, view_, draws)}};
   Comparison result;
   result.quantity = Quantity::kPosition;
-  result.error = fmt::format("largest distance on the screen, of {} vertices", count());
+  result.error =
+      fmt::format("largest distance on the screen from the right place, over {} vertices", count());
   result.reference = "50 digits";
   const VertexColumns vertices = columns_of(draws, places_);
   ScreenColumns found{std::vector<double>(count()), std::vector<double>(count())};

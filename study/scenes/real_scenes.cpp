@@ -15,17 +15,17 @@ namespace {
 
 constexpr RealScene kScenes[] = {
     {"R1", "textures, a lamp and highlights, from inside", "room"},
-    {"R2", "levels of a texture, to the horizon", "checker"},
-    {"R3", "300 objects, thin and far", "forest"},
+    {"R2", "mip levels of a texture, to the horizon", "checker"},
+    {"R3", "300 objects, many of them thin and far", "forest"},
     {"R4", "a smooth surface of small triangles", "teapot:64"},
     {"R5", "a textured model from a file", "meshes/gltf/Avocado/glTF/Avocado.gltf", true},
     {"R6", "R1 with 4 samples of a pixel", "room", false, 4},
     {"R7", "S2 with 4 samples of a pixel", "S2", false, 4},
     {"R8", "leaves cut out by alpha", "thicket"},
     {"R9", "32 blended layers of glass", ""},
-    {"R10", "100 000 instances of a cube", ""},
+    {"R10", "100,000 instances of a cube", ""},
     {"R11", "100 spheres behind a wall", ""},
-    {"R12", "200 spheres of which 10 are in view", ""},
+    {"R12", "200 spheres, 10 of them in view", ""},
 };
 
 // ---- parts ----
@@ -139,7 +139,7 @@ Result<Scene> make(std::string_view name) {
   if (name == "R10") return make_many();
   if (name == "R11") return make_hidden();
   if (name == "R12") return make_scattered();
-  return fail(std::string(name), "is not a scene that is made here", "try R9 to R12");
+  return fail(std::string(name), "is not a scene that can be made", "try R9 to R12");
 }
 
 }  // namespace

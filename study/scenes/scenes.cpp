@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::array<BenchSceneName, 9> kNames = {{
     {"S1", "small triangles"},
-    {"S1b", "the same in a vertex cache's order"},
-    {"S2", "a mesh of a scan's size"},
+    {"S1b", "the same triangles in an order that suits a vertex cache"},
+    {"S2", "a mesh as large as a scan"},
     {"S3", "texture"},
     {"S4bf", "overdraw, back to front"},
     {"S4fb", "overdraw, front to back"},
@@ -234,7 +234,7 @@ Result<BenchScene> make_bench_scene(std::string_view name, int width, int height
   for (const BenchSceneName& known : kNames) {
     list += fmt::format("{}{}", list.empty() ? "" : ", ", known.name);
   }
-  return fail(std::string(name), "is no scene of the benchmark", "choose one of " + list);
+  return fail(std::string(name), "is not a scene of the benchmark", "choose one of " + list);
 }
 
 BenchScene make_ellipsoid_scene(std::string name, const Grid& grid, int width, int height) {

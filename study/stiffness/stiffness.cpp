@@ -214,16 +214,19 @@ private:
 
   void add_left_out(bool has_up, Stiffness& found) const {
     found.left_out.push_back(
-        "Corners beside the picture and vertices that planes cut: what they do to the pixels is in "
-        "the fragments' numbers.");
-    if (!has_up) found.left_out.push_back("The angle to up: the camera of the file is a pose.");
+        "Corners outside of the picture and vertices made by clipping: the numbers of fragments "
+        "contain their effect on the pixels.");
+    if (!has_up)
+      found.left_out.push_back(
+          "The angle to up: the camera comes from the file as a pose, without an up vector.");
     if (!view_.perspective) {
       found.left_out.push_back(
           "Depth and w: a parallel view has the same error at every distance.");
     }
     if (without_bounds_ > 0) {
-      found.left_out.push_back(fmt::format("{} of lines and points, which have no bounds.",
-                                           counted(without_bounds_, "fragment")));
+      found.left_out.push_back(
+          fmt::format("{} of lines and points, for which no bounds are computed.",
+                      counted(without_bounds_, "fragment")));
     }
   }
 

@@ -30,7 +30,7 @@ struct StiffNumber {
   // the bound in pixels of the picture, if the error moves or separates something there
   std::optional<double> pixels;
   std::string formula;  // formula of the bound
-  std::string source;   // for example "SPEC C, generic bound 8; C-10"
+  std::string source;   // for example "extreme case of slivers (C-47)"
   std::optional<StiffPlace> place;
   // Only for depth: the number of depth tests that exact depths might decide otherwise. If it is 0,
   // the bound does no harm.

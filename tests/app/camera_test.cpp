@@ -1,4 +1,4 @@
-// Which camera a picture is taken with, and the cameras that are none.
+// Tests which camera a picture is taken with, and that wrong cameras are refused.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace glassbox::test {
 namespace {
 
-// Two scenes and two cameras over one triangle. The second scene would put another one over the picture.
+// A file with two scenes, and two cameras over one triangle. The scene that is not the default one
+// would cover the picture with another triangle.
 constexpr const char* kTwoScenes = R"({
   "asset": {"version": "2.0"},
   "scene": 1,
@@ -86,7 +87,8 @@ TEST_CASE("without a camera the whole scene is in the picture, whatever its size
   for (const char* scale : {"1", "1e-6", "1e6"}) {
     for (const char* offset : {"0", "3"}) {
       const Workplace here;
-      // A diamond without flat sides along the view; coordinates as OBJ text, scaled by their exponents.
+      // A diamond without flat sides along the view. The exponents of its coordinates in the OBJ
+      // text give the scale.
       const std::string s(scale), o(offset);
       const std::string e = s == "1" ? std::string() : s.substr(1);
       const auto v = [&](int x, int y, int z) {
@@ -113,7 +115,7 @@ TEST_CASE("without a camera the whole scene is in the picture, whatever its size
 
 TEST_CASE("with --up alone the whole scene is in the picture, upright, from its own distance") {
   const Workplace here;
-  // A tower of 12 along z, as scans often have it.
+  // A tower 12 units high along z, the up axis of many scans.
   here.write("tower.obj",
              "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 12\nv 1 -1 12\nv 1 1 12\nv -1 1 12\n"
              "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
@@ -123,13 +125,13 @@ TEST_CASE("with --up alone the whole scene is in the picture, upright, from its 
     INFO(up << ": " << outcome.err);
     REQUIRE(outcome.exit_code == 0);
     const Plane plane = parse_pfm(here.read("p.pfm"));
-    int outermost = 64;  // how far from the border something is seen
+    int outermost = 64;  // distance of the outermost drawn pixel from the border
     for (int y = 0; y < 48; ++y) {
       for (int x = 0; x < 64; ++x) {
         if (plane.at(x, y) != 0) outermost = std::min({outermost, x, y, 63 - x, 47 - y});
       }
     }
-    // The margin is a twentieth of the picture on two sides at least, and nothing is cut off.
+    // The margin is at least a twentieth of the picture on two sides, and nothing is cut off.
     CHECK(outermost >= 1);
     CHECK(outermost <= 4);
   }

@@ -1,4 +1,5 @@
-// glassbox completion: what shells make of the scripts. glassbox man: what man makes of the page.
+// Tests glassbox completion: what shells do with the scripts. Tests glassbox man: what man does
+// with the page.
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -24,7 +25,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// A workplace with the script of a shell in it.
+// Writes the completion script of a shell into a workplace.
 Workplace& with_script(Workplace& here, const std::string& shell) {
   const Outcome outcome = here.run("completion " + shell);
   REQUIRE(outcome.exit_code == 0);
@@ -35,7 +36,8 @@ Workplace& with_script(Workplace& here, const std::string& shell) {
 
 // ---- bash ----
 
-// What bash offers where the cursor stands behind the last of the words, as its function gets them.
+// Returns what bash offers when the cursor is at the end of the last word. The words are those that
+// bash passes to its completion function.
 std::set<std::string> offered(const Workplace& here, const std::vector<std::string>& words) {
   std::string line = "source ./script; COMP_WORDS=(";
   for (const std::string& word : words) line += "'" + word + "' ";
@@ -100,7 +102,8 @@ TEST_CASE("every option of every subcommand is in the scripts and in the manual"
   CHECK(!contains(bash + zsh + fish + man, "bench-peer"));
 }
 
-// The keys are typed on a terminal, as script(1) gives it; what bash makes of the TAB is run.
+// Types the keys on a terminal made by script(1). The command that bash completes with TAB is then
+// run.
 TEST_CASE("the TAB key completes in an interactive bash") {
   NEED_PSEUDO_TERMINAL();
   Workplace here;
@@ -213,11 +216,11 @@ TEST_CASE("man and groff format the manual without a warning") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   if (is_there("mandoc")) {
-    // A page of a program that is built again must be the same page: it has no date.
+    // The page must be the same when the program is built again, so it has no date.
     const Outcome lint =
         in_shell(here, "mandoc -T lint -W warning glassbox.1 | grep -v 'missing date'");
     CHECK(lint.out.empty());
-    CHECK(lint.err.empty());  // what mandoc says where it cannot lint at all
+    CHECK(lint.err.empty());  // mandoc's error message if it cannot check the page at all
   }
 }
 

@@ -1,4 +1,5 @@
-// What a file asks for and the picture lacks is said once, by every command that loads it; and PLY files go everywhere.
+// Every command that loads a file reports once what the file needs and the picture lacks. PLY files
+// are accepted by every command.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/text.h"
@@ -17,7 +18,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-// A triangle in a data URI, with a normal texture, an animation and an extension.
+// Writes a triangle in a data URI. Its normal texture, animation and extension are not drawn.
 void write_wishes(const Workplace& here) {
   here.write("wishes.gltf", R"({
     "asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "name": "a"}],
@@ -35,7 +36,7 @@ void write_wishes(const Workplace& here) {
 const char* const kSaid[] = {
     "the extension 'KHR_materials_sheen' is not supported and was ignored in one place",
     "normal textures are not drawn (1 material)",
-    "1 animation is not played: everything stands as the file places it"};
+    "1 animation is not played: everything is drawn where the file places it"};
 
 TEST_CASE("what a glTF file asks for and a picture lacks is one line on standard error") {
   const Workplace here;
@@ -82,7 +83,7 @@ TEST_CASE("step tells what is emitted from what is lit") {
   write_wishes(here);
   const Outcome outcome = here.run("step wishes.gltf --size 32x32 --triangle 0");
   CHECK(contains(outcome.out, "emitted  (0, 0.5, 0), linear\n"));
-  CHECK(contains(outcome.out, ", linear, with what is emitted\n"));
+  CHECK(contains(outcome.out, ", linear, with the emitted light\n"));
   CHECK_FALSE(contains(here.run("step cube --size 32x32 --pick 16,16").out, "emitted"));
 }
 

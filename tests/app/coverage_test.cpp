@@ -1,5 +1,6 @@
-// Orthographic exactness: with extents and sizes that are powers of two, coordinates that are multiples of 1/256 px
-// arrive unchanged, so that whole runs of the program cover what integer arithmetic says.
+// Exact coverage in parallel projection: with extents and sizes that are powers of two, coordinates
+// that are multiples of 1/256 px arrive unchanged. Whole runs of the program then cover exactly the
+// pixels that integer arithmetic gives.
 #include "tests/support/catch.h"
 
 #include <array>
@@ -31,7 +32,7 @@ bool owns(Triangle2 t, int i, int j) {
   };
   const std::int64_t area = edge(t[0], t[1], t[2]);
   if (area == 0) return false;
-  if (area < 0) std::swap(t[1], t[2]);  // clockwise as seen
+  if (area < 0) std::swap(t[1], t[2]);  // make it clockwise as seen
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner2 a = t[k];
     const Corner2 b = t[(k + 1) % 3];
@@ -42,8 +43,8 @@ bool owns(Triangle2 t, int i, int j) {
   return true;
 }
 
-// A picture of `side` x `side` pixels whose height is `extent` world units, both powers of two, as OBJ: pixel
-// coordinates become world coordinates without rounding.
+// Returns the OBJ text for a picture of `side` x `side` pixels whose height is `extent` world
+// units, both powers of two: pixel coordinates become world coordinates without rounding.
 std::string obj_of(const std::vector<Triangle2>& triangles, int side, double extent) {
   std::string text;
   char line[120];
@@ -80,9 +81,9 @@ std::string text_of(const Triangle2& t) {
 
 constexpr int kTile = 32;  // px
 
-// Many triangles in one picture, one to a tile.
+// Many triangles in one picture, one in each tile.
 struct Sheet {
-  int tiles;  // each way
+  int tiles;  // in each direction
   std::vector<Triangle2> triangles;
 
   Triangle2 placed(std::size_t n) const {
@@ -95,7 +96,8 @@ struct Sheet {
   }
 };
 
-// Each pixel of the sheet carries the number of its tile's triangle if `covered` says so, else 0.
+// Checks every pixel of the sheet: it has the number of its tile's triangle if `covered` returns
+// true, and 0 otherwise.
 template <class Covered>
 void check_sheet(const Sheet& sheet, double extent, const Covered& covered) {
   const Workplace here;
@@ -117,7 +119,7 @@ void check_sheet(const Sheet& sheet, double extent, const Covered& covered) {
   }
 }
 
-// Corners on centres and corners of pixels come up often.
+// Returns a random corner; corners at the centres and corners of pixels are frequent.
 Corner2 random_corner(Random& random) {
   const std::int64_t grid = std::array<std::int64_t, 4>{1, 1, 128, 256}[random.bits() % 4];
   return {random.integer(0, kTile * 256 / grid) * grid,
@@ -183,7 +185,7 @@ TEST_CASE("whole runs agree with the exact coverage masks of the reference table
   std::vector<Row> inside, outside;
   for (const Row& row : read_rows(path)) (row.inside_tile() ? inside : outside).push_back(row);
   REQUIRE(inside.size() > 100);
-  // Triangles within the picture, 256 to a sheet.
+  // Triangles within the picture are drawn 256 in a sheet.
   for (std::size_t first = 0; first < inside.size(); first += 256) {
     Sheet sheet{16, {}};
     for (std::size_t n = first; n < std::min(first + 256, inside.size()); ++n) {
@@ -192,7 +194,8 @@ TEST_CASE("whole runs agree with the exact coverage masks of the reference table
     check_sheet(sheet, 512,
                 [&](std::size_t n, int i, int j) { return inside[first + n].covers(i, j); });
   }
-  // Those that reach beyond it, each by itself; a sample of them, as each is a run of the program.
+  // Triangles that extend beyond the picture are drawn alone. Only some of them, because each needs
+  // a run of the program.
   const std::size_t step = std::max<std::size_t>(1, outside.size() / 100);
   for (std::size_t n = 0; n < outside.size(); n += step) {
     const Row& row = outside[n];

@@ -1,4 +1,4 @@
-// Directories of pictures, and approval.
+// Tests glassbox diff with directories of pictures, and approval.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ public:
   TwoFolders() {
     for (const char* folder : {"ref/sub", "out/sub"}) fs::create_directories(here.file(folder));
   }
-  // A picture like all others, with the sample (3, 3) of red changed by `change`.
+  // Adds the sample picture with `change` added to the red sample of pixel (3, 3).
   void add(const std::string& name, int change = 0) const {
     StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}});
     set_sample(image, 3, 3, 0, sample_at(image, 3, 3, 0) + change);
@@ -98,7 +98,7 @@ TEST_CASE("heat maps of a directory go to a folder, one for each picture that di
   }
   two.add("out/b.png", 1);
   two.add("out/sub/c.png", 2);
-  // The same name with another extension has a heat map of its own.
+  // A picture of the same name with another extension has a heat map of its own.
   const StoredImage floats = sample_picture({"", "", 1, Format::kFloats, {}});
   two.here.write("ref/b.pfm", pfm_of(floats));
   two.here.write("out/b.pfm", pfm_of(one_step_up(floats)));
@@ -109,7 +109,7 @@ TEST_CASE("heat maps of a directory go to a folder, one for each picture that di
   CHECK(!two.exists("heat/a.png.heat.png"));
   CHECK(!two.exists("heat/gone.png.heat.png"));
 
-  // FLIP has nothing to say about floats, which is no reason to say nothing about the others.
+  // FLIP cannot compare floats, but the other pictures must be compared all the same.
   const Outcome flip = two.diff("-o flip --heat flip");
   INFO(flip.err);
   CHECK(contains(flip.err, "b.pfm"));

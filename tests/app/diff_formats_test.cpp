@@ -1,4 +1,5 @@
-// Pictures whose files differ in kind: another format is a difference, another container is none.
+// Pictures whose files differ in kind: another sample format is a difference, another kind of file
+// is not.
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -23,7 +24,7 @@ Outcome diff(const std::string& reference, const std::string& test,
   return here.run("diff a b " + options);
 }
 
-// What the formats' difference is called; the tolerance has no say in it.
+// Checks the words for the difference of two formats, which is a difference under any tolerance.
 void check_shapes(const std::string& a, const std::string& b, const std::string& words) {
   for (const char* options : {"", "--fuzzy 0-65535;0-1000000", "--metric absmax<=1"}) {
     const Outcome outcome = diff(a, b, options);
@@ -42,8 +43,8 @@ TEST_CASE("another number of channels or of bits is a difference") {
   check_shapes(grey, rgb, "the reference is grey, the test RGB");
   check_shapes(rgb, rgba, "the reference is RGB, the test RGBA");
   check_shapes(rgba, rgb, "the reference is RGBA, the test RGB");
-  check_shapes(rgb, wide, "the reference has 8 bits a sample, the test 16 bits");
-  check_shapes(wide, floats, "the reference has 16 bits a sample, the test 32-bit floats");
+  check_shapes(rgb, wide, "the reference has 8 bits per sample, the test 16 bits");
+  check_shapes(wide, floats, "the reference has 16 bits per sample, the test 32-bit floats");
 }
 
 TEST_CASE("an opaque alpha channel is a difference, and named") {
@@ -97,15 +98,15 @@ TEST_CASE("NaN is different from NaN unless asked otherwise") {
     const Outcome strict = diff(pfm, pfm);
     INFO(strict.out);
     CHECK(strict.exit_code == 1);
-    CHECK(contains(strict.out, "1 of 432 pixels differ, some by no finite distance"));
+    CHECK(contains(strict.out, "1 of 432 pixels differ, some by an infinite difference"));
     CHECK(contains(strict.out, "first (5, 6)"));
     CHECK(contains(strict.out, "nan"));
     CHECK(diff(pfm, pfm, "--nan-equal").exit_code == 0);
-    // No tolerance has room for it.
+    // No tolerance allows it.
     CHECK(diff(pfm, pfm, "--max-ulp 4294967294").exit_code == 1);
     const Outcome fuzzy = diff(pfm, pfm, "--fuzzy 0-18446744073709551615;0-18446744073709551615");
     CHECK(fuzzy.exit_code == 1);
-    CHECK(contains(fuzzy.out, "no finite distance is not within"));
+    CHECK(contains(fuzzy.out, "an infinite difference is not within"));
     CHECK(!contains(fuzzy.out, "4294967295"));
     CHECK(contains(diff(pfm, pfm, "--suggest-fuzzy").out, "fuzzy: none allows NaN"));
 

@@ -1,4 +1,4 @@
-// Pictures in every kind of file that is compared.
+// Makes pictures in every kind of file that glassbox diff compares.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ inline std::string pfm_of(const StoredImage& image) {
   return text_of(value_of(encode_pfm(image)));
 }
 
-// PPM or PGM; of 16 bits the high byte comes first.
+// Returns a PPM or PGM file. Samples of 16 bits have the high byte first.
 inline std::string pnm_of(const StoredImage& image) {
   const bool wide = std::holds_alternative<std::vector<std::uint16_t>>(image.samples);
   std::string text = std::string(image.channels == 3 ? "P6" : "P5") + "\n" +
@@ -55,7 +55,7 @@ inline std::string pnm_of(const StoredImage& image) {
   return text;
 }
 
-// The colours of an RGB picture as a palette, in order of their first pixel.
+// Returns a PNG with a palette of the RGB picture's colours, in the order of their first pixels.
 inline std::string palette_png_of(const StoredImage& image) {
   PngParts parts;
   parts.width = std::uint32_t(image.width);
@@ -104,7 +104,7 @@ struct Kind {
   int channels = 0;
   Format format = Format::kBytes;
   std::function<std::string(const StoredImage&)> encode;
-  bool exact = true;  // what is written is what is read
+  bool exact = true;  // the file is read back as it was written
 };
 
 inline std::vector<Kind> all_kinds() {
@@ -126,7 +126,8 @@ inline std::vector<Kind> all_kinds() {
           {"RGB PFM", ".pfm", 3, Format::kFloats, pfm_of}};
 }
 
-// Few enough colours for a palette, no symmetry, and room for a step at both ends of the range.
+// Returns a picture with few enough colours for a palette, without symmetry, and with room for a
+// step at both ends of the range.
 inline StoredImage sample_picture(const Kind& kind, int width = 24, int height = 18) {
   StoredImage image = blank(width, height, kind.channels, kind.format);
   const double scale = kind.format == Format::kShorts   ? 257
@@ -143,7 +144,7 @@ inline StoredImage sample_picture(const Kind& kind, int width = 24, int height =
   return image;
 }
 
-// One step up in every sample.
+// Increases every sample by one step.
 inline StoredImage one_step_up(StoredImage image) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -160,7 +161,7 @@ inline StoredImage one_step_up(StoredImage image) {
   return image;
 }
 
-// One pixel to the right; the first column is there twice.
+// Shifts the picture by one pixel to the right; the first column then occurs twice.
 inline StoredImage shifted(const StoredImage& image) {
   StoredImage result = image;
   for (int y = 0; y < image.height; ++y) {

@@ -1,4 +1,4 @@
-// The largest pictures that are compared: 16384 x 16384.
+// Compares the largest pictures that are accepted: 16384 x 16384.
 #include "tests/support/catch.h"
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t kSide = 16384;  // px
 
-// A grey PNG of 8 bits whose sample at (x, y) is 7 (x / 64 + y / 64), but for the last one. Made row by row, with
-// the filter that leaves few bytes.
+// Returns a grey PNG of 8 bits whose sample at (x, y) is 7 (x / 64 + y / 64), except the last one.
+// It is compressed row by row with the filter that needs the fewest bytes.
 std::string large_png(int last_sample) {
   Bytes header;
   put32(header, kSide);
@@ -28,7 +28,7 @@ std::string large_png(int last_sample) {
   REQUIRE(::deflateInit(&stream, 1) == Z_OK);
   Bytes above(kSide), filtered(1 + kSide);
   for (std::uint32_t y = 0; y < kSide; ++y) {
-    filtered[0] = 2;  // the difference from the row above
+    filtered[0] = 2;  // the filter that stores the difference from the row above
     for (std::uint32_t x = 0; x < kSide; ++x) {
       auto sample = std::uint8_t(7 * (x / 64 + y / 64));
       if (x == kSide - 1 && y == kSide - 1) sample = std::uint8_t(last_sample);

@@ -1,4 +1,4 @@
-// Masks, boxes, metrics, sidecars and bad usage of glassbox diff.
+// Tests masks, boxes, metrics, sidecars and wrong usage of glassbox diff.
 #include "tests/support/catch.h"
 
 #include <filesystem>
@@ -12,7 +12,8 @@
 namespace glassbox::test {
 namespace {
 
-// a.png and b.png differ in the pixels (5, 5) and (20, 10), by 60 and 2 steps of green.
+// The pictures a.png and b.png, which differ in the pixels (5, 5) and (20, 10), by 60 and 2 steps
+// of green.
 class TwoPixels {
 public:
   TwoPixels() {
@@ -49,7 +50,7 @@ TEST_CASE("boxes and masks leave pixels out, alone and together") {
   CHECK(two.diff("--mask one.png").exit_code == 1);
   CHECK(two.diff("--mask one.png --ignore 20,10,1x1").exit_code == 0);
   CHECK(contains(two.diff("--mask one.png").out, "1 of 431 pixels differ, by up to 2/255"));
-  // Options may stand anywhere, and again.
+  // Options may be given in any place, and repeatedly.
   CHECK(two.here
             .run("diff --ignore 5,5,1x1 a.png --ignore 20,10,1x1 b.png --metric rmse --metric psnr")
             .exit_code == 0);
@@ -68,7 +69,7 @@ TEST_CASE("a metric is reported, and decides only with a limit") {
     INFO(reported.out);
     CHECK(contains(reported.out, name));
   }
-  // 60/255, and sqrt((60^2 + 2^2) / (3 * 432)) / 255 = 0.0065396...
+  // The values are 60/255, and sqrt((60^2 + 2^2) / (3 * 432)) / 255 = 0.0065396...
   CHECK(contains(reported.out, "absmax: 0.235294\n"));
   CHECK(two.diff("--metric rmse<0.00654").exit_code == 0);
   CHECK(two.diff("--metric rmse<0.00653").exit_code == 1);
@@ -77,7 +78,7 @@ TEST_CASE("a metric is reported, and decides only with a limit") {
   CHECK(one_fails.exit_code == 1);
   CHECK(contains(one_fails.out, "psnr is "));
   CHECK(contains(one_fails.out, "not psnr>100"));
-  // All that is asked for has to hold.
+  // All requested limits have to hold.
   CHECK(two.diff("--metric absmax<=0.24 --fuzzy 0-60;0-2").exit_code == 0);
   CHECK(two.diff("--metric absmax<=0.24 --fuzzy 0-60;0-1").exit_code == 1);
   CHECK(two.diff("--metric absmax<=0.1 --fuzzy 0-60;0-2").exit_code == 1);
@@ -106,7 +107,8 @@ TEST_CASE(
 
   const Outcome overruled = two.diff("--fuzzy 0-5;0-5");
   CHECK(overruled.exit_code == 1);
-  CHECK(contains(overruled.out, "note: the tolerance of a.png.fuzzy is overruled"));
+  CHECK(contains(overruled.out,
+                 "note: the tolerance of a.png.fuzzy is not used, because another one is given"));
 
   two.here.write("a.png.fuzzy", "0-60;0-1\nreason: two ties\n");
   const Outcome failed = two.diff();

@@ -1,4 +1,4 @@
-// The reports of glassbox diff: files, and standard output that holds nothing else.
+// Tests the reports of glassbox diff: files, and standard output that has nothing but the report.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// a.png and b.png differ by 40 steps in (3, 3) and by one in (10, 5).
+// The pictures a.png and b.png, which differ by 40 steps in pixel (3, 3) and by one in (10, 5).
 class TwoPictures {
 public:
   TwoPictures() {
@@ -50,7 +50,7 @@ TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
   CHECK(read_image(two.here.file("heat.ppm")));
   CHECK(two.diff("-o flip.png --heat flip").exit_code == 1);
   CHECK(read_image(two.here.file("flip.png")));
-  // Of the same pictures it is black.
+  // For equal pictures the heat map is black.
   CHECK(two.here.run("diff a.png a.png -o same.png").exit_code == 0);
   const auto same = read_image(two.here.file("same.png"));
   REQUIRE(same);
@@ -120,7 +120,7 @@ TEST_CASE("all reports at once do not get into each other's way") {
   std::sort(names.begin(), names.end());
   CHECK(names == std::vector<std::string>{"a.png", "b.png", "h.png", "j.xml", "p.html"});
   CHECK(contains(two.here.read("p.html"), "<html"));
-  // What was there before is replaced, and does not change.
+  // Existing files are replaced, by the same bytes.
   const std::string page = two.here.read("p.html");
   CHECK(two.diff("-o h.png --html p.html --json - --junit j.xml").exit_code == 1);
   CHECK(two.here.read("p.html") == page);

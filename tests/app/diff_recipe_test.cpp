@@ -1,4 +1,5 @@
-// Pictures that glassbox made: the command that shows the first differing pixel, and what hostile recipes make of it.
+// Pictures made by glassbox: the command that shows the first differing pixel, and what happens
+// with hostile recipes.
 #include "tests/support/catch.h"
 
 #include <filesystem>
@@ -20,7 +21,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The picture with green of (x, y) changed and its text kept.
+// Returns the picture with the green of pixel (x, y) changed, and its text kept.
 std::string altered(const std::string& path, int x, int y) {
   const auto bytes = value_of(read_file(path));
   StoredImage image = value_of(decode_stored(bytes));
@@ -58,10 +59,10 @@ TEST_CASE("the command that is printed runs, and shows the pixel that differs") 
     const Json json = Json::parse(shown.out);
     CHECK(json["x"] == 23);
     CHECK(json["y"] == 14);
-    // It renders the picture as it should be.
+    // The command renders the picture as it should be.
     const StoredImage right = value_of(read_stored(here.file("a.png")));
     for (int c = 0; c < 3; ++c) CHECK(json["color"][std::size_t(c)] == sample_at(right, 23, 14, c));
-    // The same stands in the JSON.
+    // The JSON has the same command.
     CHECK(
         Json::parse(here.run("diff a.png b.png --json -").out)["pictures"][0]["inspect_command"] ==
         command);
@@ -87,7 +88,7 @@ TEST_CASE("names that a shell would take apart are quoted") {
   CHECK(!std::filesystem::exists(here.file("ran")));
 }
 
-// Two pictures, one pixel apart, both with this recipe as their text.
+// Compares two pictures that differ in one pixel, both with this recipe as their text.
 Outcome diff_of(const std::string& scene, const std::string& options) {
   const Workplace here;
   const std::vector<TextEntry> text{
@@ -175,7 +176,7 @@ TEST_CASE("recipes that differ are told, and so are versions") {
   const Outcome outcome = here.run("diff a.png b.png");
   INFO(outcome.out);
   CHECK(contains(outcome.out,
-                 "from other words: the reference from \"teapot:2 --size 40x30\", the test from "
+                 "with other options: the reference with \"teapot:2 --size 40x30\", the test with "
                  "\"teapot:2 --size 40x30 --shade flat\""));
 
   auto text = value_of(read_png_text(value_of(read_file(here.file("b.png")))));
@@ -212,7 +213,7 @@ TEST_CASE("a picture without a recipe, or one that passes, has no command") {
   here.write("b.png", altered(here.file("a.png"), 3, 3));
   CHECK(!inspect_command(here.run("diff a.png b.png").out).empty());
   CHECK(inspect_command(here.run("diff a.png b.png --fuzzy 0-255;0-1").out).empty());
-  // Different only in that a difference was asked for.
+  // The comparison fails only because a difference was required.
   const Outcome demanded = here.run("diff a.png a.png --fuzzy 1;1");
   CHECK(demanded.exit_code == 1);
   CHECK(inspect_command(demanded.out).empty());

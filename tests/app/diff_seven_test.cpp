@@ -1,4 +1,5 @@
-// The seven situations that a picture test can be in, and what glassbox diff says of each, for every kind of file.
+// The seven situations of a picture test, and what glassbox diff reports in each, for every kind of
+// file.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -14,7 +15,7 @@ namespace {
 constexpr int kSevenWidth = 24, kSevenHeight = 18;  // px
 constexpr int kWrongX = 13, kWrongY = 7;
 
-// Pictures of one kind: r is the reference, the others are tests.
+// Pictures of one kind: r is the reference, the others are test pictures.
 class Situations {
 public:
   explicit Situations(const Kind& kind) : kind_(kind) {
@@ -87,7 +88,7 @@ TEST_CASE("what is said of a difference is where it is, how large, and what may 
     CHECK(contains(up.out, ": different: 432 of 432 pixels differ, by up to " + std::string(step) +
                                ", in 1 region; first (0, 0): "));
     if (kind.format != Format::kFloats)
-      CHECK(contains(up.out, "likely: every pixel is the reference's with"));
+      CHECK(contains(up.out, "was added to every pixel of the reference"));
 
     const Outcome wrong = all.diff("wrong");
     INFO(wrong.out);

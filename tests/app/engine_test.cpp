@@ -1,4 +1,5 @@
-// --engine, --threads, --target and --no-plan: which engine draws. Whatever it is, what is written has the same bytes.
+// Tests --engine, --threads, --target and --no-plan, which choose how a picture is drawn. Every
+// choice writes the same bytes.
 #include "tests/support/catch.h"
 
 #include <signal.h>
@@ -24,7 +25,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// All that a command writes, by name; JSON, which has times, left out.
+// Returns all files that a command writes, by name, except JSON, which has times.
 std::vector<std::pair<std::string, std::string>> files_of(const std::string& words) {
   const Workplace here;
   here.write("walk.json", R"({"camera_path": 1, "keyframes": [
@@ -78,14 +79,16 @@ TEST_CASE("no target and no number of threads changes a byte") {
   }
 }
 
-// How many threads a process has at most until it has written `last`, as often as one may look.
+// Runs the program and returns the largest number of threads that was seen until it has written the
+// file `last`.
 std::size_t most_threads(const Workplace& here, const std::string& words, const char* last) {
   namespace fs = std::filesystem;
   std::size_t most = 0;
   const Outcome outcome = here.run(words, [&](pid_t process) {
     const fs::path tasks = "/proc/" + std::to_string(process) + "/task";
     const auto end =
-        std::chrono::steady_clock::now() + std::chrono::seconds(60);  // if it never does
+        // if the file is never written
+        std::chrono::steady_clock::now() + std::chrono::seconds(60);
     std::error_code gone;
     while (!fs::exists(here.file(last)) && std::chrono::steady_clock::now() < end) {
       const auto seen =
@@ -183,7 +186,8 @@ TEST_CASE("--json says which engine drew") {
 
 // ---- Ctrl-C ----
 
-// The pictures in the folder, each whole; nothing else is there but what `known` names.
+// Returns how many pictures are in the folder. Each must be whole, and there may be no other files
+// except those in `known`.
 std::size_t whole_pictures(const Workplace& here, const std::vector<std::string>& known) {
   std::size_t count = 0;
   for (const std::string& name : here.names()) {

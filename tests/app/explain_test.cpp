@@ -1,4 +1,5 @@
-// glassbox explain: what a picture needs and what is left out of it, and the numbers of a run, without its picture.
+// Tests glassbox explain: what a picture needs, what is left out of it, and the counts and times of
+// a run, without writing the picture.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ void check_counts(const Json& json) {
   CHECK(count("height") == 64);
 }
 
-// The decision about a stage in a list of them.
+// Returns the decision about a stage from a list of decisions.
 Json decision(const Json& decisions, const std::string& stage) {
   for (const Json& d : decisions) {
     if (d.at("stage") == stage) return d;
@@ -39,15 +40,15 @@ TEST_CASE("explain says how many samples are drawn, and of what they are not") {
   const Json plan = Json::parse(outcome.out).at("plan");
   const Json samples = decision(plan.at("picture"), "samples");
   CHECK(samples.at("needed") == true);
-  CHECK(samples.at("numbers") == "4 to a pixel");
+  CHECK(samples.at("numbers") == "4 per pixel");
   for (const Json& draw : plan.at("draws")) {
     const std::string way = draw.at("way");
-    CHECK((contains(way, "over lanes") || way == "not drawn"));
+    CHECK((contains(way, "in SIMD lanes") || way == "not drawn"));
   }
   const Outcome depths = here.run("explain room --size 96x64 --samples 4 --show depth --json -");
   const Json of_depths = Json::parse(depths.out).at("plan");
   CHECK(decision(of_depths.at("picture"), "samples").at("needed") == false);
-  CHECK(of_depths.at("draws").at(0).at("way") == "over lanes");
+  CHECK(of_depths.at("draws").at(0).at("way") == "in SIMD lanes");
   const Json one = Json::parse(here.run("explain room --size 96x64 --json -").out).at("plan");
   CHECK(decision(one.at("picture"), "samples").is_null());
 }
@@ -68,8 +69,8 @@ TEST_CASE("explain says of every stage whether it is needed, and why, and writes
   const Json& draw = plan.at("draws")[0];
   CHECK(draw.at("instances") == Json::array({0}));
   CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == false);
-  CHECK(decision(draw.at("decisions"), "depth test").is_null());  // which nothing decides
-  CHECK(decision(plan.at("picture"), "plane of depths").at("needed") == false);
+  CHECK(decision(draw.at("decisions"), "depth test").is_null());  // no decision is made about it
+  CHECK(decision(plan.at("picture"), "depth plane").at("needed") == false);
   CHECK_FALSE(json.contains("written"));  // nothing was drawn
 }
 
@@ -78,7 +79,7 @@ TEST_CASE("explain without the plan leaves nothing out that a proof would") {
   const Json json = Json::parse(here.run("explain cube --size 96x64 --no-plan --json -").out);
   const Json& draw = json.at("plan").at("draws")[0];
   CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == true);
-  CHECK(decision(json.at("plan").at("picture"), "plane of depths").at("needed") == true);
+  CHECK(decision(json.at("plan").at("picture"), "depth plane").at("needed") == true);
 }
 
 TEST_CASE("explain --analyze draws with the tile engine, and counts items, times and bytes") {
@@ -95,7 +96,7 @@ TEST_CASE("explain --analyze draws with the tile engine, and counts items, times
   CHECK(tile.at("tiles") == 2);
   CHECK(tile.at("rounds") == 1);
   CHECK_FALSE(tile.at("thread_ms").empty());
-  // Positions of 12 bytes each, at least, went in.
+  // At least the positions, of 12 bytes each, were read.
   CHECK(tile.at("bytes").at("vertices").at("read").get<std::uint64_t>() >=
         12 * json.at("vertices").get<std::uint64_t>());
 }
@@ -105,7 +106,7 @@ TEST_CASE("explain --analyze counts the clusters that are out of sight") {
   const std::string ball = "explain sphere:128 --size 480x360 --analyze ";
   const Outcome outcome = here.run(ball);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(contains(outcome.out, "of 1,016 asked, 0 outside and "));
+  CHECK(contains(outcome.out, "1,016 tested: 0 outside the view and "));
   CHECK_FALSE(contains(outcome.out, "whole draws"));
   const Json json = Json::parse(here.run(ball + "--json -").out);
   const auto n = [&](const char* name) { return json.at(name).get<std::uint64_t>(); };
@@ -130,7 +131,7 @@ TEST_CASE("explain --engine staged counts what goes into every stage and what co
 TEST_CASE(
     "explain says of a scene of many draws what the largest need, and how many more there are") {
   const Workplace here;
-  // A pole in two hundred places, some of them beyond the picture's edge.
+  // A pole at two hundred places, some of them beyond the picture's edge.
   std::string nodes, list;
   for (int i = 0; i < 200; ++i) {
     nodes += (i == 0 ? "" : ",") + std::string("{\"mesh\":0,\"translation\":[") +
@@ -178,7 +179,7 @@ std::vector<std::string> stages_in(const Json& json) {
 }
 
 TEST_CASE("explain leaves a blank between a stage's name and its reason") {
-  constexpr std::size_t kColumn = 24;  // of plan_report.cpp
+  constexpr std::size_t kColumn = 24;  // the column in plan_report.cpp
   const Workplace here;
   std::vector<std::string> all;
   for (const char* words : {"room --stereo anaglyph", "forest --samples 4", "cube --show depth",
@@ -202,7 +203,7 @@ TEST_CASE(
   const Outcome plain = here.run(pair);
   REQUIRE(plain.exit_code == 0);
   CHECK(contains(plain.out, "stereo: eyes"));
-  CHECK(contains(plain.out, "the left eye"));  // whose mask keeps one channel
+  CHECK(contains(plain.out, "the left eye"));  // the left eye's mask keeps one channel
   CHECK(contains(plain.out, "the right eye"));
   CHECK_FALSE(contains(plain.out, "busy ms"));
   CHECK(here.names().empty());
@@ -218,10 +219,10 @@ TEST_CASE(
         .at("because")
         .get<std::string>();
   };
-  CHECK(shaded("left").starts_with("blue of opaque pixels"));
-  CHECK(shaded("right").starts_with("red of opaque pixels"));
+  CHECK(shaded("left").starts_with("blue is not computed for opaque pixels"));
+  CHECK(shaded("right").starts_with("red is not computed for opaque pixels"));
   CHECK(json.at("left").at("vertices").get<int>() > 0);
-  CHECK(json.at("right").at("vertices") == 0);  // the left eye's are moved in x
+  CHECK(json.at("right").at("vertices") == 0);  // the left eye's vertices are moved in x
   CHECK(json.at("left").at("written").get<int>() > 0);
   CHECK(json.at("right").at("written").get<int>() > 0);
   CHECK(json.at("tile").at("rounds") == 1);
@@ -250,7 +251,7 @@ TEST_CASE(
   CHECK(contains(here.run(pair + "anaglyph --stereo-cull centre").out, "which has no plan"));
   const Json cropped =
       Json::parse(here.run(pair + "anaglyph --eyes-by crop --analyze --json -").out);
-  CHECK(cropped.at("right").at("vertices").get<int>() > 0);  // each by itself
+  CHECK(cropped.at("right").at("vertices").get<int>() > 0);  // each eye is drawn by itself
 }
 
 TEST_CASE("explain refuses options of two eyes without --stereo, as render does") {

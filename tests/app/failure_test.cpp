@@ -1,4 +1,5 @@
-// Files that are not there, cannot be read or cannot be written: one line, exit code 2, and nothing half done.
+// Files that are missing, cannot be read or cannot be written give one line and exit code 2, and
+// leave nothing half done.
 #include "tests/support/catch.h"
 
 #include <filesystem>
@@ -29,7 +30,7 @@ TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
       {"tepot", {"did you mean 'teapot'"}},
       {"dept-ladder", {"depth-ladder"}},
       {"teapot:0", {"teapot:0", "1 to 256"}},
-      {"cube:2", {"takes no level"}},
+      {"cube:2", {"has no levels"}},
       {"empty.obj", {"empty.obj"}},
       {"empty.glb", {"empty.glb"}},
       {"nan.obj", {"nan.obj", "2"}},
@@ -59,11 +60,12 @@ TEST_CASE("a file that grows beyond its limit is an error, and nothing of it is 
   const Workplace here;
   const Outcome limited =
       in_shell(here, "ulimit -f 4; exec \"$0\" render teapot --size 200x200 -o a.ppm");
-  check_refused(limited, {"a.ppm", "File too large", "make room"});
+  check_refused(limited, {"a.ppm", "File too large", "free some space"});
   CHECK(here.names().empty());
 }
 
-// A thread's stack is 8 MiB of addresses. How many of them oneTBB starts before the picture is drawn is its own affair.
+// The stack of a thread takes 8 MiB of address space. How many threads oneTBB starts before the
+// picture is drawn is not under our control.
 TEST_CASE("with threads that cannot be started the picture is whole, or it is told what to do") {
   const Workplace here;
   const std::string picture = here.run("render room --size 320x200 -o -").out;
@@ -84,7 +86,7 @@ TEST_CASE("with threads that cannot be started the picture is whole, or it is to
   }
 }
 
-// few_threads.cpp lets a program start FEW_THREADS threads and no more.
+// few_threads.cpp allows a program to start FEW_THREADS threads and no more.
 TEST_CASE("where some threads cannot be started an output is whole, or there is none") {
   const Workplace here;
   const std::string few =
@@ -116,7 +118,7 @@ TEST_CASE("where some threads cannot be started an output is whole, or there is 
     }
     std::filesystem::remove(here.file(output));
   }
-  // A worker that cannot start another one leaves the picture to the others.
+  // If a worker cannot start another one, the other workers draw the picture.
   CHECK(whole > 0);
 }
 

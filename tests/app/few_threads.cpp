@@ -1,5 +1,5 @@
-// Loaded before a program's libraries (LD_PRELOAD): only the first FEW_THREADS threads can be started, as where memory or a
-// limit on processes ends.
+// A library that is loaded before a program's others (LD_PRELOAD): only the first FEW_THREADS
+// threads can be started, as if memory or a limit on processes were exhausted.
 #include <dlfcn.h>
 #include <pthread.h>
 

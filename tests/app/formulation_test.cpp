@@ -1,4 +1,5 @@
-// --view-from, --projection and --cull-stage: the slides' ways to the same picture, and what step and explain say of them.
+// Tests --view-from, --projection and --cull-stage: the slides' other ways to the same picture, and
+// what step and explain report about them.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -43,9 +44,10 @@ TEST_CASE("every formulation draws the same picture but for a pixel in ten thous
     for (const std::string& form : kForms) {
       const int count = differing_pixels(usual, picture_by_formulation(here, words + form));
       INFO(scene << " " << form << ": " << count << " pixels");
-      // A float entry that is a neighbour moves vertices by 2^-24 of the picture's width,
-      // which turns a snap where it falls within
-      // that of a border: of 10^4 vertices and coordinates, 10^4 2 * 320 * 256 2^-24, about 100, each by 2^-8 of a pixel.
+      // A matrix entry that becomes a neighbouring float moves a vertex by 2^-24 of the picture's
+      // width. That changes the snap of a coordinate only if it is this close to the border between
+      // two snapped positions: with 10^4 vertices, about 10^4 * 2 * 320 * 256 * 2^-24, or 100,
+      // coordinates change, each by 2^-8 of a pixel.
       CHECK(count <= 320 * 180 / 10000);
     }
   }
@@ -89,7 +91,7 @@ TEST_CASE(
   CHECK(contains(out, "onto the view plane z = d = 3.02165292"));
   CHECK(contains(out, "z_s is d at every vertex"));
   CHECK(contains(out, "NDC's x and y"));
-  CHECK_FALSE(contains(out, "is the same but for rounding"));
+  CHECK_FALSE(contains(out, "is the same except for rounding"));
 
   const std::string parallel = here.run("step cube --size 320x180 --triangle 10 --ortho 4").out;
   CHECK(contains(parallel, "T_ort = diag(1, 1, 0, 1)"));
@@ -107,13 +109,14 @@ TEST_CASE(
   const std::string start = "step cube --size 320x180 --triangle 10 --vertex 0 ";
   const std::string turned = here.run(start + "--view-from axis-angle").out;
   for (const char* part : {"T(-eye)", "R(a, theta): ", "R_z(roll): ", "their product, bit for bit",
-                           "[U; V; N] T(-eye) is the same but for rounding"}) {
+                           "[U; V; N] T(-eye) is the same except for rounding"}) {
     INFO(part);
     CHECK(contains(turned, part));
   }
   const std::string watt = here.run(start + "--projection t_pers").out;
   CHECK(contains(watt, "the slides' T_pers"));
-  CHECK(contains(watt, "the lens's own matrix is the same but for rounding: entries differ by up"));
+  CHECK(contains(
+      watt, "the usual matrix of this lens is the same except for rounding: entries differ by up"));
   const std::string foley = here.run(start + "--projection alpha_beta").out;
   CHECK(contains(foley, "alpha = f/(f-n)"));
   const std::string window = here.run(start + "--projection frustum").out;
@@ -153,7 +156,7 @@ TEST_CASE("explain has the decision about culling in object space where it was a
   CHECK(decision("").is_null());
   const Json asked = decision("--cull-stage object --cull back");
   CHECK(asked.at("needed") == true);
-  CHECK(contains(asked.at("because"), "left to the snapped area"));
+  CHECK(contains(asked.at("because"), "decided by the snapped area"));
   CHECK(contains(asked.at("numbers"), "triangles"));
   const Json both = decision("--cull-stage object --cull none");
   CHECK(both.at("needed") == false);
@@ -168,8 +171,8 @@ TEST_CASE("step says of a triangle whether it is culled before clipping, and by 
     const std::string out = here.run(start + std::to_string(i)).out;
     CHECK(contains(out, "culling in object space, before clipping"));
     removed += contains(unwrapped(out), "it is removed");
-    kept += contains(unwrapped(out), "it is left to the snapped area");
-    // What is removed is what the screen culls.
+    kept += contains(unwrapped(out), "so the snapped area decides");
+    // A triangle that is removed is one that is culled on the screen.
     CHECK(contains(unwrapped(out), "it is removed") == contains(unwrapped(out), "piece is culled"));
   }
   CHECK(removed == 6);

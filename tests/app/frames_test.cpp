@@ -1,4 +1,5 @@
-// glassbox render --frames --path: pictures along a camera path, and a separation that adapts.
+// Tests glassbox render --frames --path: pictures along a camera path, and an eye separation that
+// adapts to each frame.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -31,8 +32,8 @@ const std::string kSmoothWalk = path_of(
        {"time": 3, "eye": [-1, 1.6, 2], "look_at": [0, 1.5, -6]})",
     R"("interpolation": "smooth", )");
 
-// The window jumps from 10 to 1 (C-79), later to 5. At each the far end of what is seen sets the limit, which then moves one
-// way only.
+// The window jumps from 10 to 1 (C-79) and later to 5. At each jump, the farthest visible point
+// sets the limit of the separation, which then changes in one direction only.
 const std::string kJump = path_of(
     R"({"frame": 1, "eye": [0, 2, 14], "look_at": [0, 1.5, 0], "window": 10},
        {"frame": 8, "eye": [0, 2, 14], "look_at": [0, 1.5, 0], "window": 10},
@@ -40,7 +41,7 @@ const std::string kJump = path_of(
        {"frame": 16, "eye": [0, 2, 14], "look_at": [0, 1.5, 0], "window": 1},
        {"frame": 17, "eye": [0, 2, 14], "look_at": [0, 1.5, 0], "window": 5})");
 
-// A walk through a room, close to what stands in it.
+// A walk through a room, close to the objects in it.
 const std::string kRoom = path_of(
     R"({"time": 0, "eye": [3, 1, -0.5], "look_at": [0, -1, -8]},
        {"time": 1, "eye": [0, 0, -5], "look_at": [0, -1, -9]})");
@@ -79,7 +80,7 @@ TEST_CASE("measured parallax keeps the budget in every frame, and steps keep the
         const double separation = frame["separation"];
         CHECK(separation > 0);
         CHECK(separation <= stereo["separation_bound"].get<double>());
-        // One rounding of the sum, at the size of the larger.
+        // The step may exceed its bound by one rounding of a sum of this size.
         const double step = std::abs(separation - last);
         CHECK(step <= stereo["step_bound"].get<double>() + 0x1p-52 * std::max(separation, last));
         last = separation;
@@ -157,7 +158,7 @@ TEST_CASE("frames are numbered after the name, where the pattern says, or in a d
     CHECK(std::filesystem::exists(here.file(name)));
   }
   const Outcome fewer = here.run("render cube --size 8x8 --frames 1 --path p.json");
-  CHECK(contains(fewer.err, "cube-0002.png is there from a longer sequence"));
+  CHECK(contains(fewer.err, "cube-0002.png exists from a longer sequence"));
 }
 
 TEST_CASE("the first and the last frame are the first and the last keyframe; fov and up count") {
@@ -210,16 +211,16 @@ TEST_CASE("a path that is none is refused with the place that is wrong") {
   const std::string a = "{\"time\": 0, " + eye + "}";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
       {"", {"line 1"}},
-      {"[1, 2", {"line 1", "no JSON"}},
-      {"{\n \"camera_path\": 1,\n oops}", {"line 3, column 2", "no JSON"}},
-      {"{}", {"no camera path"}},
+      {"[1, 2", {"line 1", "not valid JSON"}},
+      {"{\n \"camera_path\": 1,\n oops}", {"line 3, column 2", "not valid JSON"}},
+      {"{}", {"not a camera path"}},
       {"{\"camera_path\": 2}", {"camera_path", "version"}},
       {"{\"camera_path\": 1}", {"keyframes", "none"}},
       {path_of(""), {"keyframes", "none"}},
       {path_of(a, "\"interpolation\": \"cubic\", "), {"interpolation", "smooth"}},
       {path_of(a, "\"speed\": 1, "), {"'speed'", "the keys are"}},
-      {path_of(a, "\"camera_path\": 1, "), {"'camera_path' is there twice"}},
-      {path_of(a + ", 7"), {"keyframe 2", "no object"}},
+      {path_of(a, "\"camera_path\": 1, "), {"'camera_path' occurs twice"}},
+      {path_of(a + ", 7"), {"keyframe 2", "not a JSON object"}},
       {path_of("{" + eye + "}"), {"keyframe 1", "\"time\""}},
       {path_of("{\"frame\": 0, " + eye + "}"), {"keyframe 1", "\"frame\"", "is 0"}},
       {path_of("{\"frame\": 1.5, " + eye + "}"), {"\"frame\"", "whole number"}},
@@ -230,7 +231,7 @@ TEST_CASE("a path that is none is refused with the place that is wrong") {
       {path_of("{\"time\": 0, \"eye\": [1, 2], \"look_at\": [0,0,0]}"),
        {"keyframe 1, \"eye\"", "three numbers"}},
       {path_of("{\"time\": 0, \"eye\": [1, \"2\", 3], \"look_at\": [0,0,0]}"),
-       {"keyframe 1, \"eye\"", "no number"}},
+       {"keyframe 1, \"eye\"", "not a number"}},
       {path_of("{\"time\": 0, \"eye\": [1, 2, 1e39], \"look_at\": [0,0,0]}"),
        {"keyframe 1, \"eye\"", "1e+39"}},
       {path_of("{\"time\": 0, \"eye\": [1, 2, 1e999], \"look_at\": [0,0,0]}"), {"too large"}},
@@ -314,7 +315,7 @@ TEST_CASE("a camera that sees nothing, stands in a wall or does not move is told
   };
   CHECK(contains(said(path_of(R"({"time": 0, "eye": [90, 1, 0], "look_at": [99, 1, 0]},
                                  {"time": 1, "eye": [91, 1, 0], "look_at": [99, 1, 0]})")),
-                 "nothing of the scene is in 3 of the frames"));
+                 "no part of the scene is in view in 3 of the frames"));
   CHECK(contains(said(path_of(R"({"time": 0, "eye": [1, 1.5, 1], "look_at": [0, 0.6, 0]})")),
                  "one keyframe: the camera stands still"));
 }

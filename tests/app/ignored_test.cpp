@@ -1,4 +1,5 @@
-// Options that are right for other pictures: what is ignored is said, and what is said to be ignored is.
+// Options that have no effect on a picture: every ignored option is reported, and every option
+// reported as ignored changes nothing.
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +27,8 @@ TEST_CASE("an option that changes no byte of a quantity's picture is named, and 
                                          "--background 1,0,0", "--cull front"};
   for (const char* show : {"", "depth", "normal", "uv", "id", "overdraw"}) {
     const std::string shown = *show ? std::string(" --show ") + show : "";
-    // One has texture and fills the picture, the other smooth faces and background.
+    // The room has texture and fills the picture; the teapot has smooth faces and leaves
+    // background.
     const std::string room = run_with_options("room" + shown).bytes;
     const std::string teapot = run_with_options("teapot:2" + shown).bytes;
     for (const std::string& option : options) {
@@ -73,7 +75,7 @@ TEST_CASE("step names what points and what triangles have no use for") {
   CHECK(contains(with.err, "note: --proj is ignored"));
 }
 
-// Without the line that has milliseconds.
+// Removes the line with the time in milliseconds.
 std::string without_time(std::string text) {
   const std::size_t ms = text.find(" ms on ");
   if (ms == text.npos) return text;

@@ -1,4 +1,4 @@
-// glassbox info: what is in a scene, and what is wrong with it.
+// Tests glassbox info: the contents of a scene, and what is wrong with it.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -66,7 +66,7 @@ TEST_CASE("what is wrong with a mesh is found, counted and said") {
        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
        "non_manifold_edges", 1, "1 edge with more than two faces"},
       {"a bent quad", "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n", "non_planar_faces", 1,
-       "1 bent face (face 0"},
+       "1 bent face (the worst is face 0"},
       {"a face on a line", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n",
        "degenerate_faces", 1, "1 face without area"},
       {"the same face twice", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3 1\n", "duplicate_faces", 1,

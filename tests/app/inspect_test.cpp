@@ -1,4 +1,5 @@
-// glassbox inspect: what is in the page, and what is refused. tests/browser/inspect_tests.mjs is about how it is used.
+// Tests glassbox inspect: the contents of the page, and what is refused. How the page is used is
+// tested by tests/browser/inspect_tests.mjs.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -88,10 +89,10 @@ TEST_CASE("inspect refuses what it cannot show, says what to do, and writes noth
   };
   const std::string small = "teapot:4 --size 64x48 -o p.html ";
   refuses(small + "--rect 0,0,65,1", "the picture has 64 x 48 pixels");
-  refuses(small + "--rect 5,5,5,6", "beyond the first two");
+  refuses(small + "--rect 5,5,5,6", "X0 < X1 and Y0 < Y1");
   refuses(small + "--rect 5,5,6.5,6", "whole pixels");
   refuses(small + "--rect 5,5,6", "X0,Y0,X1,Y1");
-  refuses(small + "--rect 0,0,9,9 --pixel 9,9", "outside of --rect");
+  refuses(small + "--rect 0,0,9,9 --pixel 9,9", "outside --rect");
   refuses(small + "--max-triangles 10", "--rect X0,Y0,X1,Y1");
   refuses(small + "--max-fragments 10", "smaller --size");
   refuses("teapot:4 --size 64x48 -o p.png", ".html");

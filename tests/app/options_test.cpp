@@ -1,4 +1,5 @@
-// glassbox render and glassbox itself: every option, default names, sizes, help, bad usage.
+// Tests glassbox render and glassbox itself: every option, default names, sizes, help and wrong
+// usage.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Image<Rgba8> read_picture(const Workplace& here, const std::string& name) {
   return *image;
 }
 
-// The bytes of the PPM that these options give; a PNG would have the options in it.
+// Returns the bytes of the PPM that these options give. A PNG would contain the options.
 std::string picture_bytes(const std::string& options) {
   const Workplace here;
   const Outcome outcome = here.run("render " + options + " --size 48x32 -o p.ppm");
@@ -84,7 +85,8 @@ TEST_CASE("whole numbers are decimal, with leading zeros too, and in no other ba
     CHECK(outcome.exit_code == 2);
     CHECK(contains(outcome.err, "--views: needs a whole number, not '" + std::string(number)));
   }
-  // What is bound by limits is decimal before they are asked; and what is no number is left alone.
+  // Numbers with limits are converted to decimal before the limits are checked; names that look
+  // like numbers stay as they are.
   CHECK(contains(here.run("views voxels ring --resolution 010").out, "10 x"));
   CHECK(here.run("render cube --size 8x8 -o 007.png").exit_code == 0);
   CHECK(std::ranges::count(here.names(), "007.png") == 1);
@@ -100,7 +102,7 @@ TEST_CASE("PNG and PPM hold the same pixels, in either case of the extension") {
 }
 
 TEST_CASE("every value of a choice is taken, in either case, and gives a picture of its own") {
-  // The scene of each is one in which the choice matters.
+  // Each choice is tested with a scene in which it matters.
   const std::vector<std::pair<std::string, std::vector<std::string>>> choices{
       {"teapot:2 --shade", {"unlit", "flat", "gouraud", "phong"}},
       {"room --show", {"depth", "normal", "uv", "id", "overdraw"}},
@@ -194,7 +196,8 @@ TEST_CASE("without arguments the teapot is rendered and the next steps are named
   CHECK(contains(outcome.out, "try next"));
   CHECK(contains(outcome.out, "glassbox render"));
   REQUIRE(here.run("render teapot -o x.png").exit_code == 0);
-  CHECK((here.read("teapot.png") == here.read("x.png")));  // the bytes are nothing to print
+  // double parentheses: a failure does not print the bytes
+  CHECK((here.read("teapot.png") == here.read("x.png")));
 }
 
 TEST_CASE("help and version are printed on standard output, with examples for each subcommand") {
@@ -220,7 +223,7 @@ TEST_CASE("a picture in which nothing is seen is written, with a note") {
   const Workplace here;
   const Outcome outcome = here.run("render cube --size 8x8 --eye 0,0,9 --look-at 0,0,20");
   CHECK(outcome.exit_code == 0);
-  CHECK(contains(outcome.err, "nothing of the scene"));
+  CHECK(contains(outcome.err, "no part of the scene"));
   CHECK(read_picture(here, "cube.png") == Image<Rgba8>(8, 8, Rgba8{26, 31, 38, 255}));
 }
 
@@ -230,7 +233,7 @@ TEST_CASE("a picture of backs only says how to see them") {
   const std::string from_behind = "render a.obj --size 8x8 --eye 0.3,0.3,-2 --look-at 0.3,0.3,0";
   CHECK(contains(here.run(from_behind + " --cull back").err, "--cull none"));
   CHECK(here.run(from_behind + " --cull none").err.empty());
-  CHECK(here.run(from_behind).err.empty());  // OBJ faces have two sides
+  CHECK(here.run(from_behind).err.empty());  // faces of OBJ files are double-sided
 }
 
 TEST_CASE("no number between two limits is nan") {

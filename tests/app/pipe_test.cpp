@@ -1,4 +1,4 @@
-// Pictures to standard output, scenes from standard input.
+// Tests pictures on standard output and scenes from standard input.
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-// What a file would hold, and nothing else.
 TEST_CASE("-o - writes to standard output what a file would hold, and nothing else") {
   const Workplace here;
   REQUIRE(here.run("render room --size 40x30 -o a.png").exit_code == 0);
@@ -51,7 +50,7 @@ TEST_CASE("with -o - what is asked for in words goes to standard error or to fil
 TEST_CASE("standard output takes one thing") {
   const Workplace here;
   check_refused(here.run("render cube -o - --json -"), {"--json -", "standard output"});
-  check_refused(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "many pictures"});
+  check_refused(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "several frames"});
   check_refused(here.run("render cube --format ppm"), {"--format", "-o -"});
   check_refused(here.run("render cube -o a.png --format ppm"), {"--format"});
   check_refused(here.run("render cube --frames 3 --turntable --format ppm"), {"--format"});
@@ -62,7 +61,7 @@ TEST_CASE("standard output takes one thing") {
 TEST_CASE("no picture goes to a terminal") {
   NEED_PSEUDO_TERMINAL();
   const Workplace here;
-  // script(1) of bsdutils gives the program a terminal.
+  // script(1) of the package bsdutils gives the program a terminal.
   const Outcome terminal =
       in_shell(here, "script -qec \"$0 render cube --size 8x8 -o -\" /dev/null </dev/null");
   CHECK(terminal.exit_code == 2);
@@ -92,7 +91,7 @@ TEST_CASE("a scene is read from standard input, whatever its format") {
     CHECK(piped.out == here.run(std::string("render ") + file + options).out);
   }
   const Outcome nameless = in_shell(here, "\"$0\" render - --size 8x8 -o - < t.obj");
-  CHECK(!contains(nameless.out, "glassbox scene"));  // nobody could render it again
+  CHECK(!contains(nameless.out, "glassbox scene"));  // the command would not render it again
   CHECK(contains(here.run("render t.obj --size 8x8 -o -").out, "glassbox scene"));
   CHECK(in_shell(here, "cat t.obj | \"$0\" info -").exit_code == 0);
   CHECK(in_shell(here, "\"$0\" render - --size 8x8 < mark.obj").exit_code == 0);
@@ -143,7 +142,7 @@ TEST_CASE("what comes through a pipe names no other files") {
 TEST_CASE("standard input that is no scene is refused") {
   const Workplace here;
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"\"$0\" render - < /dev/null", "there are no bytes"},
+      {"\"$0\" render - < /dev/null", "the input is empty"},
       {"printf '\\001\\000\\002' | \"$0\" info -", "neither GLB nor glTF nor OBJ nor PLY"},
       {"printf '   \\n' | \"$0\" info -", "neither"},
       {"printf 'v 0 0 0\\nf 1 2 3\\n' | \"$0\" info -", "standard input: line 2"},

@@ -1,4 +1,4 @@
-// glassbox pixel, against the planes that glassbox render writes.
+// Compares glassbox pixel with the planes that glassbox render writes.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -52,12 +52,13 @@ Json pixel(const Workplace& here, const std::string& words, int x, int y) {
 
 struct Lens {
   bool perspective = true;
-  double half_height = 0;  // at distance 1, or of the whole picture
+  double half_height = 0;  // at distance 1, or of the whole picture in parallel projection
 };
 
 using Point3 = std::array<double, 3>;
 
-// Along the gaze from the eye, then into the world: written out from the camera's own description.
+// Returns the point at this distance along the gaze through the pixel, in world space, computed
+// from the description of the camera.
 Point3 world_point(const Json& camera, const Lens& lens, int x, int y, double distance) {
   const double right = (2 * (x + 0.5) / kWidth - 1) * kWidth / kHeight,
                up = 1 - 2 * (y + 0.5) / kHeight;
@@ -89,7 +90,7 @@ TEST_CASE("triangle, distance, colour and place in the world are those of the pi
     const Workplace here;
     const Rendered whole = rendered(here, words);
     int seen = 0;
-    // A grid of pixels that meets every row and column of the picture modulo 4 and 3.
+    // This grid of pixels meets every row and column of the picture modulo 4 and 3.
     for (int y = 0; y < kHeight; y += 3) {
       for (int x = y % 4; x < kWidth; x += 7) {
         INFO(words << ", pixel (" << x << ", " << y << ")");
@@ -114,7 +115,7 @@ TEST_CASE("triangle, distance, colour and place in the world are those of the pi
         for (std::size_t axis = 0; axis < 3; ++axis) {
           apart[axis] = json["world"][axis].get<double>() - expected[axis];
         }
-        // The projection's entries are floats: three roundings of 2^-24 of the distance at most.
+        // The projection's entries are floats: at most three roundings of 2^-24 of the distance.
         const double reach = double(whole.distance.at(x, y)) + lens.half_height;
         CHECK(length(apart) < 3 * 0x1p-24 * reach * 2);
       }
@@ -125,13 +126,13 @@ TEST_CASE("triangle, distance, colour and place in the world are those of the pi
 
 TEST_CASE("a triangle's number leads to its instance and its face") {
   const Workplace here;
-  // From left to right: a square, a triangle, a pentagon of three triangles.
+  // From left to right: a square, a triangle, and a pentagon that gives three triangles.
   here.write("faces.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
              "v 2 0 0\nv 3 0 0\nv 2.5 1 0\n"
              "v 4 0 0\nv 5 0 0\nv 5 0.6 0\nv 4.5 1 0\nv 4 0.6 0\n"
              "f 1 2 3 4\nf 5 6 7\nf 8 9 10 11 12\n");
-  // 40 px for 5.333 units: x = 0.5 lies in column 5, 2.5 in 20 and 4.5 in 34.
+  // 40 px show 5.333 units: x = 0.5 is in column 5, 2.5 in column 20 and 4.5 in column 34.
   const std::string words = "faces.obj --eye 2.5,0.5,5 --look-at 2.5,0.5,0 --ortho 4";
   const auto face_at = [&](int x) {
     const Json json = pixel(here, words, x, 15);
@@ -145,7 +146,7 @@ TEST_CASE("a triangle's number leads to its instance and its face") {
   CHECK(pixel(here, words, 34, 15)["triangle"] >= 3);
   CHECK(pixel(here, words, 34, 15)["triangle"] <= 5);
 
-  // Two boxes of twelve triangles, the second to the right.
+  // Two boxes of twelve triangles each, the second one to the right.
   write_scene(here, "boxes.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}),
               {{{1, 1, 1}, {-1, 0, 0}}, {{1, 1, 1}, {1, 0, 0}}});
   const std::string two = "boxes.glb --eye 0,0,5 --look-at 0,0,0 --ortho 3";
@@ -196,7 +197,7 @@ TEST_CASE("the last line has the picture's bytes, whatever the picture shows") {
         const Rgba8 c = whole.color.at(x, y);
         const std::string bytes = "(" + std::to_string(c.r) + ", " + std::to_string(c.g) + ", " +
                                   std::to_string(c.b) + ", " + std::to_string(c.a) + ")";
-        CHECK(last.find("the picture shows " + bytes + ": ") == 0);
+        CHECK(last.find("the picture shows " + bytes) == 0);
         std::istringstream lines(outcome.out);
         for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
       }
@@ -255,7 +256,7 @@ TEST_CASE("JSON goes to a file beside what people read, or alone to standard out
 TEST_CASE("a line is seen at a distance, and has no triangle's number") {
   const Workplace here;
   here.write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
-  // 2 units for 30 rows: the line, at y = 0, is drawn in row 15, from column 20 to 35.
+  // 30 rows show 2 units: the line, at y = 0, is drawn in row 15, from column 20 to 35.
   const std::string words = "line.obj --eye 0,0,4 --look-at 0,0,0 --ortho 2";
   const Rendered whole = rendered(here, words);
   const Json line = pixel(here, words, 25, 15), beside = pixel(here, words, 25, 20);
@@ -283,8 +284,9 @@ TEST_CASE("every command that takes a pixel refuses the same ones in the same wo
     };
     for (const char* place : {"-1,0", "1.5,0", "1", "1,2,3", "nan,2", "inf,2", "1,", "1;2", "a,b",
                               "2147483648,2", "99999999999,2"}) {
-      CHECK(refusal(place).find(std::string("needs X,Y in whole pixels from the top left, not '") +
-                                place + "'") != std::string::npos);
+      CHECK(refusal(place).find(
+                std::string("needs X,Y in whole pixels, counted from the top left corner, not '") +
+                place + "'") != std::string::npos);
     }
     for (const char* place : {"40,0", "0,30", "2147483647,2147483647"}) {
       CHECK(refusal(place).find(std::string(place) +

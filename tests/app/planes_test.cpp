@@ -1,4 +1,5 @@
-// --depth-out and --id-out: what the planes of the framebuffer hold, and how they lie in the file.
+// Tests --depth-out and --id-out: the values in the planes of the framebuffer, and their order in
+// the file.
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -24,7 +25,7 @@ Plane rendered_plane(const Workplace& here, const std::string& options) {
 TEST_CASE(
     "a wall seen in parallel projection is exactly as far as it stands, and nothing else is") {
   const Workplace here;
-  // The lower left quarter of a picture of height 4.
+  // A wall in the lower left quarter of a picture 4 units high.
   here.write("wall.obj", "v -2 -2 0\nv 0 -2 0\nv 0 0 0\nv -2 0 0\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r", "d24", "d16"}) {
     const Plane plane =
@@ -47,7 +48,8 @@ TEST_CASE("the rows of a PFM run bottom-up") {
                  "wall.obj --size 4x4 --ortho 4 --eye 0,0,5 --look-at 0,0,0 --id-out plane.pfm");
   const std::string bytes = here.read("plane.pfm");
   const std::string zero(4, '\0');
-  // The first row of the file is the wall, at the bottom of the picture; three empty ones follow.
+  // The first row of the file is the wall, at the bottom of the picture; the last three rows are
+  // empty.
   CHECK(bytes.substr(bytes.size() - 64, 4) != zero);
   CHECK(bytes.substr(bytes.size() - 48) == std::string(48, '\0'));
 }
@@ -55,7 +57,7 @@ TEST_CASE("the rows of a PFM run bottom-up") {
 TEST_CASE(
     "a slanted plane in parallel projection is as far as it stands, within the depth's bound") {
   const Workplace here;
-  // z = x/2, over the whole picture.
+  // The plane z = x/2 over the whole picture.
   here.write("slope.obj", "v -2 -2 -1\nv 2 -2 1\nv 2 2 1\nv -2 2 -1\nf 1 2 3 4\n");
   const Plane plane = rendered_plane(here,
                                      "slope.obj --size 16x16 --ortho 4 --eye 0,0,5 --look-at 0,0,0 "
@@ -63,8 +65,9 @@ TEST_CASE(
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 16; ++x) {
       const double expected = 5 - ((x + 0.5) / 4 - 2) / 2;
-      // The vertices' depths are exact; interpolation costs 8 u of depth in [0, 1] (raster/interpolate.h), which the
-      // extent of 8 between the planes magnifies; the last rounding is relative.
+      // The vertices' depths are exact. Interpolation has an error of up to 8 u for a depth in [0,
+      // 1] (raster/interpolate.h), which the range of 8 between the planes magnifies. The last
+      // rounding is relative.
       const double bound = 8 * kRoundoff * 8 + kRoundoff * expected;
       CAPTURE(x, y);
       CHECK(std::abs(double(plane.at(x, y)) - expected) <= bound);
@@ -85,7 +88,7 @@ TEST_CASE("a wall facing a perspective camera is exactly as far as it stands") {
 
 TEST_CASE("pixel and distance give back the point of a floor, with near and far 1e5 apart (C-20)") {
   const Workplace here;
-  // Corners chosen so that they fall on corners of pixels: x = 16 + 16 x/w, y = 16 + 16/w.
+  // The corners are chosen so that they fall on corners of pixels: x = 16 + 16 x/w, y = 16 + 16/w.
   here.write("floor.obj", "v -2 -1 -2\nv 2 -1 -2\nv 8 -1 -8\nv -8 -1 -8\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r"}) {
     const Plane plane =
@@ -102,8 +105,9 @@ TEST_CASE("pixel and distance give back the point of a floor, with near and far 
           continue;
         }
         const double w = double(plane.at(x, y));
-        // 1/w is within 7 u of the vertices' (raster/interpolate.h), those within 2 u of exact, and the reciprocal is
-        // rounded: 10 u of w, which is all there is between the distance and the height -w (y - 16)/16.
+        // 1/w is within 7 u of the vertices' values (raster/interpolate.h), which are within 2 u of
+        // exact, and the reciprocal is rounded: together 10 u of w. The distance may differ from
+        // the one that follows from the height, -w (y - 16)/16, by that much only.
         CHECK(std::abs(w * (y + 0.5 - 16) / 16 - 1) <= 10 * kRoundoff);
       }
     }
@@ -112,7 +116,8 @@ TEST_CASE("pixel and distance give back the point of a floor, with near and far 
 
 TEST_CASE("triangles are numbered from 1 in the order of the file, polygons taking n - 2 numbers") {
   const Workplace here;
-  // Four columns of the picture: a quad, a triangle without area (out of sight), a pentagon, a triangle.
+  // The four columns of the picture: a quad, a triangle without area (not visible), a pentagon, a
+  // triangle.
   here.write("row.obj",
              "v -4 -1 0\nv -2 -1 0\nv -2 1 0\nv -4 1 0\nf 1 2 3 4\n"
              "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 5 6 7\n"
@@ -157,8 +162,8 @@ TEST_CASE("instances of one mesh have numbers of their own") {
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 32; ++x) {
       const int tile = x / 8;
-      // The second triangle of a pair lies up and to the left; the diagonal's samples are the lower triangle's right
-      // edge or the upper one's left: a left edge owns them.
+      // The second triangle of a pair is the upper left one. Samples on the diagonal are on the
+      // lower triangle's left edge or the upper one's right edge: a left edge owns them.
       const bool lower = x % 8 > 7 - y;
       const bool diagonal = x % 8 == 7 - y;
       const int first = tile < 2 ? 1 + 2 * tile : 5;

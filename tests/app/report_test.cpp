@@ -1,4 +1,5 @@
-// glassbox render --report: the picture's bytes stay, the report says how exact they are, and its places can be looked at.
+// Tests glassbox render --report: the picture's bytes stay the same, the report states how exact
+// they are, and commands show the places it names.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -89,8 +90,8 @@ TEST_CASE("a report is a table, and says what it leaves out") {
   REQUIRE(table.exit_code == 0);
   CHECK(contains(table.out, "fragments, "));
   CHECK(contains(table.out, "of distance"));
-  CHECK(contains(unwrapped(table.out),
-                 "the 4 samples of a pixel: all numbers are those of pixel centres"));
+  CHECK(
+      contains(unwrapped(table.out), "the 4 samples per pixel: all numbers are for pixel centres"));
   CHECK(contains(table.out, "glassbox pixel forest --size 96x54 --samples 4 --at "));
   REQUIRE(here.run("render forest --size 96x54 --samples 4 --report r.txt -o x.png").exit_code ==
           0);
@@ -107,7 +108,7 @@ TEST_CASE("a report is a table, and says what it leaves out") {
 TEST_CASE("a report of lines without normals has no normals, and no command for a line") {
   const Workplace here;
   here.write("line.obj", "v -1 0.1 0.9\nv 1 0.2 -0.9\nl 1 2\n");
-  for (const char* near : {"", " --near 3"}) {  // whole, and cut
+  for (const char* near : {"", " --near 3"}) {  // the line whole, and clipped
     const Json report = report_of(here, std::string("line.obj --size 80x60") + near);
     CHECK(report["fragments_of_lines_and_points"].get<int>() > 10);
     CHECK(report["pixels_unknown"] == 0);
@@ -127,9 +128,9 @@ TEST_CASE("a report of lines without normals has no normals, and no command for 
 TEST_CASE("what a report cannot be asked for is refused in one line") {
   const Workplace here;
   check_refused(here.run("render room --stereo anaglyph --report r.json"),
-                {"--report: each eye has its own", "--seen-by left"});
+                {"--report: it would be different for each eye", "--seen-by left"});
   check_refused(here.run("render room --frames 3 --turntable --report r.json"),
-                {"--report: each frame has its own"});
+                {"--report: it would be different for each frame"});
   check_refused(here.run("render room -o - --report -"),
                 {"--report -: the picture goes to standard output"});
   check_refused(here.run("render room -o x.png --json - --report -"),

@@ -1,4 +1,4 @@
-// The program, run in a directory of its own.
+// Runs the program in a directory of its own.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ namespace glassbox::test {
 
 class Workplace {
 public:
-  // Words are separated by blanks.
+  // Runs the program with the words of `words`, which are separated by blanks.
   Outcome run(const std::string& words, const std::function<void(pid_t)>& meanwhile = {}) const {
     std::istringstream in(words);
     return run_program(GLASSBOX_PROGRAM, {std::istream_iterator<std::string>(in), {}},
@@ -40,7 +40,7 @@ private:
   TemporaryDirectory directory_;
 };
 
-// Numbers as glTF buffers hold them.
+// Returns the numbers' bytes as glTF buffers store them.
 inline std::string float_bytes(const std::vector<float>& values) {
   std::string bytes;
   for (const float value : values) {
@@ -50,7 +50,8 @@ inline std::string float_bytes(const std::vector<float>& values) {
   return bytes;
 }
 
-// A PFM file, read here without the library: rows from the top, though the file has them from the bottom.
+// The contents of a PFM file, read without the library. Rows are from the top, although the file
+// stores them from the bottom.
 struct Plane {
   int width = 0, height = 0;
   std::vector<float> values;

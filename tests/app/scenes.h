@@ -1,4 +1,4 @@
-// Small scenes made through the library, for the program to render.
+// Makes small scenes with the library, for the program to render.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ namespace glassbox::test {
 
 using Triple = std::array<float, 3>;
 
-// Triangles, each corner with its own position; `normals` is parallel to `positions` or empty (flat).
+// Returns a mesh of triangles in which each corner has a position of its own. `normals` has as many
+// elements as `positions`, or none (flat).
 inline Mesh triangles(const std::vector<Triple>& positions,
                       const std::vector<Triple>& normals = {}) {
   Mesh mesh;
@@ -32,13 +33,13 @@ inline Mesh triangles(const std::vector<Triple>& positions,
   return mesh;
 }
 
-// A scale, then a move.
+// A scale, followed by a translation.
 struct Placement {
   std::array<double, 3> scale{1, 1, 1};
   std::array<double, 3> offset{0, 0, 0};
 };
 
-// Writes `name` (a GLB) with the mesh at each place.
+// Writes the GLB file `name` with an instance of the mesh for each placement.
 inline void write_scene(const Workplace& here, const std::string& name, const Mesh& mesh,
                         const std::vector<Placement>& places) {
   Scene scene;

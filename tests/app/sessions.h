@@ -1,4 +1,5 @@
-// Sessions in a page of docs/, run again: what stands under each command must be what the command prints.
+// Runs the sessions in a page of docs/ again: the text below each command must be what the command
+// prints.
 #pragma once
 
 #include <fstream>
@@ -12,10 +13,11 @@
 namespace glassbox::test {
 
 struct Session {
-  std::string command, output;  // without the "$ " before and the blank lines after
+  std::string command, output;  // without the "$ " before and the blank lines after it
 };
 
-// Of all blocks between ``` in the page. A command's output ends where the next one begins, or the block.
+// Returns the sessions of all blocks between ``` in the page. The output of a command ends at the
+// next command or at the end of the block.
 inline std::vector<Session> sessions_of(std::istream& page) {
   std::vector<Session> sessions;
   bool in_block = false, in_session = false;
@@ -33,7 +35,7 @@ inline std::vector<Session> sessions_of(std::istream& page) {
   return sessions;
 }
 
-// A line "..." in the page stands for any text.
+// Whether the printed text is the page's, in which a line "..." may replace any text.
 inline bool is_told(std::string printed, const std::string& page) {
   const std::string left_out = "...\n";
   std::istringstream lines(page);
@@ -53,7 +55,8 @@ inline bool is_told(std::string printed, const std::string& page) {
   return anywhere ? printed.ends_with(part) : printed == part;
 }
 
-// `$ cat FILE` writes the file; every other command is one of glassbox. Returns how many of these there are.
+// Runs the sessions of a page: `$ cat FILE` writes the file, and every other command runs glassbox.
+// Returns the number of the latter.
 inline int replay(const Workplace& here, const std::string& page) {
   const auto without_last_blanks = [](std::string text) {
     while (text.ends_with('\n')) text.pop_back();

@@ -1,4 +1,5 @@
-// glassbox render --frames FIRST-LAST/N: parts of a sequence, drawn anywhere, are those of the whole run.
+// Tests glassbox render --frames FIRST-LAST/N: parts of a sequence, drawn on any machine, are equal
+// to those of the whole run.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +42,8 @@ void check_same_pictures(const Workplace& whole, const Workplace& parts) {
   }
 }
 
-// The eyes of a frame depend on those before and after it, so that parts must know of all the others.
+// The eye separation of a frame depends on the frames before and after it, so a part must take all
+// others into account.
 TEST_CASE("slices of a sequence have the names and bytes of the whole run") {
   for (const char* options :
        {"--stereo anaglyph --path p.json -o f.png", "--stereo pair --path p.json -o f%02d.png",
@@ -61,7 +63,7 @@ TEST_CASE("a slice that is everything is the whole run, and one frame needs no d
   const std::string options = "--stereo anaglyph --path p.json -o f.png";
   draw(whole, options, "3");
   draw(slice, options, "1-3/3");
-  CHECK(sorted_names(whole) == sorted_names(slice));  // the plot as well
+  CHECK(sorted_names(whole) == sorted_names(slice));  // the plot too
   CHECK(whole.read("f.svg") == slice.read("f.svg"));
   const Workplace one;
   one.write("p.json", kSliceWalk);
@@ -101,7 +103,7 @@ TEST_CASE("slices that cannot be are refused") {
 
 // ---- the recipes of docs/command_line.md ----
 
-// The block between ``` of the page that has the word in it.
+// Returns the block between ``` of the page that contains the word.
 std::string block_with(const std::string& word) {
   std::ifstream page(std::string(GLASSBOX_SOURCE_DIR) + "/docs/command_line.md");
   REQUIRE(page);
@@ -120,7 +122,7 @@ std::string block_with(const std::string& word) {
   return {};
 }
 
-// `glassbox` is found on the path, as it is after cmake --install.
+// Puts the program's folder on the path, so that `glassbox` is found as after cmake --install.
 std::string on_path() {
   const std::string directory = fs::path(GLASSBOX_PROGRAM).parent_path().string();
   return "PATH='" + directory + "':$PATH\n";

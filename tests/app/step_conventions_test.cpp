@@ -1,4 +1,4 @@
-// glassbox step --point: slips of convention named, correct ones let pass.
+// Tests glassbox step --point: wrong conventions are named, correct ones raise no alarm.
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +45,7 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
   const double fovy = book::radians(60);
   Rows turned = kView;
   turned[0][3] = turned[1][3] = turned[2][3] = 0;
-  // Where (0, 1, 0) would be in a window that counts y from the other edge.
+  // The place of (0, 1, 0) in a window that counts y from the other edge.
   const Rows both = book::product(kProjection, kView);
   const double w = both[3][1] + both[3][3];
   const std::string flipped = std::to_string(300 + 300 * (both[0][1] + both[0][3]) / w) + "," +
@@ -58,26 +58,26 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
   struct Slip {
     const char* name;
     Call call;
-    const char* finding;  // an alarm, or nullptr
-    const char* change;   // the first alternative, or nullptr
-    const char* words;    // in the text
+    const char* finding;  // the alarm, or nullptr
+    const char* change;   // the first proposed change, or nullptr
+    const char* words;    // words in the text
   };
   const Slip slips[] = {
       {"view transposed",
        {kModel, book::transposed(kView), kProjection, kPoints},
        "transposed",
        "transpose-view",
-       "then the view is rigid, as given it is not"},
+       "the view is then rigid, and as given it is not"},
       {"projection transposed",
        {kModel, kView, book::transposed(kProjection), kPoints},
        "transposed",
        "transpose-projection",
-       "stands in the last column"},
+       "are in the last column"},
       {"view not inverted",
        {kModel, book::rigid_inverse(kView), kProjection, kPoints},
        nullptr,
        "invert-view",
-       "then the eye stands at (3, 2, 5)"},
+       "the eye is then at (3, 2, 5)"},
       {"factors of the view exchanged",
        {kModel, book::product(book::translation(-3, -2, -5), turned), kProjection, kPoints},
        nullptr,
@@ -139,12 +139,12 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
        {kModel, kView, with(kProjection, 3, 3, 1), kPoints},
        "w-leftover",
        nullptr,
-       "clear the identity before you fill it in"},
+       "start from a matrix of zeros, not from the identity"},
       {"a projection and a view given as the view",
        {kModel, book::product(kProjection, kView), book::identity(), kPoints},
        "is-a-projection",
        nullptr,
-       "it is a projection and a view in one"},
+       "it is the product of a projection and a view"},
       {"y of the window",
        {book::identity(), kView, book::perspective_gl(fovy, 1.5, 0.1, 100),
         "--size 600x400 --point 0,1,0 --expect " + flipped},
@@ -166,7 +166,7 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
     if (slip.change != nullptr) {
       REQUIRE_FALSE(json["alternatives"].empty());
       CHECK(json["alternatives"][0]["ids"] == Json::array({slip.change}));
-      CHECK(contains(answer.text, "ought to be"));
+      CHECK(contains(answer.text, "should be"));
     }
     CHECK(contains(answer.text, slip.words));
   }
@@ -210,7 +210,7 @@ TEST_CASE("without a projection the way ends in the eye's space, and nothing van
   const Workplace here;
   here.write("view.txt", paper(kView));
   const Outcome text = here.run("step --view view.txt --point 0,0,0");
-  CHECK(contains(text.out, "(0, 0, 0) is at (0, 0, -6.16441) in the eye's space"));
+  CHECK(contains(text.out, "(0, 0, 0) is at (0, 0, -6.16441) in eye space"));
   CHECK_FALSE(contains(text.out, "decided"));
   const Json json = Json::parse(here.run("step --view view.txt --point 0,0,0 --json -").out);
   CHECK(json["points"][0]["steps"].size() == 2);
@@ -236,14 +236,14 @@ TEST_CASE("NaN, infinity, w = 0 and directions are told, and nothing is computed
   CHECK_FALSE(json["points"][0].contains("ndc"));
   const Outcome direction = step(here, {kModel, kView, kProjection, "--point 0,0,1,0"});
   CHECK(contains(direction.out, "it a direction"));
-  // In the plane of the eye.
+  // A point in the plane of the eye.
   json = step_json(here, {book::identity(), book::identity(), kProjection, "--point 1,1,0"});
   CHECK(json["points"][0]["fate"] == "in-eye-plane");
-  // NaN as JavaScript writes it.
+  // A NaN as JavaScript writes it.
   here.write("null.txt", "[1,0,0,0, 0,null,0,0, 0,0,1,0, 0,0,0,1]");
   json = Json::parse(here.run("step --view null.txt --point 0,0,0 --json -").out);
   CHECK(findings(json, "alarm") == Ids{"not-finite"});
-  // Overflow on the way.
+  // An overflow in an intermediate product.
   json = step_json(here, {book::scaling(1e30, 1e30, 1e30), book::scaling(1e30, 1e30, 1e30),
                           kProjection, "--point 1,1,1"});
   CHECK(json["points"][0]["fate"] == "not-finite");

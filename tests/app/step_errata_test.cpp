@@ -1,7 +1,8 @@
-// The errata of the slides (SPEC 0.3) that make something vanish, mirror it or destroy its depth, as a student meets them: the
-// matrices go in at the command line, and the verdict and the convention have to come out. What concerns faces (E11, E18)
-// shows in a single vertex only as far as a matrix mirrors; what concerns meshes or pairs of images (E1, E3 .. E6, E9, E14,
-// E17, E19) not at all.
+// The errata of the slides (docs/references.md) that make something vanish, mirror it or destroy
+// its depth, as a student meets them: the matrices are given on the command line, and the verdict
+// and the convention have to be printed. The errata about faces (E11, E18) show in a single vertex
+// only if a matrix mirrors; those about meshes or pairs of images (E1, E3 .. E6, E9, E14, E17, E19)
+// do not show at all.
 #include <cmath>
 
 #include "tests/app/step_run.h"
@@ -14,18 +15,19 @@ using book::Vector3;
 const Vector3 kEye{3, 2, 5}, kTarget{0, 0, 0}, kUp{0, 1, 0};
 const double kFovy = book::radians(60);
 
-// S4.5: N = -g, the eye looks down -z.
+// The view of S4.5: N = -g, the eye looks down -z.
 Rows s4_5() {
   return book::look_at_right(kEye, kTarget, kUp);
 }
 
-// S4.18: d near, f far, h half of the window's height; w = z.
+// The projection of S4.18, with d near, f far, h half of the window's height, and w = z.
 Rows s4_18(double d, double f, double h) {
   return {
       {{d / h, 0, 0, 0}, {0, d / h, 0, 0}, {0, 0, f / (f - d), -d * f / (f - d)}, {0, 0, 1, 0}}};
 }
 
-// S3.37: the axis v x z and the angle between turn the gaze v to +z, then a turn about z brings up to y.
+// The view of S3.37: a rotation about the axis v x z by the angle between them turns the gaze v to
+// +z, then a rotation about z brings the up vector to y.
 Rows s3_37(const Vector3& eye, const Vector3& target, const Vector3& up) {
   const Vector3 v = book::unit(book::minus(target, eye)), z{0, 0, 1};
   const Vector3 a = book::unit(book::cross(v, z));  // 0/0 for v = +-z (E8)
@@ -33,7 +35,7 @@ Rows s3_37(const Vector3& eye, const Vector3& target, const Vector3& up) {
   Rows to_z = book::identity();
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 e{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
-    const Vector3 turned = book::cross(a, e);  // Rodrigues
+    const Vector3 turned = book::cross(a, e);  // Rodrigues' rotation formula
     for (std::size_t r = 0; r < 3; ++r) {
       to_z[r][i] = c * e[r] + s * turned[r] + (1 - c) * book::dot(a, e) * a[r];
     }
@@ -51,7 +53,7 @@ Rows s3_37(const Vector3& eye, const Vector3& target, const Vector3& up) {
   return book::product(roll, book::product(to_z, book::translation(-eye[0], -eye[1], -eye[2])));
 }
 
-// S0.21: x' = x + s (1 - z/f), with a depth that grows away from the eye.
+// The skew of S0.21: x' = x + s (1 - z/f), with a depth that grows away from the eye.
 Rows skew(double s, double f) {
   Rows m = book::identity();
   m[0][2] = -s / f;
@@ -67,8 +69,7 @@ TEST_CASE("E2: one eye of a stereo pair is known by its distance without paralla
   CAPTURE(answer.text);
   CHECK(findings(answer.json, "alarm") == Ids());
   CHECK(findings(answer.json, "hint") == Ids());
-  CHECK(contains(answer.text,
-                 "it stands at x = -0.03, and what is at the distance 4 has no parallax"));
+  CHECK(contains(answer.text, "it is at x = -0.03, and points at the distance 4 have no parallax"));
 }
 
 TEST_CASE("E2: the skew's sign goes with the way the eye looks") {
@@ -77,9 +78,9 @@ TEST_CASE("E2: the skew's sign goes with the way the eye looks") {
              right = book::product(kProjection, skew(0.03, -4));
   const Answer answer = ask(here, {kModel, kView, wrong, kPoints});
   CHECK(findings(answer.json, "hint") == Ids{"skew-sign"});
-  CHECK(contains(answer.text, "nothing in front of it is without parallax (E2)"));
+  CHECK(contains(answer.text, "no point in front of it has zero parallax (E2)"));
   CHECK(contains(ask(here, {kModel, kView, right, kPoints}).text,
-                 "what is at the distance 4 has no parallax"));
+                 "points at the distance 4 have no parallax"));
 }
 
 TEST_CASE("E2: a skew read by rows instead of columns is named, before or after the projection") {
@@ -93,7 +94,7 @@ TEST_CASE("E2: a skew read by rows instead of columns is named, before or after 
     CHECK(contains(answer.text, "(E2)"));
     CHECK(contains(answer.text, "m[3][0] and m[2][0]"));
   }
-  // All of it for row vectors is a matter of order.
+  // If the whole matrix is for row vectors, that is a matter of the order of its numbers.
   const Answer rows = ask(
       here, {kModel, left, book::transposed(book::product(projection, skew(0.03, 4))), kPoints});
   CHECK(findings(rows.json, "alarm") == Ids{"transposed"});
@@ -116,7 +117,7 @@ TEST_CASE("E7: a gaze turned to +z by a proper rotation mirrors a right-handed w
   CHECK(findings(answer.json, "alarm") == Ids{"world-mirrored"});
   CHECK(contains(answer.text, "a gaze that was turned to +z (E7)"));
 
-  // Where the point should be: the other way round.
+  // The correct position of the point, which is mirrored.
   const Json correct =
       step_json(here, {kModel, s4_5(), book::perspective_d3d_right(kFovy, 1.5, 0.1, 100),
                        "--size 600x400 --dialect d3d --point 0.5,0.25,-0.5"});
@@ -127,7 +128,7 @@ TEST_CASE("E7: a gaze turned to +z by a proper rotation mirrors a right-handed w
   const Answer expected = ask(here, expecting);
   REQUIRE(expected.json["alternatives"].size() == 1);
   CHECK(expected.json["alternatives"][0]["ids"] == Json{"flip-x"});
-  CHECK(contains(expected.text, "world and eye of opposite hands (E7)"));
+  CHECK(contains(expected.text, "world and eye of opposite handedness (E7)"));
 }
 
 TEST_CASE("E8: the axis of no turn is 0/0, and NaN is named where it stands") {
@@ -139,7 +140,7 @@ TEST_CASE("E8: the axis of no turn is 0/0, and NaN is named where it stands") {
   CHECK(findings(answer.json, "alarm") == Ids{"not-finite"});
   CHECK(answer.json["points"][0]["fate"] == "not-finite");
   CHECK(contains(answer.text, "view: entry [0][0] is nan"));
-  CHECK(contains(answer.text, "a cross product of parallel vectors should give (E8)"));
+  CHECK(contains(answer.text, "the cross product of parallel vectors is 0, E8"));
   CHECK(answer.json["alternatives"].empty());
 }
 
@@ -175,7 +176,7 @@ TEST_CASE(
   CHECK(answer.json["alternatives"][0]["ids"] == Json{"eye-hand"});
   CHECK(contains(answer.text, "1. negate z between view and projection"));
   CHECK(contains(answer.text, "handedness is mixed (E12)"));
-  // The adaptor of SPEC 0.2 puts them where the right-handed projection does.
+  // Negating z between view and projection puts the points where the right-handed projection does.
   const Json correct =
       step_json(here, {kModel, s4_5(), book::perspective_d3d_right(kFovy, 1, 0.1, 100), kPoints});
   for (const std::size_t i : {0u, 1u}) {
@@ -183,10 +184,10 @@ TEST_CASE(
           Approx(double(correct["points"][0]["window"]["position"][i])));
   }
 
-  // What lies behind the camera is what appears.
+  // A point behind the camera is drawn instead.
   const Json behind = step_json(here, {book::identity(), s4_5(), projection, "--point 6,4,10"});
   CHECK(behind["points"][0]["fate"] == "visible");
-  // One point suffices to say so.
+  // One point is enough for this finding.
   const Answer one = ask(here, {book::identity(), s4_5(), projection, "--point 0,0,0"});
   CHECK(contains(one.text, "behind the eye (w = -6.16441)"));
   CHECK(one.json["alternatives"][0]["ids"] == Json{"eye-hand"});
@@ -209,7 +210,7 @@ TEST_CASE(
 
 TEST_CASE("E13: a window's whole size taken for half of it draws everything half as large") {
   const Workplace here;
-  // S3.33 with s = ResX instead of half of it.
+  // The matrix of S3.33 with s = ResX instead of half of it.
   Rows projection = book::perspective_d3d_left(kFovy, 16.0 / 9, 0.1, 100);
   projection[0][0] /= 2;
   projection[1][1] /= 2;
@@ -218,7 +219,8 @@ TEST_CASE("E13: a window's whole size taken for half of it draws everything half
   CHECK(findings(answer.json, "hint") == Ids{"half-window"});
   CHECK(contains(answer.text, "it would be 60 degrees"));
   CHECK(contains(answer.text, "(E13)"));
-  // The slip with the angle across instead of up and down, and a window of a round size that somebody typed.
+  // The same slip with a round horizontal angle instead of a vertical one, and a window of a round
+  // size that somebody typed on purpose.
   Rows across =
       book::perspective_gl(2 * std::atan(std::tan(kFovy / 2) * 9 / 16), 16.0 / 9, 0.1, 100);
   CHECK(findings(step_json(here, {kModel, kView, across, kPoints}), "hint") == Ids());
@@ -259,7 +261,7 @@ TEST_CASE("E15: the matrix of rank 3 draws, and destroys depth") {
 TEST_CASE(
     "E16: near planes of the other range of depth clip too much, or waste half of the depths") {
   const Workplace here;
-  // 0.15 in front of the eye: beyond near = 0.1, in front of 0.1998.
+  // The point is 0.15 in front of the eye: farther than near = 0.1, but nearer than 0.1998.
   const Answer clipped = ask(
       here, {book::identity(), book::identity(), kProjection, "--point 0,0,-0.15 --dialect d3d"});
   CHECK(clipped.json["points"][0]["fate"] == "outside");
@@ -267,7 +269,7 @@ TEST_CASE(
   CHECK(findings(clipped.json, "alarm") == Ids{"z-range"});
   CHECK(contains(clipped.text, "everything nearer than 0.1998 is clipped (E16)"));
   CHECK(clipped.json["alternatives"][0]["ids"] == Json{"depth-range"});
-  // 0.07: in front of near = 0.1, shown all the same.
+  // At 0.07 the point is nearer than near = 0.1, but is shown all the same.
   const Rows d3d = book::perspective_d3d_right(kFovy, 1.5, 0.1, 100);
   const Answer wasted =
       ask(here, {book::identity(), book::identity(), d3d, "--point 0,0,-0.07 --dialect opengl"});
@@ -288,7 +290,7 @@ TEST_CASE("E20: what the standard camera culls, the camera of one eye shows") {
   const Workplace here;
   const double s = 0.05, f = 1, distance = 50;
   const Rows left_eye = book::product(kProjection, skew(s, -f));
-  // Half way between the right edges of the two windows.
+  // The x coordinate halfway between the right edges of the two windows.
   const double edge = distance * std::tan(kFovy / 2) * 1.5;
   const double shift = s * (distance / f - 1);
   const std::string point =

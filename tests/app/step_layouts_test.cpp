@@ -1,4 +1,4 @@
-// glassbox step --point: matrices in every layout that programs print, and what is refused.
+// Tests glassbox step --point: matrices in every layout that programs print, and what is refused.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -95,7 +95,7 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < 4; ++j) {
         const double meant = labelled ? book::translation(0, 0, -5)[i][j] : m[i][j];
-        // Six decimals, or six digits of numbers below 10.
+        // Layouts have six decimals, or six significant digits of numbers below 10.
         CHECK(std::abs(double(rows[i][j]) - meant) <= 5.1e-6);
       }
     }
@@ -158,7 +158,7 @@ TEST_CASE(
       {"1 0 0 $ 0", {"line 1, column 7", "'$'"}},
       {"1e40 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", {"'1e40'", "too large"}},
       {"1+2j 0 0 0", {"'1+2j'"}},
-      {"0x3f800000 0 0 0", {"'0x3f800000'", "is no number"}},
+      {"0x3f800000 0 0 0", {"'0x3f800000'", "is not a number"}},
       {"Float32Array(16)", {"1 number"}},
       {"'1 0 0 0", {"4 numbers"}},
       {"{0, 0} <repeats 8 times>", {"repeat"}},

@@ -1,4 +1,5 @@
-// The prompt of glassbox step on a terminal: line editing, history and completion; the program runs on a pseudo-terminal.
+// Tests the prompt of glassbox step on a terminal: line editing, history and completion. The
+// program runs on a pseudo-terminal.
 #include <poll.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -47,9 +48,9 @@ public:
     REQUIRE(::write(terminal_, keys.data(), keys.size()) == ssize_t(keys.size()));
   }
 
-  // What appears up to `end`, which must come.
+  // Returns the output up to and including `end`; fails if it does not appear.
   std::string until(const std::string& end) {
-    constexpr int kLongest = 60'000;  // ms, of silence
+    constexpr int kLongest = 60'000;  // ms without output
     for (;;) {
       if (const std::size_t at = seen_.find(end); at != std::string::npos) {
         const std::string text = seen_.substr(0, at + end.size());
@@ -66,8 +67,9 @@ public:
     }
   }
 
-  // Of a program that has been told to end: the process says so, not the terminal. What it still writes is read, lest it
-  // waits for a reader.
+  // Waits until the program, which was told to end, has ended, and returns its exit code. Its last
+  // output is read, because the program may wait for a reader. The end is detected from the
+  // process, not from the terminal.
   int exit_code() {
     constexpr int kLongest = 60'000, kStep = 20;  // ms
     std::string last = seen_;
@@ -86,7 +88,7 @@ public:
       const bool comes = ::poll(&waiting, 1, kStep) == 1;
       const ssize_t count = comes ? ::read(terminal_, block, sizeof block) : 0;
       if (count > 0) last.append(block, std::size_t(count));
-      if (count < 0) ::usleep(kStep * 1000);  // hung up: poll does not wait any more
+      if (count < 0) ::usleep(kStep * 1000);  // the terminal is closed, so poll no longer waits
     }
     FAIL("the program goes on after: " << last);
     return -1;
@@ -115,7 +117,7 @@ TEST_CASE("arrow up recalls the last command, and it can be edited") {
   terminal.type(std::string(kUpKey) + kUpKey + kUpKey + "\n");  // vertex 1 again
   terminal.until("\n     vertex 1  x");  // the stage's text, not the line that is edited
   terminal.until("world 2/10> ");
-  // "triangle 1" with a 1 put before its last letter: 11.
+  // In "triangle 1" a 1 is inserted before the last character, which gives 11.
   terminal.type("triangle 1");
   terminal.type(std::string(kLeft) + "1\n");
   terminal.until("  triangle 11");
@@ -132,9 +134,9 @@ TEST_CASE("the tabulator completes commands, stages, options and their words") {
   terminal.until("pixel centres are covered");
   terminal.until("fragments 9/10> ");
   terminal.type("--view-f\tax\t\n");
-  terminal.until("\n+ ");  // the factors of the matrix that looks
+  terminal.until("\n+ ");  // the factors of look-at's matrix
   terminal.until("fragments 9/10> ");
-  terminal.type("cl\t\t");  // clip and clipping
+  terminal.type("cl\t\t");  // matches clip and clipping
   terminal.until("clip clipping");
   terminal.type("\n");
   terminal.until("eye -> clip");
@@ -143,7 +145,8 @@ TEST_CASE("the tabulator completes commands, stages, options and their words") {
   CHECK(terminal.exit_code() == 0);
 }
 
-// Between two prompts the terminal edits lines itself, and makes NUL of a Control-D that is read only afterwards.
+// Between two prompts the terminal edits lines itself, and turns a Control-D that is read later
+// into a NUL.
 TEST_CASE("the end of the input ends the prompt also where it was typed ahead of it") {
   NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
@@ -162,7 +165,7 @@ TEST_CASE("a terminal that can do nothing has the plain prompt") {
   CHECK(terminal.exit_code() == 0);
 }
 
-// The same commands from a file.
+// Runs the same commands from a file and returns the output.
 std::string say(const Workplace& here, const std::string& commands) {
   here.write("commands", commands);
   here.write("go.sh", "cd \"$(dirname \"$0\")\" && exec " GLASSBOX_PROGRAM
@@ -185,17 +188,17 @@ TEST_CASE("another triangle, vertex or picked pixel within the prompt, and back 
   CHECK(contains(again.substr(again.find("1/10>")), "vertex 0"));
   const std::string picked = say(here, "pick 32,20\nfragments\nq\n");
   CHECK(contains(picked, "the fragment of pixel (32, 20)"));
-  // The picture changes, the picked triangle stays.
+  // The picture changes, and the picked triangle stays.
   CHECK(contains(say(here, "triangle 4\n--fov 30\nclip\nq\n"), "+ "));
 }
 
 TEST_CASE("what the prompt cannot do it says, and stays") {
   const Workplace here;
   for (const auto& [command, part] : {std::pair{"triangle 12", "the scene has 12 triangles"},
-                                      {"triangle", "needs one word more: a number"},
+                                      {"triangle", "needs one more word: a number"},
                                       {"triangle x", "triangle"},
                                       {"vertex 3", "vertex"},
-                                      {"pick 0,0", "no triangle is seen in this pixel"},
+                                      {"pick 0,0", "no triangle is visible in this pixel"},
                                       {"pick 64,0", "64 x 48 pixels"},
                                       {"pick", "X,Y"},
                                       {"wold", "no stage or command of this name"}}) {

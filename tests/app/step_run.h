@@ -1,4 +1,4 @@
-// glassbox step --point, run on matrices of the textbook.
+// Runs glassbox step --point on matrices of the textbook.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace book = textbook;
 using book::Rows;
 using Json = nlohmann::json;
 
-// Sixteen numbers in the order of rows, or of columns, each printed by `format` and followed by `after`.
+// Returns the sixteen numbers in the order of rows or of columns, each printed by `format` and
+// followed by `after`.
 inline std::string numbers(const Rows& m, bool columns, const char* format,
                            const std::string& after = " ") {
   std::string text;
@@ -36,7 +37,7 @@ inline std::string paper(const Rows& m) {
   return numbers(m, false, "%12.9g");
 }
 
-// A call of the program with matrices in files.
+// A call of the program whose matrices are in files.
 struct Call {
   Rows model = book::identity(), view = book::identity(), projection = book::identity();
   std::string options;
@@ -72,7 +73,8 @@ inline bool alarms_at(const Json& json, const std::string& id) {
   return std::find(alarms.begin(), alarms.end(), id) != alarms.end();
 }
 
-// What the program says to a call: as JSON, and as text without line breaks, one blank between words.
+// The program's answer to a call: as JSON, and as text without line breaks, with one blank between
+// words.
 struct Answer {
   Json json;
   std::string text;

@@ -1,4 +1,4 @@
-// glassbox step SCENE: a triangle of a scene through every stage.
+// Tests glassbox step SCENE: a triangle of a scene in every stage.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/text.h"
@@ -72,11 +72,11 @@ TEST_CASE("step refuses what it cannot step through, and says what to do") {
                                     {"step cube --triangle 12", "12 triangles"},
                                     {"step cube --triangle -1", "--triangle"},
                                     {"step cube --triangle 1 --vertex 3", "--vertex"},
-                                    {"step cube --pick 0,0", "no triangle is seen"},
+                                    {"step cube --pick 0,0", "no triangle is visible"},
                                     {"step cube --pick 1280,0", "1280 x 720"},
                                     {"step cube --pick 1.5,0", "whole pixels"},
                                     {"step cube --triangle 1 --pick 3,3", "excludes"},
-                                    {"step cube --triangle 1 --point 0,0,0", "scene is named"},
+                                    {"step cube --triangle 1 --point 0,0,0", "scene is given"},
                                     {"step nothing.glb --triangle 1", "nothing.glb"}}) {
     CAPTURE(words);
     const Outcome outcome = here.run(words);
@@ -97,7 +97,7 @@ TEST_CASE("JSON of a triangle that fills the picture is refused beyond --max-mb,
   CHECK(here.names().empty());
   CHECK(here.run(run + "-1").exit_code == 2);
   REQUIRE(here.run(run + "12").exit_code == 0);
-  // What was said to come is within a tenth of what came.
+  // The predicted size is within a tenth of the actual one.
   const double megabytes = double(here.read("big.json").size()) / 1e6;
   CAPTURE(megabytes);
   CHECK(megabytes > 9);
@@ -122,7 +122,7 @@ TEST_CASE("by hand: next, back, jump, another camera and what it changes") {
   const std::string moved = say("--eye 2,2,3\nreset\nq\n");
   CHECK(contains(moved, "+      the eye stands at (2, 2, 3)"));
   CHECK(contains(moved, "-      the eye stands at (2, 2, 3)"));
-  // Only stages that change are shown.
+  // Only the stages that change are shown.
   CHECK(!contains(moved.substr(moved.find("1/8>")), "as modelled"));
 }
 

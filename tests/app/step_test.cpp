@@ -1,4 +1,5 @@
-// glassbox step --point: the chain of a point, checked by a second computation, as text and as JSON.
+// Tests glassbox step --point: a point's chain of transformations, compared with a second
+// computation, as text and as JSON.
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -38,7 +39,8 @@ TEST_CASE("the chain is that of a second computation, within its bounds, in ever
     const Json& point = json["points"][0];
     CAPTURE(api.name, point.dump());
     CHECK(point["fate"] == "visible");
-    // The matrices are rounded to float on their way in, by u for each entry; sizes here are below 10.
+    // The matrices are rounded to float when they are read, by u for each entry; the numbers here
+    // are below 10.
     constexpr double kRead = 64 * 0x1p-24;
     for (std::size_t i = 0; i < 4; ++i) {
       const double bound = double(point["steps"][2]["bound"][i]) + kRead;
@@ -66,7 +68,7 @@ TEST_CASE("a viewport of negative height turns y over, and is no picture upside 
       here, {kModel, kView, d3d, "--dialect vulkan --point 0.5,1,0 --viewport 0,400,600,-400"});
   CHECK(findings(turned, "hint") == Ids());
   CHECK(negated["points"][0]["window"]["position"] == turned["points"][0]["window"]["position"]);
-  // Less than a pixel is no picture whose aspect ratio could be compared.
+  // A height below one pixel gives no aspect ratio that could be compared.
   const Outcome thin = step(here, {kModel, kView, d3d, "--point 0.5,1,0 --viewport 0,0,600,0.5"});
   CHECK(thin.exit_code == 0);
 }
@@ -84,7 +86,7 @@ TEST_CASE("bits, bounds, conditions and the deciding plane are printed, within 1
     CAPTURE(part, outcome.out);
     CHECK(contains(outcome.out, part));
   }
-  // Numbers of the longest kind, too.
+  // The longest numbers have to fit as well.
   Rows long_numbers = kProjection;
   for (auto& row : long_numbers) {
     for (double& entry : row) entry = -1.2345678e-5 * (entry + 0.12345678);
@@ -95,7 +97,7 @@ TEST_CASE("bits, bounds, conditions and the deciding plane are printed, within 1
   for (const std::string& text : {outcome.out, wide.out, here.run("step --help").out}) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-      if (contains(line, "--")) continue;  // CLI11 lays the options out
+      if (contains(line, "--")) continue;  // lines that CLI11 lays out
       CAPTURE(line);
       CHECK(line.size() <= 100);
     }
@@ -123,7 +125,8 @@ TEST_CASE("digits that the text lacks are told in pixels") {
         here.run(std::string("step --point 0.5,0.25,-0.5 --proj proj.txt --json - --view ") + file);
     return double(Json::parse(outcome.out)["points"][0]["window"]["open_by_digits"]);
   };
-  // Entries open by 5e-6, a point at distance 6 that spans 6.2/1.73 units in 720 pixels: some hundred 5e-6.
+  // The entries are uncertain by 5e-6. The point is at a distance of 6, and 6.2/1.73 units are 720
+  // pixels there: the position is uncertain by some hundred times 5e-6.
   CHECK(open("few.txt") > 1e-4);
   CHECK(open("few.txt") < 1e-2);
   CHECK(open("many.txt") < open("few.txt") / 5);

@@ -1,4 +1,4 @@
-// glassbox render --stereo and --seen-by: both eyes in one picture, from the command line.
+// Tests glassbox render --stereo and --seen-by: both eyes in one picture, from the command line.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -65,8 +65,9 @@ TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
 
 TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cut (S0-08)") {
   const Workplace here;
-  // Infinity is shifted by s a W/f px, a = 1 for a right angle: 0.25 * 64/4 = 4 px. Unlit, because highlights are
-  // where each eye has them, and not where the camera between them does.
+  // Infinity is shifted by s a W/f px, with a = 1 for a right angle: 0.25 * 64/4 = 4 px. The
+  // picture is unlit, because each eye sees highlights in other places than the camera between
+  // them.
   const std::string start =
       "--fov 90 --size 64x64 --window 4 --shade unlit --stereo pair --eye-separation ";
   const auto differing = [&](const std::string& separation) {
@@ -115,7 +116,7 @@ TEST_CASE("frames of cropped eyes are measured like those of skewed ones") {
     INFO(name);
     const double px = cropped.at(name);
     CHECK(px > 0);
-    // Each eye's picture is half a pixel beside that of the skewed frustum at most.
+    // Each eye's picture is shifted by at most half a pixel against that of the skewed frustum.
     CHECK(std::abs(px - skewed.at(name).get<double>()) <= 1);
   }
 }
@@ -137,7 +138,7 @@ TEST_CASE("the parallax that is printed is that of the formula, in pixels and pe
                            "--near 2 --far 16 --eye-separation 0.5 --window 4 --stereo pair "
                            "-o p.png --json -")
                       .out);
-  // 2 s (W/2) (1/f - 1/z), with d/h = 1 at 90 degrees in a square.
+  // The formula is 2 s (W/2) (1/f - 1/z), with d/h = 1 for 90 degrees and a square picture.
   const Json& parallax = json.at("stereo").at("parallax");
   CHECK(parallax.at("near").at("px").get<double>() == 0.5 * 32 * (0.25 - 0.5));
   CHECK(parallax.at("window").at("px") == 0);
@@ -153,7 +154,7 @@ TEST_CASE("colours are moved before the anaglyph, and a cable comes after it (S0
   CHECK(!(stereo_picture(here, anaglyph + " --cable composite") == plain));
   const Image<Rgba8> white = stereo_picture(here, anaglyph + " --brighten 1");
   CHECK(white == Image<Rgba8>(white.width, white.height, {255, 255, 255, 255}));
-  // Without saturation and from one place, each eye's channels show the same grey.
+  // Without saturation and with both eyes in one place, the pair's pictures are grey.
   const Image<Rgba8> grey =
       stereo_picture(here, "--stereo pair --eye-separation 0 --size 64x37 --desaturate 1");
   int coloured = 0;
@@ -179,8 +180,8 @@ TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
            {"--stereo pair --ortho 4 --window inf --eye-separation 1", {"parallel"}},
            {"--stereo stack", {"--stereo", "interlaced"}},
            {"--stereo interlaced --size 64x1", {"two rows"}},
-           {"--stereo pair --anaglyph dubois", {"--anaglyph", "no anaglyph"}},
-           {"--stereo pair --cable composite", {"--cable", "no anaglyph"}},
+           {"--stereo pair --anaglyph dubois", {"--anaglyph", "not an anaglyph"}},
+           {"--stereo pair --cable composite", {"--cable", "not an anaglyph"}},
            {"--stereo anaglyph --anaglyph dubois2001 --glasses amber-blue", {"red-cyan"}},
            {"--stereo anaglyph --desaturate 1.5", {"0", "1"}},
            {"--stereo anaglyph --seen-by left", {"--seen-by", "--stereo"}},

@@ -1,4 +1,5 @@
-// glassbox stereo: its numbers against the planes that glassbox render writes, its advice taken, its page.
+// Tests glassbox stereo: its numbers agree with the planes that glassbox render writes, following
+// its advice helps, and its page is complete.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -53,7 +54,8 @@ Plane distances_of(const Workplace& here, const std::string& words, const std::s
   return parse_pfm(here.read("d.pfm"));
 }
 
-// A road through a plain, to the horizon, in place of the forest's trees: the same ground, sky, light and extent.
+// Writes a scene with a road through a plain to the horizon in place of the forest's trees: the
+// ground, sky, light and extent are the same.
 void write_flat_road(const Workplace& here, const std::string& name) {
   Scene scene = *make_builtin("forest");
   std::erase_if(scene.instances, [&](const Instance& instance) {
@@ -90,7 +92,7 @@ TEST_CASE(
       farthest = std::max(farthest, distance);
     }
   }
-  // p(z) = k (1/f - 1/z): k from the row of any other distance.
+  // p(z) = k (1/f - 1/z), where k follows from the row of any other distance.
   const Json near = row_of(json, "near plane");
   const double k = near["px"].get<double>() / (1.0 / 3 - 1 / near["distance"].get<double>());
   const auto parallax = [&](double distance) { return k * (1.0 / 3 - 1 / distance); };
@@ -128,8 +130,8 @@ TEST_CASE("the report in words has what is seen beside the planes, and what to c
   for (const char* words :
        {"forest, 160 x 90\n", "eyes 1 apart (as given)", "near plane", "nearest seen",
         "farthest seen", "beyond the budget in", "cut by the left or right edge",
-        "toed in would have up to", "mask anaglyph", "each eye has its own picture",
-        "what to change\n", "--eye-separation 0."}) {
+        "toed in would have up to", "mask anaglyph", "fit this order", "what to change\n",
+        "--eye-separation 0."}) {
     INFO(words << " in\n" << outcome.out);
     CHECK(outcome.out.find(words) != std::string::npos);
   }
@@ -156,10 +158,11 @@ TEST_CASE(
       for (const std::string& option : options) words += " " + option;
       INFO(words << ": " << advice["text"]);
       const Json second = stereo_report(here, words);
-      // Eyes that stand elsewhere see other things beside the old pictures; a few pixels at most.
+      // Eyes in another place see other things at the sides of the old pictures: a few pixels at
+      // most.
       CHECK(second["disparity"]["share_beyond_budget"] < 0.001);
-      if (advice["text"].get<std::string>().starts_with("Bring the window")) {
-        // What the edges cut then may be a little nearer than before.
+      if (advice["text"].get<std::string>().starts_with("Move the window")) {
+        // The objects that the edges then cut may be a little nearer than before.
         for (const Json& cut : second["window_violations"]) CHECK(cut["least_px"] > -2);
       }
       ++taken;
@@ -252,7 +255,7 @@ TEST_CASE("pictures of nothing, and of one pixel, are reported on") {
     const Json tiny = stereo_report(here, "room --size " + size + " --html tiny.html");
     CHECK(tiny["disparity"]["left"]["drawn"] > 0);
   }
-  // As far apart as the picture is wide at the window.
+  // The eye separation is as large as the picture is wide at the window.
   const Json enormous =
       stereo_report(here, "teapot --size 64x48 --eye-separation 6 --html big.html");
   CHECK(verdict_of(enormous, "parallax")["level"] == "bad");
@@ -270,7 +273,7 @@ TEST_CASE(
   const std::string page = here.read("page.html");
   CHECK(page.find("content=\"default-src 'none'; img-src data:;") != std::string::npos);
   CHECK(page.find("http:") == std::string::npos);
-  // The addresses that Chart.js names are in lines of a comment, which nobody fetches.
+  // The addresses in Chart.js are in lines of a comment, so no browser loads them.
   for (std::size_t at = page.find("https:"); at != std::string::npos;
        at = page.find("https:", at + 1)) {
     const std::size_t line = page.rfind('\n', at) + 1;
@@ -297,12 +300,12 @@ TEST_CASE("what the report cannot be about is refused in words, and nothing is w
     std::string words, cause;
   };
   for (const auto& [words, cause] :
-       std::vector<Case>{{"teapot --budget -1", "no share of the width"},
-                         {"teapot --budget nan", "no share of the width"},
-                         {"teapot --budget 101", "no share of the width"},
-                         {"teapot --display 0,5", "no display"},
+       std::vector<Case>{{"teapot --budget -1", "is not a percentage"},
+                         {"teapot --budget nan", "is not a percentage"},
+                         {"teapot --budget 101", "is not a percentage"},
+                         {"teapot --display 0,5", "is not possible"},
                          {"teapot --display 5", "--display"},
-                         {"teapot --target-rivalry 2", "no rivalry"},
+                         {"teapot --target-rivalry 2", "not between 0 and 1"},
                          {"teapot --seen-by left", "both eyes"},
                          {"teapot --eye-separation -1", "exchanges the eyes"},
                          {"teapot --eye-separation 1e9", ""},

@@ -1,4 +1,4 @@
-// What the tests of the command line ask of its words.
+// Checks of the program's output that the tests of the command line share.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The text as one line, each run of blanks and ends of lines a blank: for sentences that are wrapped.
+// Returns the text as one line, with each run of blanks and line ends replaced by a blank, to find
+// sentences that are wrapped.
 inline std::string unwrapped(const std::string& text) {
   std::string line;
   for (const char c : text) {
@@ -24,7 +25,8 @@ inline std::string unwrapped(const std::string& text) {
   return line;
 }
 
-// Exit code 2 and one line on standard error alone, with these parts.
+// Expects exit code 2, nothing on standard output, and one line on standard error that contains
+// these parts.
 inline void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
   INFO(outcome.out << outcome.err);
   CHECK(outcome.exit_code == 2);
@@ -42,7 +44,7 @@ inline std::vector<std::string> sorted_names(const Workplace& here) {
   return names;
 }
 
-// A line of /bin/sh in the workplace, in which $0 is the program.
+// Runs a line of /bin/sh in the workplace; $0 in it is the program.
 inline Outcome in_shell(const Workplace& here, const std::string& line) {
   return run_program("/bin/sh", {"-c", line, GLASSBOX_PROGRAM}, here.path());
 }

@@ -1,5 +1,5 @@
-// glassbox trace: a whole run as JSON and as NumPy arrays, which are read here by libzip and by hand, and by NumPy itself
-// where it is installed.
+// Tests glassbox trace: a whole run as JSON and as NumPy arrays. The arrays are read by libzip and
+// by the test's own code, and by NumPy itself where it is installed.
 #include <zip.h>
 
 #include <cstring>
@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 // ---- .npz ----
 
 struct NpyArray {
-  std::string type;                // "<f4"
+  std::string type;                // such as "<f4"
   std::vector<std::size_t> shape;  // all dimensions
   std::string bytes;
 
@@ -48,7 +48,8 @@ std::string between(const std::string& text, const std::string& from, const std:
   return text.substr(start + from.size(), end - start - from.size());
 }
 
-// numpy.lib.format: "\x93NUMPY", version 1.0, the length of a Python dict of ASCII, the dict, the numbers.
+// The format of numpy.lib.format: "\x93NUMPY", version 1.0, the length of a Python dict in ASCII,
+// the dict, the numbers.
 NpyArray parse_npy(const std::string& file) {
   REQUIRE(file.size() >= 64);
   REQUIRE(file.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8));
@@ -195,7 +196,7 @@ TEST_CASE("a trace that would be large says so, and beyond the limit it is refus
   }
   const Outcome told = here.run("trace teapot --size 320x240 -o big.npz");
   CHECK(told.exit_code == 0);
-  CHECK(contains(told.err, "are to be written"));
+  CHECK(contains(told.err, "will be written"));
 }
 
 TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothing") {
@@ -243,7 +244,8 @@ TEST_CASE("docs/trace.md names every array with its type and the shape of a row"
     CAPTURE(name, array.type);
     const std::size_t line = page.find("\n| `" + name + "` | " + array.type.substr(1) + " | ");
     REQUIRE(line != std::string::npos);
-    // "(T, 3, 4)": as many dimensions, and those that do not depend on the run.
+    // In "(T, 3, 4)" the number of dimensions must agree, and so must those that do not depend on
+    // the run.
     std::istringstream dimensions(between(page.substr(line), "| (", ")"));
     std::vector<std::string> shape;
     for (std::string n; dimensions >> n;)

@@ -1,4 +1,5 @@
-// glassbox render --turntable: once around a scene. --camera none: the automatic camera in place of the file's.
+// Tests glassbox render --turntable: once around a scene. Tests --camera none: the automatic camera
+// instead of the file's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,7 +60,8 @@ void turn(const Workplace& here, const std::string& scene, std::size_t frames,
   CHECK(outcome.err.empty());
 }
 
-// How much of the half width or height the drawn pixels reach from the middle, the most of all sides; 1 is the border.
+// Returns how far the drawn pixels extend from the middle, in halves of the width or height, the
+// maximum over all sides; 1 is the border.
 double reach(const Image<Rgba8>& image) {
   const Rgba8 background = image.at(0, 0);
   double most = 0;
@@ -78,7 +80,7 @@ double reach(const Image<Rgba8>& image) {
   return most;
 }
 
-// A long beam with a flag, far from the origin: nothing about it is symmetrical.
+// A long beam with a flag, far from the origin and without any symmetry.
 const std::string kBeam =
     "v 95 0 0\nv 105 0 0\nv 105 0.5 0\nv 95 0.5 0\nv 105 3 2\nv 95 0 -1\n"
     "f 1 2 3 4\nf 2 5 3\nf 1 6 4\n";
@@ -102,11 +104,11 @@ TEST_CASE("a turntable's eye goes once around up through the target, at one dist
         return p[0] * up[0] + p[1] * up[1] + p[2] * up[2];
       };
       INFO(options << " frame " << i);
-      // Some dozen double roundings of numbers below 20.
+      // The bound allows for a dozen roundings in double of numbers below 20.
       CHECK(std::abs(distance(eyes[i - 1], target) - distance(eyes[0], target)) < 1e-13);
       CHECK(std::abs(along_up(eyes[i - 1]) - along_up(eyes[0])) < 1e-13);
     }
-    // From the last frame to the first it is one step more: the loop is closed.
+    // The step from the last frame to the first is as long as the others: the loop is closed.
     const double step = distance(eyes[0], eyes[1]);
     for (std::size_t i = 0; i < kFrames; ++i) {
       CHECK(std::abs(distance(eyes[i], eyes[(i + 1) % kFrames]) - step) < 1e-13);
@@ -145,7 +147,8 @@ TEST_CASE("all of a scene is in every frame of its turn, and the frame is not la
       CHECK(one < 1);
       most = std::max(most, one);
     }
-    // The margin is a tenth; the rest is what lies between 24 angles, and the pixels.
+    // The margin is a tenth. The rest is lost because 24 angles do not meet the largest extent, and
+    // to whole pixels.
     INFO(words);
     CHECK(most > 0.8);
   }
@@ -200,7 +203,7 @@ TEST_CASE("turntables that cannot be are refused") {
       {"--turntable", {"--turntable", "--frames N"}},
       {"--frames 3", {"--path FILE.json, or --turntable"}},
       {"--frames 3 --turntable --path p.json", {"--turntable", "the path says"}},
-      {"--frames 3 --turntable --camera 0", {"--camera", "--eye says where it begins"}},
+      {"--frames 3 --turntable --camera 0", {"--camera", "--eye gives the start"}},
       {"--frames 3 --turntable --up 0,0,0", {"up"}},
       {"--frames 3 --turntable --eye 0,5,0 --look-at 0,1,0", {"frame 1"}},
       {"--frames 3 --turntable --plot p.svg", {"--plot", "two eyes"}}};
@@ -243,7 +246,7 @@ TEST_CASE("--camera none frames a scene as if its file had no camera") {
   CHECK(bytes("camera.gltf --camera none --fov 20") == bytes("plain.gltf --fov 20"));
   CHECK(bytes("camera.gltf --camera none --eye 0,0,3") == bytes("plain.gltf --eye 0,0,3"));
   CHECK(bytes("camera.gltf") != bytes("plain.gltf"));
-  CHECK(bytes("camera.gltf --camera 0") == bytes("camera.gltf"));  // it is called "none"
+  CHECK(bytes("camera.gltf --camera 0") == bytes("camera.gltf"));  // a camera whose name is "none"
   CHECK(bytes("cube --camera none") == bytes("cube"));
   CHECK(contains(here.run("info camera.gltf --json -").out, "\"none\""));
 }

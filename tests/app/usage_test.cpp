@@ -1,4 +1,4 @@
-// Words that are mistyped, and the ways to ask for help.
+// Tests mistyped words, and the ways to ask for help.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -67,7 +67,7 @@ TEST_CASE("an empty word is no name of a file") {
         {"diff", "a.png", "b.png", "--html", ""},
         {"study", "report", "a.json", "--svg", ""}}) {
     const Outcome outcome = run_program(GLASSBOX_PROGRAM, words, here.path());
-    check_refused(outcome, {words[words.size() - 2] + ": an empty name names no file"});
+    check_refused(outcome, {words[words.size() - 2] + ": the name is empty"});
     CHECK(here.names().empty());
   }
 }
@@ -89,8 +89,8 @@ TEST_CASE("the nearest word is at most two letters and a third of itself away") 
   CHECK(edits_between("abc", "") == 3);
   CHECK(edits_between("kitten", "sitting") == 3);
   CHECK(edits_between("abcd", "badc") == 2);
-  CHECK(near_word("stereo-c", words) == "stereo-cull");  // begins like no other
-  CHECK(!near_word("ste", words));                       // begins like two
+  CHECK(near_word("stereo-c", words) == "stereo-cull");  // the only one that begins so
+  CHECK(!near_word("ste", words));                       // two begin so
   CHECK(!near_word("s", words));
   CHECK(!near_word("width", words));
   CHECK(!near_word("", words));
@@ -129,7 +129,7 @@ TEST_CASE("docs/command_line.md shows what the program says") {
     const Workplace here;
     const Outcome outcome = here.run(session.command.substr(std::string("glassbox ").size()));
     CHECK(outcome.err == session.output);
-    if (contains(session.output, "note:")) {  // what is ignored is no error
+    if (contains(session.output, "note:")) {  // an ignored option is not an error
       CHECK(outcome.exit_code == 0);
     } else {
       CHECK(outcome.exit_code == 2);
@@ -166,7 +166,7 @@ TEST_CASE("no byte that a terminal obeys is printed, wherever the word with it s
         "help " + red,
         "study run " + red,
         "completion " + red}) {
-    // The words are separated by blanks, and a carriage return is one.
+    // Blanks separate the words, and a carriage return counts as one.
     std::string one_word = words;
     std::erase(one_word, '\r');
     const Outcome outcome = here.run(one_word);

@@ -1,4 +1,4 @@
-// glassbox why: what it says of constructed scenes, and that what it suggests works.
+// Tests glassbox why: its answers about constructed scenes, and that the commands it suggests work.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Json why(const Workplace& here, const std::string& words) {
   return Json::parse(outcome.out);
 }
 
-// The words after the program's name in the lines that suggest a command.
+// Returns the suggested commands: from each line with one, the words after the program's name.
 std::vector<std::string> suggested(const std::string& text) {
   std::vector<std::string> commands;
   std::istringstream lines(text);
@@ -42,8 +42,8 @@ std::vector<std::string> suggested(const std::string& text) {
   return commands;
 }
 
-// One triangle, seen from (0, 0, 4) down -z: front, at the middle of the picture.
-// (Materials of OBJ files are double-sided.)
+// A camera at (0, 0, 4) that looks down -z, for one front-facing triangle in the middle of the
+// picture. (Materials of OBJ files are double-sided.)
 constexpr const char* kLook =
     " --size 64x64 --eye 0,0,4 --look-at 0,0,0 --near 1 --far 10 --cull back";
 
@@ -73,7 +73,7 @@ TEST_CASE("why names the stage and the number for each way in which a triangle i
     CHECK(json["end"] == end);
     CHECK(json["triangle"] == 0);
     CHECK(!json["why"].empty());
-    // The summary says the same, and explains it where nothing is seen.
+    // The summary gives the same reason, with an example if nothing is visible.
     const Json all = why(here, words);
     CHECK(all["triangles"] == 1);
     REQUIRE(all["ends"].size() == 1);
@@ -139,7 +139,7 @@ TEST_CASE("why: no line is wider than 100 columns") {
     std::istringstream lines(outcome.out);
     for (std::string line; std::getline(lines, line);) {
       if (contains(line, "/glassbox "))
-        continue;  // a command stays on one line; here the program's path is long
+        continue;  // a command stays on one line, and the program's path is long here
       CHECK(line.size() <= 100);
     }
   }

@@ -1,4 +1,5 @@
-// Where things stand in the world must not show in the picture: large offsets, mirrored and squeezed nodes, far planes.
+// The position of things in the world must not show in the picture: large offsets, mirrored and
+// squeezed nodes, far planes.
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ namespace {
 
 struct Picture {
   Image<Rgba8> color;
-  std::string depth, ids;  // the bytes of the PFM files
+  std::string depth, ids;  // bytes of the PFM files
 };
 
 Picture picture_of_world(const Workplace& here, const std::string& options) {
@@ -43,7 +44,7 @@ void check_same(const Picture& a, const Picture& b) {
   CHECK(a.ids == b.ids);
 }
 
-// Steps over the whole scale in which the differences of coordinates are exact.
+// Offsets of all sizes for which the differences of coordinates are exact.
 const std::vector<double> kOffsets{100, 65536, 1e6, 6.378e6, 16777216};
 
 TEST_CASE("a cube of 1 m placed far away by its node does not shake (C-13, C-14)") {
@@ -68,7 +69,7 @@ TEST_CASE("a cube of 1 m whose vertices are far away does not shake (C-13)") {
   write_scene(here, "near.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), {Placement{}});
   const Picture at_origin = picture_of_world(here, "near.glb " + camera_at(0, lens));
   for (const double offset : {100.0, 65536.0, 1e6, 4194304.0}) {
-    // Multiples of 1/2 are floats up to 2^23, so that the corners are where they should be.
+    // Multiples of 1/2 are exact floats up to 2^23, so the corners are where they should be.
     const float low = float(offset - 0.5);
     const float high = float(offset + 0.5);
     REQUIRE(double(low) == offset - 0.5);
@@ -106,7 +107,7 @@ TEST_CASE("a node that mirrors shows the mirrored mesh, its fronts outside and l
     check_same(picture_of_world(here, "node.glb " + camera),
                picture_of_world(here, "mesh.glb " + camera));
   }
-  // Culling the wrong side would show.
+  // The two pictures must differ, so that culling the wrong side would be noticed.
   const std::string camera = camera_at(0, "--near 0.5 --far 10 ");
   CHECK(picture_of_world(here, "node.glb " + camera + "--cull back").depth !=
         picture_of_world(here, "node.glb " + camera + "--cull front").depth);
@@ -116,7 +117,7 @@ TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)"
   const Workplace here;
   write_scene(here, "plain.glb", triangles(tetrahedron(false)), {Placement{}});
   write_scene(here, "mirrored.glb", triangles(tetrahedron(false)), {{{-1, 1, 1}, {0, 0, 0}}});
-  // The headlight is not symmetric; normals are.
+  // The picture shows normals, because the headlight's shading is not symmetric.
   const std::string camera = "--eye 0,0,4 --look-at 0,0,0 --near 0.5 --far 10 --show normal";
   const Image<Rgba8> plain = picture_of_world(here, "plain.glb " + camera).color;
   const Image<Rgba8> mirrored = picture_of_world(here, "mirrored.glb " + camera).color;
@@ -126,17 +127,18 @@ TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)"
     for (int x = 0; x < plain.width; ++x) {
       const Rgba8& a = plain.at(x, y);
       const Rgba8& b = mirrored.at(plain.width - 1 - x, y);
-      // Samples exactly on an edge go to the face on the other side.
+      // Samples exactly on an edge belong to the other face in the mirror image.
       if (a == background || b == background || a.g != b.g || a.b != b.b) continue;
       ++compared;
-      // Red is round(255 (n_x + 1)/2): the two add up to 255, or to 256 where both are halfway and rounded up.
+      // Red is round(255 (n_x + 1)/2): the two sum to 255, or to 256 if both are halfway and
+      // rounded up.
       CHECK((a.r + b.r == 255 || a.r + b.r == 256));
     }
   }
   CHECK(compared > 1000);
 }
 
-// The brightest green of the picture: the square fills its middle.
+// Returns the green of the middle pixel, which the square covers.
 int green_at_centre(const Workplace& here, const std::string& scene, const std::string& shade) {
   const Picture picture = picture_of_world(
       here, scene + " --eye 0,0,8 --look-at 0,0,0 --ortho 1 --near 1 --far 20 --shade " + shade);
@@ -145,7 +147,8 @@ int green_at_centre(const Workplace& here, const std::string& scene, const std::
 
 TEST_CASE("normals follow a squeezed node by the cofactor matrix (C-16)") {
   const Workplace here;
-  // A plane rising steeply towards the left: z = -4 x, its normal along (4, 0, 1). The node squeezes z to 1/8.
+  // A plane that rises steeply towards the left: z = -4 x, with its normal along (4, 0, 1). The
+  // node squeezes z to 1/8.
   constexpr double kSqueeze = 0.125;
   const auto square = [](double slope) {
     const auto at = [&](float x, float y) { return Triple{x, y, float(-slope * double(x))}; };
@@ -160,12 +163,13 @@ TEST_CASE("normals follow a squeezed node by the cofactor matrix (C-16)") {
               {{{1, 1, kSqueeze}, {0, 0, 0}}});
   write_scene(here, "flat.glb", triangles(square(4)), {{{1, 1, kSqueeze}, {0, 0, 0}}});
   write_scene(here, "expected.glb", triangles(square(0.5), six(unit(0.5, 1))), {Placement{}});
-  // What comes out if the normal is multiplied by the node's matrix like a position.
+  // The wrong result if the normal is multiplied by the node's matrix like a position.
   write_scene(here, "wrong.glb", triangles(square(0.5), six(unit(4, kSqueeze))), {Placement{}});
   for (const char* shade : {"flat", "gouraud", "phong"}) {
     const int expected = green_at_centre(here, "expected.glb", shade);
     INFO("--shade " << shade);
-    // The directions agree within 10 u (SPEC C-16), a relative 1e-6 of the light: at most one step of a byte.
+    // The directions agree within 10 u (C-16), which changes the light by a relative 1e-6: at most
+    // one step of a byte.
     CHECK(std::abs(green_at_centre(here, "squeezed.glb", shade) - expected) <= 1);
     CHECK(std::abs(green_at_centre(here, "flat.glb", shade) - expected) <= 1);
     if (std::string(shade) != "flat") {

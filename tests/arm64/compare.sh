@@ -1,7 +1,9 @@
 #!/bin/sh
-# compare.sh FOLDER PROGRAM OTHER...: runs the cases of cases.sh with a program and with another one, whose command may have several
-# words, as "qemu-aarch64-static -L root glassbox" has, and compares every byte that they write into files, what `step` prints, and how
-# they end. FOLDER is made anew and keeps both. Says which cases differ, and how many are the same; 1 if any differs.
+# compare.sh FOLDER PROGRAM OTHER... runs the cases of cases.sh with a program and with another one.
+# The command of the other one may have several words, such as
+# "qemu-aarch64-static -L root glassbox". The script compares every byte that they write into files,
+# the output of `step`, and the exit codes. FOLDER is made again and keeps both results. The script
+# prints which cases differ and how many are the same; its exit code is 1 if any differs.
 set -eu
 
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd -P)
@@ -12,7 +14,8 @@ program=$2
 shift 2
 tab=$(printf '\t')
 
-# run FOLDER COMMAND...: one case; its exit code is in the file `code`, its words on standard output in `printed` where they are data.
+# run FOLDER COMMAND... runs one case. Its exit code goes to the file `code`. If its standard output
+# is data, it goes to the file `printed`.
 run() {
   cd "$1"
   shift
@@ -24,7 +27,7 @@ run() {
   rm -f said
 }
 
-# The files of a folder, with their contents' sums.
+# Prints the files of a folder with the checksums of their contents.
 sums() {
   (cd "$1" && find . -type f ! -name complaints -exec cksum {} + | sort)
 }
@@ -32,7 +35,8 @@ sums() {
 for side in one other; do
   rm -rf "${folder:?}/$side"
   mkdir "$folder/$side"
-  cp -R "$golden"/* "$folder/$side" # no links, through which a program that has gone wrong would write
+  # Links are not used here, because a program that fails could write through them.
+  cp -R "$golden"/* "$folder/$side"
 done
 
 "$here/cases.sh" >"$folder/cases"
@@ -51,7 +55,7 @@ while IFS="$tab" read -r name arguments; do
     diff "$folder/sums-one" "$folder/sums-other" || :
     cat "$folder/one/complaints" "$folder/other/complaints"
   fi
-  # What differs is told once.
+  # A difference is reported only once.
   for side in one other; do
     find "$folder/$side" -type f \( -name '*-made.png' -o -name '*-staged.png' -o -name '*-scalar.png' -o -name '*-trace.*' \) -delete
   done

@@ -1,6 +1,7 @@
 #!/bin/sh
-# make_sysroot.sh FOLDER PACKAGE...: FOLDER gets the libraries of a 64-bit ARM machine, of the Debian that this machine has. Only
-# extracted, no program of them is run. Takes half a minute and the network; FOLDER is there whole or not at all.
+# make_sysroot.sh FOLDER PACKAGE... fills FOLDER with the libraries of a 64-bit ARM machine, from
+# the Debian version of this machine. It only extracts them, and runs none of their programs. It
+# takes half a minute and needs the network. FOLDER is complete or does not exist.
 set -eu
 
 folder=$1
@@ -11,7 +12,8 @@ packages=$(printf '%s,' "$@")
 rm -rf "$folder" "$folder.next"
 mmdebstrap --architectures=arm64 --variant=extract --include="${packages%,}" "$release" "$folder.next"
 
-# A link to /usr/lib/x means this machine's to whoever follows it here: it shall name the same file from where it stands.
+# On this machine, a link to /usr/lib/x leads to this machine's /usr/lib/x. The link is changed so
+# that it leads to the file in FOLDER.
 find "$folder.next" -type l -lname '/*' | while read -r link; do
   ln -sfnr "$folder.next$(readlink "$link")" "$link"
 done

@@ -1,5 +1,5 @@
-// Logarithm, exponential, powers and roots against 50 digits (Boost.Multiprecision), in ulps of the
-// exact result.
+// Compares logarithm, exponential, powers and roots with 50-digit arithmetic
+// (Boost.Multiprecision). Errors are in ulps of the exact result.
 #include <glassbox/base/random.h>
 #include <tests/support/catch.h>
 
@@ -29,11 +29,11 @@ struct Worst {
   double ulps = 0, argument = 0;
   void see(double x, double value, const Exact& exact) {
     const double error = exact == 0 ? (value == 0 ? 0 : kInfinity) : error_in_ulps(value, exact);
-    if (!(error <= ulps)) *this = {error, x};  // NaN counts as worst
+    if (!(error <= ulps)) *this = {error, x};  // a NaN counts as the worst error
   }
 };
 
-// Arguments are drawn of all sizes, and near 1, where a logarithm vanishes.
+// Returns arguments of all sizes, and many near 1, where the logarithm vanishes.
 std::vector<double> positive_numbers() {
   Random random(41);
   std::vector<double> list{kLargest, kSmallest, 0x1p-1022, 8, 27, 1000};

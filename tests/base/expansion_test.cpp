@@ -1,4 +1,4 @@
-// The exact predicates against rational arithmetic, on inputs made to mislead doubles.
+// Compares the exact predicates with rational arithmetic, on inputs made to mislead doubles.
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -27,7 +27,7 @@ Rational value_of(const Expansion<N>& e) {
   return sum;
 }
 
-// A double with a random number of bits, of a size between 2^low and 2^high.
+// Returns a double with a random number of significant bits and a size between 2^low and 2^high.
 double random_double(Random& random, int low, int high) {
   const int bits = int(random.integer(1, 53));
   const double mantissa = double(random.integer(1, (std::int64_t{1} << bits) - 1));
@@ -52,7 +52,7 @@ Rational orient3d(const Exact3& a, const Exact3& b, const Exact3& c, const Exact
          r[2] * (p[0] * q[1] - p[1] * q[0]);
 }
 
-// What doubles alone say.
+// The determinant computed with doubles alone, with their round-off.
 double rounded_orient2d(const Exact2& a, const Exact2& b, const Exact2& c) {
   return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
 }
@@ -94,7 +94,7 @@ TEST_CASE("sums and products of expansions are exact, and their terms do not ove
     REQUIRE(exact.sign() == expected.sign());
     REQUIRE(sign_of(exact.estimate()) == expected.sign());
     for (int k = 1; k < exact.count; ++k) {
-      // Smaller than the lowest bit of the next term.
+      // Each term has to be smaller than the lowest bit of the next one.
       const double smaller = std::abs(exact.terms[std::size_t(k - 1)]);
       int exponent;
       double mantissa = std::frexp(exact.terms[std::size_t(k)], &exponent);
@@ -120,7 +120,8 @@ TEST_CASE("what cancels exactly is zero, and has no terms") {
 }
 
 TEST_CASE("the turn of three nearly collinear points is right where doubles say otherwise (B.2)") {
-  // Points within a few ulps of a line through (12, 12) and (24, 24): Kettner et al.'s classroom example.
+  // Points within a few ulps of a line through (12, 12) and (24, 24): the classroom example of
+  // Kettner et al.
   int wrong_in_doubles = 0;
   for (int i = 0; i < 64; ++i) {
     for (int j = 0; j < 64; ++j) {
@@ -131,7 +132,7 @@ TEST_CASE("the turn of three nearly collinear points is right where doubles say 
       wrong_in_doubles += sign_of(rounded_orient2d(a, b, c)) != exact;
     }
   }
-  CHECK(wrong_in_doubles > 100);  // the case is as hard as it is meant to be
+  CHECK(wrong_in_doubles > 100);  // with fewer, the case would be too easy
 }
 
 TEST_CASE("orientations in the plane and in space have the signs of rational arithmetic") {
@@ -144,14 +145,16 @@ TEST_CASE("orientations in the plane and in space have the signs of rational ari
     std::array<Exact3, 4> p;
     for (Exact3& point : p) {
       for (double& x : point) {
-        // Lattice points, often coplanar; sizes that differ by 2^300; ordinary numbers.
+        // Three kinds: lattice points, which are often coplanar; sizes that differ by 2^300;
+        // ordinary numbers.
         if (kind == 0) x = double(random.integer(-3, 3));
         if (kind == 1) x = random.integer(0, 4) == 0 ? 0 : random_double(random, -140, 200);
         if (kind == 2) x = random.between(-1, 1);
       }
     }
     if (kind == 2) {
-      // The fourth point within rounding of the plane of the others, so rounding decides the sign of the naive one.
+      // The fourth point is in the plane of the others but for round-off, so that round-off decides
+      // the sign of the naive determinant.
       const double s = random.unit(), t = random.unit() * (1 - s);
       for (std::size_t k = 0; k < 3; ++k) {
         p[3][k] = p[0][k] * (1 - s - t) + p[1][k] * s + p[2][k] * t;
@@ -178,7 +181,7 @@ TEST_CASE("orientations in the plane and in space have the signs of rational ari
 
 TEST_CASE("seen from a point d, a clockwise triangle is positive") {
   CHECK(glassbox::sign_of_orient2d({0, 0}, {1, 0}, {0, 1}) == 1);
-  // Counter-clockwise seen from above, hence clockwise from below.
+  // The triangle is counter-clockwise seen from above, and hence clockwise seen from below.
   CHECK(glassbox::sign_of_orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}) == 1);
   CHECK(glassbox::sign_of_orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == -1);
 }
@@ -196,7 +199,7 @@ TEST_CASE("a sum of products has the exact sign") {
       b[std::size_t(k)] = random_double(random, -2, 2);
     }
     if (n >= 2 && i % 2 == 0) {
-      // The last product all but cancels the first.
+      // The last product cancels the first one almost completely.
       a[std::size_t(n - 1)] = -a[0];
       b[std::size_t(n - 1)] = b[0] * (1 + double(random.integer(-1, 1)) * 0x1p-52);
       for (int k = 1; k + 1 < n; ++k) a[std::size_t(k)] *= 0x1p-60;

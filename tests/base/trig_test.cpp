@@ -1,4 +1,5 @@
-// The trigonometry against 50 digits (Boost.Multiprecision), in ulps of the exact result.
+// Compares the trigonometric functions with 50-digit arithmetic (Boost.Multiprecision). Errors are
+// in ulps of the exact result.
 #include <glassbox/base/random.h>
 #include <tests/support/catch.h>
 
@@ -15,7 +16,7 @@
 namespace glassbox {
 namespace {
 
-// The reduction of arguments up to 2^20 costs 7 of the 50 digits; 16 are needed.
+// Reducing an argument of up to 2^20 costs 7 of the 50 digits; 16 are needed.
 using Exact = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -30,11 +31,12 @@ struct Worst {
       return;
     }
     const double error = error_in_ulps(value, exact);
-    if (!(error <= ulps)) *this = {error, x};  // NaN counts as worst
+    if (!(error <= ulps)) *this = {error, x};  // a NaN counts as the worst error
   }
 };
 
-// `count` angles up to `largest`, half of them below a turn, and the neighbourhoods of the multiples of a quarter turn.
+// Returns `count` random angles up to `largest`, half of them below a full turn, and angles at and
+// near the multiples of a quarter turn.
 std::vector<double> angles(int count, double largest, double quarter_turn) {
   Random random(20);
   std::vector<double> list;
@@ -72,7 +74,8 @@ TEST_CASE("sine and cosine of degrees err by less than an ulp up to 2^26 degrees
   Worst sin, cos;
   for (double x : angles(30000, kMaxDegrees, 90)) {
     const SinCos value = sin_cos_degrees(x);
-    // Reduced exactly before the reference's own factor, which is rounded too.
+    // The angle is reduced in degrees, which is exact, before the reference multiplies it by pi /
+    // 180, which is rounded too.
     const Exact radians = Exact(std::remainder(x, 360.0)) * kExactPi / 180;
     Exact s = boost::multiprecision::sin(radians), c = boost::multiprecision::cos(radians);
     if (std::fmod(x, 180) == 0) s = 0;
@@ -91,7 +94,7 @@ TEST_CASE("the arctangent errs by less than an ulp") {
   std::vector<double> list;
   for (int i = 0; i < 20000; ++i) list.push_back(random.between(-2, 2));
   for (int i = 0; i < 10000; ++i) list.push_back(random.scaled(1, 2, -40, 60));
-  for (int k = 0; k <= 33; ++k) {  // where the table changes
+  for (int k = 0; k <= 33; ++k) {  // edges of the table's intervals
     const double edge = k / 32.0;
     for (double x : {edge, 1 / edge}) {
       list.push_back(x);

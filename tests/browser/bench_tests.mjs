@@ -50,8 +50,8 @@ test("bench: all bars are on one scale, each with its time, beside the scene's e
     assert.ok(written.includes(text), text);
   assert.ok(written.some((text) => text.startsWith("…") && text.endsWith("/the-end.obj")));
   const words = await page.locator("main").innerText();
-  assert.match(words, /The peer is a peer, the ratio its time over that of Glassbox\./);
-  assert.match(words, /The floor is what the bytes that must move take/);
+  assert.match(words, /The peer is a peer; the ratio is its time divided by that of Glassbox\./);
+  assert.match(words, /The floor is the time that the memory needs to move the necessary bytes/);
   for (const colour of [[0, 0x72, 0xb2], [0xd5, 0x5e, 0], [0, 0x9e, 0x73]]) assert.ok(await coloured(page, bars, colour) > 5, colour);
   return opened;
 });
@@ -72,7 +72,7 @@ test("bench: a curve goes through its points, and a line stands where it bends",
       bend: line.ticks.map(({value, label}) => [value, label, line.getPixelForValue(value) - x.getPixelForValue(value)])};
   });
   places.forEach(([x, ms], i) => assert.ok(Math.abs(x / points[i].x - 1) + Math.abs(ms / points[i].ms - 1) < 1e-6, `${x}, ${ms}`));
-  assert.deepEqual(bend, [[10000, "it bends here", 0]]);
+  assert.deepEqual(bend, [[10000, "the exponent changes here", 0]]);
   const {x, y} = await page.locator(curve).evaluate((canvas) => Chart.getChart(canvas).getDatasetMeta(0).data[1].getProps(["x", "y"]));
   await page.locator(curve).hover({position: {x, y}});
   const told = await page.waitForFunction((canvas) => {

@@ -108,7 +108,7 @@ test("inspect: the page's arithmetic gives the run's numbers to the bit, and its
     const opened = await openPage(inspect(`check-${name}`, ...words)), {page} = opened;
     await page.click("#check-button");
     const found = await page.textContent("#check-note");
-    assert.match(found, /all are those of the run/, `${name}: ${found}`);
+    assert.match(found, /all are equal to the run's records/, `${name}: ${found}`);
     numbers += Number(found.match(/^[\d,]+/)[0].replaceAll(",", ""));
     assert.deepEqual(opened.problems, []);
     await opened.close();
@@ -124,7 +124,7 @@ test("inspect: the check sees a matrix that is off by one bit", async () => {
   fs.writeFileSync(file("inspect/planted.html"), page.replace(entry[0], `"clip_from_anchored":[${bits.getFloat32(0)},`));
   const opened = await openPage(file("inspect/planted.html"));
   await opened.page.click("#check-button");
-  assert.match(await opened.page.textContent("#check-note"), /are not those of the run/);
+  assert.match(await opened.page.textContent("#check-note"), /differ from the run's records/);
   return opened;
 });
 
@@ -138,8 +138,8 @@ test("inspect: two runs stand side by side and part at the first fragment that d
     await settled(page);
     return page.textContent("#compare-note");
   };
-  assert.match(await open(a), /the same, to the last byte/);
-  assert.match(await open(b), /In the order of the stages/);
+  assert.match(await open(a), /equal, to the last byte/);
+  assert.match(await open(b), /in the order of the stages/);
   assert.deepEqual(await page.locator("#divergences li").allTextContents(), ["Fragment 1 is the first that differs: another colour."]);
   await page.screenshot({path: file("inspect", "two.png")});
   await open(moved);
@@ -149,12 +149,12 @@ test("inspect: two runs stand side by side and part at the first fragment that d
   await page.click("#first-divergence");
   assert.deepEqual(await chosen(page), divergent);
   assert.ok(await page.locator("#chain tr.differs").count() > 0, "numbers that differ are marked");
-  assert.match(await open(large), /160 × 90 pixels, this one 320 × 180/);
+  assert.match(await open(large), /160 × 90 pixels, but this page's has 320 × 180/);
   fs.writeFileSync(file("inspect/none.html"), "<script>parent.alert(1)</script><p>no page of this kind");
   assert.match(await open(file("inspect/none.html")), /it is not a page of glassbox inspect/);
   const broken = fs.readFileSync(b, "utf8").replace(/"fragment.x","u16",\d+/, `"fragment.x","u16",12`);
   fs.writeFileSync(file("inspect/broken.html"), broken);
-  assert.match(await open(file("inspect/broken.html")), /cannot be shown beside this one/);
+  assert.match(await open(file("inspect/broken.html")), /cannot be compared with this page/);
   await page.click("#close-other");
   assert.equal(await page.locator("#divergences li").count(), 0);
   return opened;

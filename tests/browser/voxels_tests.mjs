@@ -68,7 +68,7 @@ test("voxels: what the page says of a voxel's numbers never contradicts the comm
     assert.ok(texts.some((text) => says.test(text)), `${name}: ${texts[0]}`);
     // Coloured all the same: only an edge excuses a sigma that is not below T.
     for (const text of texts) {
-      if (/: coloured\./.test(text) && /not below T/.test(text)) assert.match(text, /an edge of 1 in every picture excuses/);
+      if (/: coloured\./.test(text) && /not below T/.test(text)) assert.match(text, /allowed where every picture has an edge of 1/);
     }
     assert.deepEqual(opened.problems, []);
     await opened.close();

@@ -1,7 +1,8 @@
 #!/bin/sh
-# tests/chroots/fresh.sh SUITE: README's two commands on a Debian of that name (bookworm, trixie) that has nothing but git. Their lines
-# appear on standard error, each with the seconds since its command began; the whole of them is in build/chroots. Then builds the
-# packages there, which tests/chroots/package.sh installs. Ends with 0 if everything passed.
+# tests/chroots/fresh.sh SUITE runs README's two commands on a Debian of this name (bookworm,
+# trixie) that has only git. Their lines appear on standard error, each with the seconds since its
+# command began. The complete output is in build/chroots. Then the script builds the packages there,
+# which tests/chroots/package.sh installs. It ends with 0 if everything passed.
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd -P)
@@ -12,7 +13,7 @@ suite=$1
 chroot=$root/build/chroots/$suite
 times=$root/build/chroots/$suite-times
 
-# run_command COMMAND: in the clone. The last line of them is how it ended.
+# run_command COMMAND runs a command in the clone. The last line of its output says how it ended.
 run_command() {
   say "$suite: $1"
   {

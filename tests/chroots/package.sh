@@ -1,7 +1,8 @@
 #!/bin/sh
-# tests/chroots/package.sh SUITE: the packages that a Debian of that name (bookworm, trixie) makes, installed on another one that has
-# neither the sources nor git, and used there as a student and a programmer do. The packages of this commit are those that
-# tests/chroots/fresh.sh has left in build/chroots, or they are built now.
+# tests/chroots/package.sh SUITE takes the packages that a Debian of this name (bookworm, trixie)
+# makes. It installs them on another Debian that has neither the sources nor git, and uses them
+# there as a student and a programmer do. tests/chroots/fresh.sh has left the packages of this
+# commit in build/chroots, or the script builds them.
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd -P)

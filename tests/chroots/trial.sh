@@ -1,8 +1,8 @@
-# Run by tests/chroots/package.sh in a bare chroot, with -e: the first command that fails ends it. /root/trial has the packages, a
-# golden picture and a small C++ project.
+# tests/chroots/package.sh runs this file in a bare chroot, with -e: the first command that fails
+# ends it. /root/trial has the packages, a golden picture and a small C++ project.
 cd /root/trial
 
-# ends_with CODE COMMAND...: for what shall not end with 0.
+# ends_with CODE COMMAND... is for commands whose exit code must not be 0.
 ends_with() {
   wanted=$1
   shift
@@ -11,7 +11,7 @@ ends_with() {
   [ "$code" = "$wanted" ]
 }
 
-# try PREFIX: the program, a lab and the library that are installed there.
+# try PREFIX tries the program, a lab and the library that are installed there.
 try() {
   rm -rf lab build teapot.png consumer.png
   "$1/bin/glassbox" render teapot --size 960x540 -o teapot.png
@@ -25,7 +25,7 @@ try() {
     fish/vendor_completions.d/glassbox.fish; do
     test -s "$1/share/$file"
   done
-  # A student's own build of the lab, and a program of somebody's own.
+  # A student builds the lab, and a user builds a program of their own.
   cmake -S lab -B build/lab -G Ninja -DCMAKE_PREFIX_PATH="$1"
   cmake --build build/lab
   cmake -S consumer -B build/consumer -G Ninja -DCMAKE_PREFIX_PATH="$1"
@@ -38,7 +38,8 @@ DEBIAN_FRONTEND=noninteractive apt-get install -y ./glassbox_*.deb
 try /usr
 [ "$(command -v glassbox)" = /usr/bin/glassbox ]
 
-# The archive has the same in it, and needs no place of its own. What the package brought along stays.
+# The archive has the same content, and works in any folder. The other packages that the package
+# installed stay.
 dpkg --remove glassbox
 [ -z "$(command -v glassbox)" ]
 place="/opt/an odd place, ü"

@@ -1,4 +1,4 @@
-// A test picture that becomes the reference.
+// Tests `approve`: a test picture becomes the reference.
 #include "tests/support/catch.h"
 
 #include <filesystem>
@@ -25,7 +25,7 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// a.png and b.png, one sample apart.
+// A pair of files, a.png and b.png, that differ in one sample.
 class TwoPictures {
 public:
   TwoPictures() {
@@ -108,7 +108,7 @@ TEST_CASE("a folder that cannot be made is an error") {
   const TwoPictures here;
   const auto done = approve(here.file("a.png/sub/new.png"), here.file("b.png"));
   REQUIRE(!done);
-  CHECK(done.error().cause.find("cannot be made") != std::string::npos);
+  CHECK(done.error().cause.find("cannot be created") != std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Counts, the first pixel, the box and the largest step, against a second computation pixel by pixel.
+// Compares the counts, the first pixel, the box and the largest step with a second computation,
+// pixel by pixel.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@
 namespace glassbox::test {
 namespace {
 
-// The samples' distance, by way of doubles: whole numbers, or places of floats on their line.
+// Returns the distance of two samples given as doubles: the difference of whole numbers, or for
+// floats the number of steps from one float to the next.
 std::uint32_t sample_distance(double a, double b, Format format, bool nan_equals_nan) {
   if (format != Format::kFloats) return std::uint32_t(std::fabs(a - b));
   if (std::isnan(a) && std::isnan(b) && nan_equals_nan) return 0;
@@ -46,7 +48,7 @@ std::uint32_t steps_at(const Case& c, int x, int y) {
   return largest;
 }
 
-// NaN, infinities and both zeros among the floats.
+// Returns a random float; NaN, infinities and both zeros are among them.
 double odd_float(Random& random) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double odd[] = {std::nan(""), kInfinity, -kInfinity, 0.0, -0.0};
@@ -70,7 +72,7 @@ Case random_case(Random& random) {
     anywhere(c.reference, odd_float(random));
   }
   c.test = c.reference;
-  // None, a few, or about as many as there are samples.
+  // The number of changed samples is zero, small, or up to the number of all samples.
   const std::int64_t most[] = {0, 5, std::int64_t(width) * height * channels};
   for (auto i = random.integer(0, most[random.integer(0, 2)]); i > 0; --i) {
     const bool odd = format == Format::kFloats && random.integer(0, 3) == 0;
@@ -127,7 +129,7 @@ TEST_CASE("the steps of a row are those of its pixels, and a row without steps i
   for (int round = 0; round < 500; ++round) {
     const Case c = random_case(random);
     for (int y = 0; y < c.reference.height; ++y) {
-      // Filled, because every place has to be written.
+      // The row is filled first, to see that every element is written.
       std::vector<std::uint32_t> steps(std::size_t(c.reference.width), 12345u);
       const bool may_differ = row_differences(c.pair(), y, steps);
       std::vector<std::uint32_t> expected;

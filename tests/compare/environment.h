@@ -1,4 +1,4 @@
-// A variable of the environment that has another value for as long as a test.
+// An environment variable that has another value during a test.
 #pragma once
 
 #include <cstdlib>
@@ -9,7 +9,7 @@ namespace glassbox::test {
 
 class Variable {
 public:
-  // Without a value the variable is not there.
+  // Removes the variable if there is no value.
   Variable(const char* name, std::optional<std::string> value) : name_(name) {
     if (const char* before = std::getenv(name)) before_ = before;
     set(value);

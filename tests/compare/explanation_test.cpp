@@ -1,4 +1,5 @@
-// What may be behind a difference: each slip planted in real pictures, and none seen where there is none.
+// Explanations of a difference: each kind of slip is planted in real pictures and has to be found,
+// and none may be found where there is none.
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Opaque pictures without symmetry, with and without much background.
+// Opaque pictures without symmetry, some with much background and some with little.
 const char* const kPictures[] = {"f-glyph.png", "shade-phong.png", "inside-room.png"};
 
 Words explained(const StoredImage& reference, const StoredImage& test, const Selection& selection,
@@ -29,8 +30,8 @@ Words explained(const StoredImage& reference, const StoredImage& test) {
   return explained(reference, test, Selection(reference.width, reference.height));
 }
 
-// The picture whose pixel (x, y) is the reference's pixel (x_sign x + x_offset, y_sign y + y_offset), `outside` where
-// there is none.
+// Pixel (x, y) of the moved picture is the reference's pixel (x_sign x + x_offset, y_sign y +
+// y_offset), or has the value `outside` where the reference has no such pixel.
 struct Move {
   int x_sign = 1, x_offset = 0;
   int y_sign = 1, y_offset = 0;
@@ -51,7 +52,7 @@ StoredImage moved(const StoredImage& image, const Move& move, double outside = 7
   return result;
 }
 
-// Every sample (channel, value) replaced.
+// Replaces every sample by change(channel, value).
 template <class Change>
 StoredImage changed(const StoredImage& image, Change change) {
   StoredImage result = image;
@@ -65,7 +66,7 @@ StoredImage changed(const StoredImage& image, Change change) {
   return result;
 }
 
-// Any number of other channels, of 8 bits or 16, from an RGB picture of 8 bits.
+// Converts an RGB picture of 8 bits to another number of channels and another format.
 StoredImage converted(const StoredImage& rgb, int channels, Format format) {
   StoredImage result = blank(rgb.width, rgb.height, channels, format);
   const double scale = format == Format::kShorts ? 257 : format == Format::kFloats ? 1.0 / 256 : 1;
@@ -79,7 +80,8 @@ StoredImage converted(const StoredImage& rgb, int channels, Format format) {
   return result;
 }
 
-// Replaces the colour of `count` pixels, spread over the picture, by one that it does not have.
+// Replaces the colours of `count` pixels, spread over the picture, by one that does not occur in
+// it.
 void disturb(StoredImage& image, int count) {
   for (int i = 0; i < count; ++i) {
     const int x = (37 * i + 11) % (image.width - 8) + 4, y = (23 * i + 5) % (image.height - 8) + 4;
@@ -89,11 +91,12 @@ void disturb(StoredImage& image, int count) {
   }
 }
 
-// The words for the whole picture, and with seven pixels disturbed.
+// Expects the explanation `words` for the picture as it is, and also after seven pixels are
+// disturbed.
 void check(const StoredImage& reference, StoredImage test, const std::string& words) {
   CHECK(explained(reference, test) == Words{words});
   disturb(test, 7);
-  CHECK(explained(reference, test) == Words{words + " (but for 7 pixels)"});
+  CHECK(explained(reference, test) == Words{words + " (except for 7 pixels)"});
 }
 
 TEST_CASE("a move by up to two pixels is found") {
@@ -151,7 +154,7 @@ TEST_CASE("red and blue in each other's place are found, with alpha and without"
           }
         }
         INFO(name << ", " << channels << " channels of " << name_of(format));
-        CHECK(explained(reference, test) == Words{"red and blue have changed places"});
+        CHECK(explained(reference, test) == Words{"red and blue are swapped"});
       }
     }
   }
@@ -166,13 +169,13 @@ TEST_CASE("a constant added to every sample is found, clamped or not") {
         return std::clamp(value + (c == 0 ? r : c == 1 ? g : b), 0.0, 255.0);
       });
     };
-    check(reference, plus(1, 1, 1), "every pixel is the reference's with (+1, +1, +1) added");
-    check(reference, plus(-1, -1, -1), "every pixel is the reference's with (-1, -1, -1) added");
-    check(reference, plus(0, 3, -2), "every pixel is the reference's with (+0, +3, -2) added");
+    check(reference, plus(1, 1, 1), "(+1, +1, +1) was added to every pixel of the reference");
+    check(reference, plus(-1, -1, -1), "(-1, -1, -1) was added to every pixel of the reference");
+    check(reference, plus(0, 3, -2), "(+0, +3, -2) was added to every pixel of the reference");
     const StoredImage wide = converted(reference, 3, Format::kShorts);
     CHECK(explained(wide, changed(wide, [](int, double value) {
                       return std::min(value + 1, 65535.0);
-                    })) == Words{"every pixel is the reference's with (+1, +1, +1) added"});
+                    })) == Words{"(+1, +1, +1) was added to every pixel of the reference"});
   }
 }
 
@@ -181,11 +184,11 @@ TEST_CASE("inverted colours are found, and alpha stays as it is") {
     const StoredImage reference = golden(name);
     INFO(name);
     check(reference, changed(reference, [](int, double value) { return 255 - value; }),
-          "the test's colours are the reference's inverted");
+          "the test's colours are the reference's colours, inverted");
     const StoredImage rgba = converted(reference, 4, Format::kShorts);
     CHECK(explained(rgba, changed(rgba, [](int c, double value) {
                       return c == 3 ? value : 65535 - value;
-                    })) == Words{"the test's colours are the reference's inverted"});
+                    })) == Words{"the test's colours are the reference's colours, inverted"});
   }
 }
 
@@ -215,7 +218,7 @@ TEST_CASE(
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       for (int c = 0; c < 3; ++c) {
-        const double share = random.unit();  // more dark ones than light ones
+        const double share = random.unit();  // makes dark samples more frequent than light ones
         const auto light = float(share * random.unit());
         set_sample(linear, x, y, c, encode_unorm8(light));
         set_sample(encoded, x, y, c, encode_srgb(light));
@@ -302,7 +305,8 @@ TEST_CASE("a slip of one in ten pixels explains nothing") {
   CHECK(explained(reference, many).empty());
 }
 
-// One pixel, anywhere, in a picture of one colour: moves, mirrorings and swaps leave such a picture as it is.
+// One pixel at any place differs from a picture of one colour. Moving, mirroring or swapping does
+// not change a picture of one colour, so none of them may explain it.
 TEST_CASE("a wrong pixel in a picture of one colour is not taken for a slip of the whole") {
   for (const double background : {0.0, 90.0, 255.0}) {
     for (const auto& [width, height] :
@@ -330,7 +334,8 @@ TEST_CASE("something that vanished before a black or white background is no cons
     StoredImage with =
         changed(blank(40, 30, 3, Format::kBytes), [&](int, double) { return background; });
     const StoredImage without = with;
-    // The farthest from the background comes first, so that the constant read off it would clamp all the others.
+    // The first pixels differ most from the background: a constant taken from them would clamp all
+    // others.
     for (int y = 10; y < 20; ++y) {
       for (int x = 10; x < 20; ++x) {
         const double shade = y == 10 ? 20 : 20 + (x + y) % 9;
@@ -341,7 +346,7 @@ TEST_CASE("something that vanished before a black or white background is no cons
     INFO("background " << background);
     CHECK(explained(with, without).empty());
     CHECK(explained(without, with).empty());
-    // The same of one colour that turned into another.
+    // The same for a shape of one colour that changed to another colour.
     StoredImage flat = without, darker = without;
     for (int y = 10; y < 20; ++y) {
       for (int x = 10; x < 20; ++x) {
@@ -360,7 +365,7 @@ TEST_CASE("a picture of one colour that became another one is the constant apart
       changed(blank(5, 4, 3, Format::kBytes), [](int c, double) { return 10.0 + c; });
   const StoredImage test = changed(reference, [](int, double value) { return value + 2; });
   CHECK(explained(reference, test) ==
-        Words{"every pixel is the reference's with (+2, +2, +2) added"});
+        Words{"(+2, +2, +2) was added to every pixel of the reference"});
 }
 
 TEST_CASE("pictures that are the same need no explanation") {

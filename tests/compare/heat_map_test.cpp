@@ -1,4 +1,4 @@
-// The levels and colours of a heat map.
+// Tests the levels and colours of a heat map.
 #include "tests/support/catch.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ std::uint32_t end_of(Format format) {
   return format == Format::kShorts ? 65535 : 1u << 24;
 }
 
-// As one sees it: the weights of Rec. 709, of stored values.
+// Perceived brightness, approximately: stored values with the luma weights of Rec. 709.
 double brightness(const Rgba8& c) {
   return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
 }
@@ -50,7 +50,7 @@ TEST_CASE("more steps are never a lower level, and the scale begins and ends whe
     CHECK(heat_level(end - 1, image) <= kHeatHottest);
     CHECK(heat_level(kUnbounded, image) == kHeatHottest);
     CHECK(heat_level(std::min(kUnbounded - 1, end + 1), image) == kHeatHottest);
-    // Each doubling climbs by the same number of levels, give or take rounding.
+    // Each doubling of the steps raises the level by the same number, up to rounding.
     for (std::uint32_t steps = 1; steps * 4 <= end; steps *= 2) {
       const int climb = heat_level(steps * 2, image) - heat_level(steps, image);
       const int next = heat_level(steps * 4, image) - heat_level(steps * 2, image);
@@ -71,7 +71,7 @@ TEST_CASE("colours grow brighter with the level, and no two levels share one") {
   const auto& colours = heat_colours();
   for (std::size_t level = 2; level <= kHeatHottest; ++level) {
     INFO("level " << level);
-    // Rounding down may darken by a step of one channel.
+    // Rounding down may make a colour darker by one step of one channel.
     CHECK(brightness(colours[level]) > brightness(colours[level - 1]) - 1);
     CHECK(!(colours[level] == colours[level - 1]));
   }

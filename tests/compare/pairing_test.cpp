@@ -1,4 +1,4 @@
-// Two directories, paired by name.
+// Tests how the pictures of two directories are paired by name.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ public:
   }
   std::string ref() const { return directory_.file("ref"); }
   std::string out() const { return directory_.file("out"); }
-  // An empty file "ref/..." or "out/...", with its folders.
+  // Makes an empty file "ref/..." or "out/...", with its folders.
   void add(const std::string& name) const {
     const fs::path path = directory_.file(name);
     fs::create_directories(path.parent_path());
@@ -41,7 +41,7 @@ private:
   TemporaryDirectory directory_;
 };
 
-// "a.png +-": the name, then whether there is a reference and a test.
+// Returns lines such as "a.png +-": the name, then whether there is a reference and a test.
 std::vector<std::string> summary(const Pairing& pairing) {
   std::vector<std::string> lines;
   for (const PicturePaths& paths : pairing.pictures) {
@@ -64,7 +64,7 @@ TEST_CASE("pictures are paired by name, subfolders included, in order of their n
         Lines{"a.png ++", "b.png ++", "gone.png +-", "sub/deep/c.ppm ++", "sub/fresh.pfm -+"});
   CHECK(pairing.pictures[3].reference == here.ref() + "/sub/deep/c.ppm");
   CHECK(pairing.pictures[3].test == here.out() + "/sub/deep/c.ppm");
-  // Where the missing one would be.
+  // The path that the missing reference would have.
   CHECK(pairing.pictures[4].reference == here.ref() + "/sub/fresh.pfm");
   CHECK(pairing.orphans.empty());
 }
@@ -113,10 +113,10 @@ TEST_CASE("a sidecar without its picture is an orphan") {
   for (const char* name :
        {"ref/a.png", "ref/a.png.fuzzy", "ref/b.png", "ref/b.fuzzy", "ref/x.y.png", "ref/x.y.fuzzy",
         "ref/d.jpg.png", "ref/d.jpg.fuzzy", "ref/sub/c.png", "ref/sub/c.png.fuzzy", "out/a.png",
-        // The orphans: nothing, another extension, another folder.
+        // The orphans: their picture is missing, has another extension, or is in another folder.
         "ref/gone.png.fuzzy", "ref/lost.fuzzy", "ref/a.jpg.fuzzy", "ref/c.png.fuzzy",
         "ref/sub/a.fuzzy",
-        // The test directory has no sidecars.
+        // In the test directory sidecars are not read.
         "out/other.fuzzy"}) {
     here.add(name);
   }

@@ -1,4 +1,4 @@
-// Pictures for the tests of the comparison.
+// Makes pictures for the tests of the comparison.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace glassbox::test {
 enum class Format : std::uint8_t { kBytes, kShorts, kFloats };
 inline constexpr Format kFormats[] = {Format::kBytes, Format::kShorts, Format::kFloats};
 
-// All samples zero.
+// Returns a picture whose samples are all zero.
 inline StoredImage blank(int width, int height, int channels, Format format) {
   StoredImage image{width, height, channels, {}};
   const std::size_t count = image.pixels() * std::size_t(channels);
@@ -34,7 +34,7 @@ inline std::size_t sample_index(const StoredImage& image, int x, int y, int chan
   return pixel * std::size_t(image.channels) + std::size_t(channel);
 }
 
-// Every sample of the three formats is a double.
+// Returns a sample of any of the three formats; a double holds each of them exactly.
 inline double sample_at(const StoredImage& image, int x, int y, int channel) {
   return std::visit(
       [&](const auto& samples) { return double(samples[sample_index(image, x, y, channel)]); },
@@ -50,7 +50,8 @@ inline void set_sample(StoredImage& image, int x, int y, int channel, double val
       image.samples);
 }
 
-// A number that the format can hold: any byte, any 16 bits, or a float in [-2, 2) with a fraction of 12 bits.
+// Returns a random number that the format can hold: any byte, any 16 bits, or a float in [-2, 2)
+// with a fraction of 12 bits.
 inline double random_sample(Random& random, Format format) {
   if (format == Format::kBytes) return double(random.integer(0, 255));
   if (format == Format::kShorts) return double(random.integer(0, 65535));
@@ -70,7 +71,7 @@ inline StoredImage random_picture(Random& random, int width, int height, int cha
   return image;
 }
 
-// A picture of the repository, by its name in images/golden.
+// Reads a picture of the repository by its name in images/golden.
 inline StoredImage golden(const std::string& name) {
   auto image = read_stored(std::string(GLASSBOX_SOURCE_DIR) + "/images/golden/" + name);
   if (!image) throw std::runtime_error(image.error().message());

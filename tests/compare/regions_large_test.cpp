@@ -1,4 +1,4 @@
-// Regions of large pictures: memory in proportion to a row.
+// Regions of large pictures: the memory needed must be proportional to the length of a row.
 #include "tests/support/catch.h"
 
 #include <sys/resource.h>
@@ -18,7 +18,7 @@ long peak_kilobytes() {
   return usage.ru_maxrss;
 }
 
-// The rows come from a function, so that no picture is in memory.
+// Computes each row with a function, so that no picture is in memory.
 template <class IsSet>
 std::vector<Region> regions_of(IsSet is_set, std::uint64_t& count) {
   RegionFinder finder(kSide, 100);
@@ -32,10 +32,11 @@ std::vector<Region> regions_of(IsSet is_set, std::uint64_t& count) {
   return regions;
 }
 
-// A row has at most 2048 runs with their regions: well below a megabyte. The steps of all pixels would be 64.
+// A row has at most 2048 runs with their regions, which need far less than a megabyte. The steps of
+// all pixels would need 64 MiB.
 void check_peak(long before) {
 #if defined(__SANITIZE_ADDRESS__)
-  (void)before;  // freed memory is kept for a while there
+  (void)before;  // the address sanitizer keeps freed memory for a while
 #else
   constexpr long kAllowed = 8 * 1024;  // KiB
   CHECK(peak_kilobytes() - before < kAllowed);

@@ -1,4 +1,4 @@
-// Regions found row by row, against a flood fill of the whole picture.
+// Compares the regions that are found row by row with a flood fill of the whole picture.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 struct Steps {
   int width = 0, height = 0;
-  std::vector<std::uint32_t> values;  // row by row
+  std::vector<std::uint32_t> values;  // in row-major order
 
   Steps(int width_, int height_)
       : width(width_), height(height_), values(std::size_t(width_) * std::size_t(height_)) {}
@@ -27,7 +27,7 @@ struct Steps {
   }
 };
 
-// ". marks nothing, a digit so many steps".
+// Reads rows of text: "." is 0 steps, a digit is that many steps.
 Steps drawn(const std::vector<std::string>& rows) {
   Steps steps(int(rows[0].size()), int(rows.size()));
   for (int y = 0; y < steps.height; ++y) {
@@ -39,7 +39,7 @@ Steps drawn(const std::vector<std::string>& rows) {
   return steps;
 }
 
-// One region: everything that can be walked to from (x, y), which is taken out of `steps`.
+// Returns the region of all pixels that are connected to (x, y), and sets them to 0 in `steps`.
 Region fill(Steps& steps, int x, int y) {
   int left = x, right = x, top = y, bottom = y;
   Region region{{}, 0, 0, {x, y}};
@@ -141,7 +141,7 @@ TEST_CASE("random pictures of all densities have the regions that a flood fill f
   for (int round = 0; round < 1500; ++round) {
     Steps steps{int(random.integer(1, 30)), int(random.integer(1, 20))};
     const double density = random.unit();
-    const auto hottest = random.integer(1, 9);  // equal ones make ties
+    const auto hottest = random.integer(1, 9);  // a small range makes ties likely
     for (std::uint32_t& value : steps.values) {
       if (random.unit() < density) value = std::uint32_t(random.integer(1, hottest));
     }
@@ -186,17 +186,17 @@ TEST_CASE("corners touch: a checkerboard is one region") {
 }
 
 TEST_CASE("parts that meet only later are one region") {
-  check(drawn({"1.1.1.1.1", "1.1.1.1.1", "111111111"}));  // a comb
-  check(drawn({"111111111", "1.1.1.1.1", "1.1.1.1.2"}));  // hanging
+  check(drawn({"1.1.1.1.1", "1.1.1.1.1", "111111111"}));  // a comb that points up
+  check(drawn({"111111111", "1.1.1.1.1", "1.1.1.1.2"}));  // a comb that points down
   check(drawn({"1.1.1.1.1", "1.1.1.1.1", "3.111.1.1", "1....1.1"}));
   check(drawn({"1.......1", "1.1...1.1", "1.1.1.1.1", "1.1...1.1", "1.11111.1", "1.......1",
-               "111111111"}));  // one inside of another
+               "111111111"}));  // one region inside another
   check(drawn({"1.1.1.1.1", "11..1..11", ".1..1..1.", ".11.1.11.", "..1.1.1..", "..11111.."}));
   check(drawn({"..9..", ".1.1.", "1...1", ".1.1.", "..1.."}));  // a ring
-  check(drawn({"..1..", ".1.1.", "1.5.1", ".1.1.", "..1.."}));  // and something in it
+  check(drawn({"..1..", ".1.1.", "1.5.1", ".1.1.", "..1.."}));  // a ring with a pixel inside
 }
 
-// A line that turns inwards until there is no room.
+// Draws a line that turns inwards until there is no room left.
 Steps spiral(int size) {
   Steps steps(size, size);
   int x = 0, y = 0, dx = 1, dy = 0;
@@ -235,13 +235,13 @@ TEST_CASE("regions come worst first: by largest step, then by pixels, then from 
   check(steps);
   const auto regions = by_rows(steps, 10);
   REQUIRE(regions.size() == 8);
-  CHECK(regions[0].box == PixelBox{4, 2, 2, 1});  // 5, two pixels
-  CHECK(regions[1].box == PixelBox{3, 4, 1, 1});  // 5
-  CHECK(regions[2].box == PixelBox{5, 0, 1, 1});  // 3
-  CHECK(regions[3].box == PixelBox{2, 0, 2, 1});  // 2, two pixels
-  CHECK(regions[4].box == PixelBox{0, 2, 1, 1});  // 2, further left
+  CHECK(regions[0].box == PixelBox{4, 2, 2, 1});  // step 5, two pixels
+  CHECK(regions[1].box == PixelBox{3, 4, 1, 1});  // step 5, one pixel
+  CHECK(regions[2].box == PixelBox{5, 0, 1, 1});  // step 3
+  CHECK(regions[3].box == PixelBox{2, 0, 2, 1});  // step 2, two pixels
+  CHECK(regions[4].box == PixelBox{0, 2, 1, 1});  // step 2, further left
   CHECK(regions[5].box == PixelBox{2, 2, 1, 1});
-  CHECK(regions[6].box == PixelBox{0, 4, 2, 1});  // 1, two pixels
+  CHECK(regions[6].box == PixelBox{0, 4, 2, 1});  // step 1, two pixels
   CHECK(regions[7].box == PixelBox{0, 0, 1, 1});
 }
 

@@ -1,4 +1,5 @@
-// Options and a sidecar together, and tolerances that are wider than needed.
+// Tests how options and a sidecar are combined, and notes about tolerances that are wider than
+// needed.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -56,12 +57,12 @@ TEST_CASE("a tolerance among the options overrules the sidecar's, with a note") 
     CHECK(!rules.tolerance_of_sidecar);
     CHECK(rules.reason.empty());
     CHECK(tolerance_text(rules.options) == tolerance_text(options));
-    // What is compared does not change.
+    // The choice of compared pixels stays the same.
     CHECK(rules.options.ignore == std::vector<PixelBox>{{1, 2, 3, 4}});
     CHECK(rules.options.mask == "m.png");
     REQUIRE(notes.size() == 1);
     CHECK(contains(notes[0], "a.png.fuzzy"));
-    CHECK(contains(notes[0], "overruled"));
+    CHECK(contains(notes[0], "is not used"));
   }
 }
 
@@ -120,7 +121,7 @@ TEST_CASE("a tolerance wider than needed is stale, and the one that is enough is
     CHECK(contains(note, "stale"));
     CHECK(contains(note, "a.png.fuzzy"));
     CHECK(contains(note, "maxDifference=0-3;totalPixels=0-7"));
-    // Whoever follows the advice is not told again.
+    // A sidecar that follows this advice gives no further note.
     CHECK(stale("fuzzy: maxDifference=0-3;totalPixels=0-7", differences(3, 7)).empty());
   }
   const std::string ulps = stale("max-ulp: 4", differences(3, 7));

@@ -1,4 +1,4 @@
-// What a comparison leaves out.
+// Tests which pixels a comparison leaves out.
 #include "tests/support/catch.h"
 
 #include <limits>
@@ -121,7 +121,7 @@ TEST_CASE(
       StoredImage mask = blank(4, 3, channels, format);
       for (int y = 0; y < 3; ++y) {
         for (int x = 0; x < 4; ++x) {
-          // Alpha alone makes no pixel white, and none black.
+          // A different alpha alone makes a pixel neither white nor black.
           if (has_alpha) set_sample(mask, x, y, channels - 1, (x + y) % 2);
         }
       }

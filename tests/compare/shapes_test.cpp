@@ -1,4 +1,4 @@
-// Why two pictures cannot be compared at all.
+// Tests the explanations of why two pictures cannot be compared at all.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -28,9 +28,8 @@ TEST_CASE("sizes that differ are named, and turned pictures known") {
   CHECK(explain_shapes(image, blank(4, 2, 3, Format::kBytes)) ==
         Words{"the reference has 4 x 3 pixels, the test 4 x 2"});
   CHECK(explain_shapes(image, blank(3, 4, 3, Format::kBytes)) ==
-        Words{"the reference has 4 x 3 pixels, the test 3 x 4",
-              "width and height have changed places"});
-  // The same number of pixels is not the same size.
+        Words{"the reference has 4 x 3 pixels, the test 3 x 4", "width and height are swapped"});
+  // The same number of pixels does not mean the same size.
   CHECK(explain_shapes(image, blank(6, 2, 3, Format::kBytes)).size() == 1);
 }
 
@@ -55,23 +54,23 @@ TEST_CASE("channels that differ are named, and an alpha that says nothing known"
   CHECK(explain_shapes(opaque(2, Format::kBytes, 255), blank(2, 2, 1, Format::kBytes)) ==
         Words{"the reference is grey and alpha, the test grey",
               "the alpha channel is opaque everywhere"});
-  // Between grey with alpha and RGB more than alpha is different.
+  // Grey with alpha and RGB differ in more than the alpha channel.
   CHECK(explain_shapes(opaque(2, Format::kBytes, 255), rgb) ==
         Words{"the reference is grey and alpha, the test RGB"});
 }
 
 TEST_CASE("formats that differ are named") {
   CHECK(explain_shapes(blank(2, 2, 3, Format::kBytes), blank(2, 2, 3, Format::kShorts)) ==
-        Words{"the reference has 8 bits a sample, the test 16 bits"});
+        Words{"the reference has 8 bits per sample, the test 16 bits"});
   CHECK(explain_shapes(blank(2, 2, 3, Format::kFloats), blank(2, 2, 3, Format::kBytes)) ==
-        Words{"the reference has 32-bit floats a sample, the test 8 bits"});
+        Words{"the reference has 32-bit floats per sample, the test 8 bits"});
 }
 
 TEST_CASE("all that differs is said, the size first") {
   CHECK(explain_shapes(blank(2, 3, 3, Format::kBytes), blank(3, 2, 4, Format::kShorts)) ==
-        Words{"the reference has 2 x 3 pixels, the test 3 x 2",
-              "width and height have changed places", "the reference is RGB, the test RGBA",
-              "the reference has 8 bits a sample, the test 16 bits"});
+        Words{"the reference has 2 x 3 pixels, the test 3 x 2", "width and height are swapped",
+              "the reference is RGB, the test RGBA",
+              "the reference has 8 bits per sample, the test 16 bits"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The file NAME.fuzzy beside a reference.
+// Tests reading the sidecar, the file NAME.fuzzy beside a reference.
 #include "tests/support/catch.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The fuzzy annotations of the web-platform-tests, and ulps.
+// Tests the tolerances: the fuzzy annotations of the web-platform-tests, and ulps.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -146,7 +146,7 @@ TEST_CASE("pictures that are the same pass only where a range starts at nothing"
   const Differences none = differences(0, 0);
   CHECK(allows({{0, 0}, {0, 0}}, none));
   CHECK(allows({{0, 3}, {0, 9}}, none));
-  // web-platform-tests: one of the two is enough.
+  // In the web-platform-tests it is enough that one of the two ranges starts at 0.
   CHECK(allows({{0, 3}, {5, 9}}, none));
   CHECK(allows({{1, 3}, {0, 9}}, none));
   CHECK(!allows({{1, 3}, {5, 9}}, none));
@@ -160,7 +160,8 @@ TEST_CASE("the tightest annotation passes, and each that is tighter does not") {
     const Fuzzy tight = tightest(found);
     CHECK(allows(tight, found));
     CHECK(allows(parsed(to_string(tight)), found));
-    // As ranges from 0 the upper ends are the smallest that pass; as exact numbers no other is right.
+    // For ranges from 0, the upper ends are the smallest that pass. A range that starts above the
+    // exact numbers fails too.
     const std::uint64_t steps = found.largest, pixels = found.differing;
     CHECK(allows({{0, steps}, {0, pixels}}, found));
     CHECK(!allows({{0, steps - 1}, {0, pixels}}, found));

@@ -1,4 +1,4 @@
-// The distance of two floats, against counting them one by one.
+// Compares the distance of two floats with counting the floats between them one by one.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -22,14 +22,15 @@ std::uint32_t distance(float a, float b) {
   return ulp_distance(a, b, false);
 }
 
-// The float after `value` on the line on which -0 and +0 are two places; std::nextafter takes them for one.
+// Returns the float after `value`, where -0 and +0 count as two floats; std::nextafter takes them
+// for one.
 float next(float value) {
   if (value == 0 && std::signbit(value)) return 0.0f;
   const float after = std::nextafter(value, kInfinity);
   return after == 0 ? -0.0f : after;
 }
 
-// `count` floats in order, the first of them `first`.
+// Returns `count` consecutive floats that begin with `first`.
 std::vector<float> line_from(float first, int count) {
   std::vector<float> line{first};
   while (int(line.size()) < count) line.push_back(next(line.back()));
@@ -50,7 +51,7 @@ void check_all_pairs(const std::vector<float>& line) {
 }
 
 TEST_CASE("around zero every pair of floats is as far apart as counting says") {
-  // 250 denormals, -0, +0 and 250 denormals.
+  // The list has 250 denormals, -0, +0 and 250 denormals.
   const auto line = line_from(-250 * Limits::denorm_min(), 502);
   REQUIRE(line[250] == 0);
   REQUIRE(std::signbit(line[250]));
@@ -73,7 +74,7 @@ TEST_CASE("where the spacing of floats changes, counting goes on") {
       check_all_pairs(line_from(first, 17));
     }
   }
-  // The last denormal and the first normal number.
+  // The smallest normal number and the largest denormal.
   CHECK(distance(Limits::min(), std::nextafter(Limits::min(), 0.0f)) == 1);
   CHECK(distance(0.0f, Limits::min()) == 0x00800000u);
 }

@@ -1,5 +1,5 @@
-# Called by tests/debugger/CMakeLists.txt with page, program, replay, work: whether gdb answers what stands in the page.
-# With update=ON the page gets the answers instead.
+# tests/debugger/CMakeLists.txt calls this file with page, program, replay, work. It checks whether
+# gdb gives the answers that the page shows. With update=ON it writes gdb's answers into the page.
 find_program(gdb NAMES gdb)
 if(NOT gdb)
   message("skipped: gdb is not installed")

@@ -1,6 +1,8 @@
-# Called by tests/debugger/CMakeLists.txt with root, program, work: whether glassbox-triangle and glassbox-pixel say that a run
-# is drawn by the tile engine, once a run, and say nothing of the staged one. Their own stops, which a program with debug
-# information has, are removed: the runs go on to their ends. (LeakSanitizer does not work in a process that is debugged.)
+# tests/debugger/CMakeLists.txt calls this file with root, program, work. glassbox-triangle and
+# glassbox-pixel must say once in a run that the tile engine draws it, and must say nothing in a run
+# of the staged engine. The test removes their own breakpoints, which a program with debug
+# information has, so that the runs go on to their ends. (LeakSanitizer does not work in a process
+# that is debugged.)
 set(engines tile staged tile staged)
 set(commands "glassbox-triangle 0" "glassbox-triangle 0" "glassbox-pixel 3 4" "glassbox-pixel 3 4")
 find_program(gdb NAMES gdb)

@@ -1,4 +1,5 @@
-# Called by tests/debugger/CMakeLists.txt with root: what .vscode/launch.json and tasks.json name is there.
+# tests/debugger/CMakeLists.txt calls this file with root. Everything that .vscode/launch.json and
+# tasks.json name must exist.
 file(READ ${root}/.vscode/launch.json launch)
 file(READ ${root}/.vscode/tasks.json tasks)
 file(READ ${root}/CMakePresets.json presets)
@@ -16,7 +17,7 @@ foreach(i RANGE ${last})
   if(NOT program STREQUAL "\${workspaceFolder}/build/debug/app/glassbox")
     message(FATAL_ERROR "'${name}' starts ${program}, which the debug preset does not build")
   endif()
-  # glassbox-triangle and glassbox-pixel stop in the staged engine's stages only.
+  # glassbox-triangle and glassbox-pixel stop only in the stages of the staged engine.
   string(JSON words GET ${launch} configurations ${i} args)
   if(words MATCHES "\"render\"" AND NOT words MATCHES "\"--engine\", *\"staged\"")
     message(FATAL_ERROR "'${name}' does not ask for --engine staged: ${words}")

@@ -1,4 +1,4 @@
-// One record of each stage for gdb to print: records.md says what it prints of them.
+// Makes one record of each stage for gdb to print; records.md lists what gdb prints of them.
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What docs/doxygen_filter.awk makes of the headers' comments for the pages of docs/api.md.
+// Tests what docs/doxygen_filter.awk turns the headers' comments into, and the names on the pages
+// of docs/api.md.
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -22,7 +23,7 @@ std::string filtered(const std::string& header) {
   return outcome.out;
 }
 
-// What stands between backquotes in a cell of a table: cell 1 is the first.
+// Returns the texts between backquotes in a cell of a table row; cell 1 is the first.
 std::vector<std::string> quoted(const std::string& row, int cell) {
   std::istringstream cells(row);
   std::string text;

@@ -8,7 +8,8 @@ namespace glassbox::test {
 
 namespace {
 
-// One past what a name that is declared before `at` is known in: the rest of its block, or what a for loop repeats.
+// Returns the position after the last token at which a name declared before `at` is known: the rest
+// of its block, or the statement that a for loop repeats.
 std::size_t end_of_scope(const Tokens& tokens, std::size_t at, bool of_loop) {
   for (std::size_t depth = 0; at < tokens.size(); ++at) {
     const std::string& text = tokens[at].text;
@@ -29,7 +30,8 @@ bool is_member(const Tokens& tokens, std::size_t at) {
   return before == "." || before == "->" || before == "::";
 }
 
-// As in `Type name`, `Type& name` or `List<Type> name`; not in `return name` and `a * name`.
+// Whether a variable is declared at `at`, as in `Type name`, `Type& name` or `List<Type> name`, but
+// not in `return name` and `a * name`.
 bool is_declared(const Tokens& tokens, std::size_t at) {
   static const std::set<std::string> kNoTypes{"return", "else", "case", "throw", "new", "delete"};
   const Token& before = tokens[at - 1];
@@ -41,8 +43,8 @@ bool is_declared(const Tokens& tokens, std::size_t at) {
 void find_in_lambda(const Tokens& tokens, std::size_t begin, std::size_t captures_end,
                     std::size_t end, const std::set<std::string>& names,
                     std::vector<CapturedBinding>& found) {
-  std::set<std::string> known;  // by the lambda itself
-  bool is_value = false;        // of a capture that has one of its own, outside of the lambda
+  std::set<std::string> known;  // names that the lambda itself declares
+  bool is_value = false;  // whether in the value of a capture, which is computed outside the lambda
   for (std::size_t i = begin + 1; i < end; ++i) {
     const std::string& text = tokens[i].text;
     if (i < captures_end) {

@@ -1,4 +1,5 @@
-// Names of structured bindings that lambdas capture, as C++20 allows and clang++ 14 does not compile.
+// Finds names of structured bindings that lambdas capture: C++20 allows it, and clang++ 14 does not
+// compile it.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,12 @@
 namespace glassbox::test {
 
 struct CapturedBinding {
-  std::size_t line = 0;  // of the lambda's use of the name, counted from 1
+  std::size_t line = 0;  // where the lambda uses the name, counted from 1
   std::string name;
 };
 
-// Of a C++ source, by its words alone: `const auto& [a, b] = pair;` and then `[&] { return a; }`, not `[&a = a] { return a; }`.
+// Finds the captured bindings of a C++ source by its tokens alone: `const auto& [a, b] = pair;` and
+// then `[&] { return a; }`, but not `[&a = a] { return a; }`.
 std::vector<CapturedBinding> captured_bindings(std::string_view source);
 
 }  // namespace glassbox::test

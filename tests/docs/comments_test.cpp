@@ -1,6 +1,7 @@
 // The comments of all C++ sources: how they are written, and a sample of them for readers to judge.
 #include <algorithm>
 #include <iostream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,8 +9,6 @@
 #include "tests/docs/tree.h"
 #include "tests/support/catch.h"
 #include "tests/support/share.h"
-
-#include <glassbox/base/random.h>
 
 namespace glassbox::test {
 namespace {
@@ -95,12 +94,11 @@ TEST_CASE("a sample of comments, each with the line below it", "[.sample]") {
     if (file.starts_with("tests/")) continue;
     for (Comment& comment : comments_of(file)) all.push_back(std::move(comment));
   }
-  Random random(seed_of_shares());
+  std::mt19937_64 random(seed_of_shares());
   constexpr std::size_t kSample = 200;
   REQUIRE(all.size() > kSample);
   for (std::size_t i = 0; i < kSample; ++i) {
-    const auto left = double(all.size() - i);
-    std::swap(all[i], all[i + std::size_t(random.unit() * left)]);
+    std::swap(all[i], all[i + std::size_t(random() % (all.size() - i))]);
     std::cout << all[i].place << "\n" << all[i].text << "\n";
   }
 }

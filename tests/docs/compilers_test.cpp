@@ -1,6 +1,7 @@
-// What g++ 12 compiles and clang++ 14, Debian 12's, does not, so that it is found where no clang++ runs: algorithms that return a
-// subrange, and views (it checks the concepts of a view before the view is a complete class); lambdas that capture the names of a
-// structured binding. And what both compile, to different numbers.
+// Finds code that g++ 12 compiles and clang++ 14 of Debian 12 does not, even where no clang++ is
+// installed: algorithms that return a subrange, and views (clang++ checks the concepts of a view
+// before the view is a complete class); lambdas that capture the names of a structured binding. It
+// also finds code that both compile, but with different numbers as the result.
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ std::string text_of(const std::string& file) {
   return text;
 }
 
-// "file:what", of all that `find` finds in a source.
+// Returns "file:what" for everything that `find` finds in the sources.
 template <typename Find>
 std::vector<std::string> found_in_sources(Find find) {
   std::vector<std::string> found;
@@ -51,8 +52,9 @@ std::vector<std::string> not_compiled() {
   return words;
 }
 
-// Whether what a source computes reaches a picture, or a file that other commands read. Experiments, extreme cases and labs compare with
-// numbers of their own, wider than a double; charts and tables of times are for people.
+// Whether the numbers of a source can reach a picture, or a file that other commands read.
+// Experiments, extreme cases and labs compare with numbers of their own that are wider than a
+// double; charts and tables of times are for people.
 bool makes_pictures(const std::string& file) {
   for (const char* other : {"tests/", "study/", "labs/", "exact/"}) {
     if (file.starts_with(other)) return false;
@@ -78,7 +80,7 @@ TEST_CASE("no source uses the ranges of g++'s library that clang++ does not comp
     }
   }
   CHECK(found == std::vector<std::string>());
-  CHECK(sources > 1000);  // or they were not looked at
+  CHECK(sources > 1000);  // fewer would mean that they were not all read
 }
 
 TEST_CASE("lambdas that capture a structured binding's names are told from those that do not") {
@@ -155,7 +157,7 @@ TEST_CASE("numbers of which each machine has its own are told from those that IE
 
 TEST_CASE("no picture, and no file that a command reads, has a number that is a machine's own") {
   std::vector<std::string> found = found_in_sources(machine_numbers);
-  CHECK(found.size() > 100);  // or they were not looked at: experiments have these
+  CHECK(found.size() > 100);  // fewer would mean that nothing is found: experiments have these
   std::erase_if(found, [](const std::string& each) { return !makes_pictures(each); });
   CHECK(found == std::vector<std::string>());
 }

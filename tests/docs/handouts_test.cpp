@@ -1,4 +1,4 @@
-// The commands in the labs' handouts: they make the pictures beside them.
+// Runs the commands in the labs' handouts: they must make the pictures in the same folders.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Commands of indented blocks, with the lines that a backslash joins to them.
+// Returns the commands of indented blocks, together with lines that a backslash joins to them.
 std::vector<std::string> commands_of(const std::string& handout) {
   std::vector<std::string> commands;
   bool goes_on = false;
@@ -41,7 +41,7 @@ std::vector<fs::path> handouts() {
   return all;
 }
 
-// "The same with `--window inf` for the other one."
+// Carries out the handout's sentence "The same with `--window inf` for the other one."
 std::string naive_pair(std::string command) {
   command.replace(command.find("--window 5"), 10, "--window inf");
   command.replace(command.find("window.png"), 10, "naive.png");
@@ -64,7 +64,7 @@ TEST_CASE("the commands in the labs' handouts make the pictures beside them, pix
         expected.push_back(name.string());
       }
     }
-    // As glassbox lab start makes it.
+    // The file that `glassbox lab start` makes.
     std::ofstream(fs::path(clone.root()) / "lab.json")
         << "{\"lab\": \"" << lab.filename().string() << "\"}\n";
     auto commands = commands_of((lab / "handout.md").generic_string());

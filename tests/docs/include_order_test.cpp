@@ -1,6 +1,6 @@
-// "Data flows down this list, and no file includes one that stands further down": README's list of folders. The commands of a
-// room, which lie beside its library, are further down than all libraries. And no folders include each other in a circle, a
-// folder and its subfolders included.
+// Checks the rule of README's list of folders: "Data flows down this list, and no file includes one
+// that stands further down". It also checks that no folders, subfolders among them, include each
+// other in a circle.
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -26,8 +26,9 @@ std::vector<std::string> folders_of_readme() {
   return folders;
 }
 
-// The included file, from the top of the tree: <glassbox/a/b.h>, "a/b.h" from there, or "b.h" and "../a/b.h" from the
-// including file's own folder. Empty where the line includes nothing.
+// Returns the included file as a path from the top of the tree. The line may include
+// <glassbox/a/b.h>, "a/b.h" from the top, or "b.h" and "../a/b.h" from the folder of the including
+// file. The result is empty if the line includes nothing.
 std::string included_by(const std::string& file, const std::string& line) {
   const std::size_t begin = line.find_first_of("<\"");
   const std::size_t hash = line.find_first_not_of(' ');
@@ -47,7 +48,7 @@ bool of_commands(const std::string& path) {
   return path.substr(path.find('/') + 1).starts_with("commands/");
 }
 
-// Whether `file` may not include what the line includes.
+// Whether the line includes a file that `file` must not include.
 bool runs_back(const std::vector<std::string>& folders, const std::string& file,
                const std::string& line) {
   const auto place = [&](const std::string& path) {
@@ -67,7 +68,7 @@ std::string folder_of(const std::string& file) {
   return std::filesystem::path(file).parent_path().generic_string();
 }
 
-// Which folders each folder includes something of.
+// For each folder, the folders from which its files include something.
 using Arrows = std::map<std::string, std::set<std::string>>;
 
 Arrows arrows_of_tree() {
@@ -84,7 +85,8 @@ Arrows arrows_of_tree() {
   return arrows;
 }
 
-// The folders of a circle, in order; empty where there is none. A folder that includes none of those left is in no circle.
+// Returns the folders of a circle, in order, or nothing. Folders that include none of the remaining
+// folders are in no circle and are removed first.
 std::vector<std::string> circle_in(Arrows arrows) {
   std::size_t removed = 0;
   do {

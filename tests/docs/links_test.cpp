@@ -1,4 +1,5 @@
-// What the pages at the top and in docs/ point to is there: linked files, and paths in the text.
+// Checks that everything the pages at the top and in docs/ point to exists: linked files, and paths
+// in the text.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -12,7 +13,7 @@
 namespace glassbox::test {
 namespace {
 
-// What stands between `begin` and `end`, wherever it does in the line.
+// Returns all texts between `begin` and `end` in the line.
 std::vector<std::string> between(const std::string& line, std::string_view begin,
                                  std::string_view end) {
   std::vector<std::string> all;
@@ -26,14 +27,16 @@ std::vector<std::string> between(const std::string& line, std::string_view begin
   return all;
 }
 
-// The file that a link leads to, from the top of the tree; empty for places elsewhere or on the same page.
+// Returns the file that a link leads to, as a path from the top of the tree. It is empty for links
+// to other sites or within the same page.
 std::string linked(const std::string& page, std::string link) {
   link = link.substr(0, link.find('#'));
   if (link.empty() || link.find("://") != link.npos) return {};
   return (std::filesystem::path(page).parent_path() / link).lexically_normal().generic_string();
 }
 
-// A path of the repository: a folder of it, then letters. (NN and NAME stand for something.)
+// Whether the text is a path of the repository: one of its folders, then small letters, digits and
+// _-./ only. (NN and NAME are placeholders.)
 bool is_path(const std::string& text) {
   const std::array folders{"base/",     "compare/", "exact/",    "html/",    "images/", "include/",
                            "matrices/", "mesh/",    "pipeline/", "raster/",  "render/", "study/",

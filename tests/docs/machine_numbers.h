@@ -1,4 +1,5 @@
-// Numbers whose last digits are those of a machine: C++ leaves them to the C library or the processor.
+// Finds numbers whose last digits depend on the machine: C++ leaves them to the C library or the
+// processor.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +14,10 @@ struct MachineNumber {
   std::string name;
 };
 
-// Calls of std::exp and its like, which base/elementary.h and base/trig.h have the same everywhere, `long double`, which has 64 or 113
-// bits, and rotations of Eigen's by an angle, which call std::sin. By the words of a C++ source alone; std::sqrt, std::floor and others
-// that IEEE 754 defines are none.
+// Finds calls of std::exp and similar functions, which base/elementary.h and base/trig.h replace
+// with the same result everywhere; `long double`, which has 64 or 113 bits; and Eigen's rotations
+// by an angle, which call std::sin. It looks at the tokens of a C++ source alone. std::sqrt,
+// std::floor and others that IEEE 754 defines do not count.
 std::vector<MachineNumber> machine_numbers(std::string_view source);
 
 }  // namespace glassbox::test

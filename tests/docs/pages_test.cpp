@@ -1,4 +1,5 @@
-// The command lines of docs/: each runs as it stands, and prints what stands below it.
+// Runs the command lines of docs/ as they are written: each must print the output that the page
+// shows below it.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +15,7 @@
 namespace glassbox::test {
 namespace {
 
-// Lines of a page, by their beginning; "" for all.
+// Lines of a page that begin with `begin`; "" means all.
 struct Lines {
   const char* page;
   const char* begin;
@@ -48,7 +49,7 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/study.md", "glassbox study report --from", "of the line above it"},
 };
 
-// Run by the hidden test, for they take more than a second or two.
+// Lines that only the hidden test runs, because they take more than a second or two.
 const std::vector<Lines> kLong{
     {"docs/extremes.md", "", "all cases"},
     {"docs/stereo.md", "glassbox stereo ", "three reports"},
@@ -58,7 +59,7 @@ const std::vector<Lines> kLong{
     {"docs/study.md", "glassbox study recommend", "measures"},
 };
 
-// Those that do not end with 0.
+// Lines that end with an exit code other than 0.
 struct Ends {
   Lines lines;
   int exit_code;
@@ -93,7 +94,7 @@ std::vector<std::string> pages() {
   return all;
 }
 
-// Without blanks at the ends of lines, and without the lines that tell times and the machine.
+// Removes blanks at the ends of lines, and the lines about times and the machine.
 std::string comparable(const std::string& text) {
   std::istringstream in(text);
   std::string kept;
@@ -106,7 +107,7 @@ std::string comparable(const std::string& text) {
   return kept;
 }
 
-// The first block of JSON in a page: the camera path that its session draws along.
+// Returns the first block of JSON in a page: the camera path that the page's session uses.
 std::string first_json(const std::string& page) {
   std::string text;
   bool in_block = false;
@@ -118,7 +119,8 @@ std::string first_json(const std::string& page) {
   return text;
 }
 
-// What the pages take for granted: a reader's own model, and the path of docs/stereo.md.
+// Adds the files that the pages assume: a reader's own model, and the camera path of
+// docs/stereo.md.
 void add_files(const Clone& clone) {
   REQUIRE(clone.run("glassbox info teapot:4 --write model.glb").exit_code == 0);
   clone.write("walk.json", first_json("docs/stereo.md"));
@@ -133,7 +135,7 @@ void check_line(const Clone& clone, const std::string& page, const ShellLine& li
   CHECK(is_told(comparable(outcome.out + outcome.err), comparable(line.output)));
 }
 
-// Those of the long list, or all others that are run here.
+// Runs the lines of the long list, or all other lines that are run here. Returns how many.
 int run_lines(bool long_ones) {
   const Clone clone;
   add_files(clone);

@@ -1,4 +1,4 @@
-// The command lines of README and docs/tour.md, in their order, verbatim.
+// Runs README's command lines, in their order and without changes.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -9,14 +9,15 @@
 namespace glassbox::test {
 namespace {
 
-// These two build the program and its tests: this test runs inside the second one.
+// Whether the line is one of the two that build the program and its tests: this test runs inside
+// the second one.
 bool is_exempt(const std::string& line) {
   const std::string words = line.substr(0, line.find('#'));
   const std::string command = words.substr(0, words.find_last_not_of(' ') + 1);
   return command == "./glassbox" || command == "./glassbox test";
 }
 
-// All lines of the blocks that are marked as the shell's.
+// Returns all lines of README's blocks that are marked as shell.
 std::vector<std::string> lines_of_readme_and_tour() {
   std::vector<std::string> lines;
   for (const char* page : {"README.md", "docs/tour.md"}) {

@@ -1,4 +1,4 @@
-// docs/references.md explains every code that is cited, and nothing that is not.
+// Checks that docs/references.md explains every code that is cited, and no others.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace {
 
 const char* const kPage = "docs/references.md";
 
-// Asked for in tests because there are no such cases, and a number of another's that has the form of an erratum.
+// Tests use these codes because no such cases exist; the last one is another project's number that
+// looks like an erratum.
 const std::vector<std::string> kNoCodes{"C-0", "C-00", "C-999", "E402"};
 
 bool is_digit(char c) {
@@ -33,7 +34,8 @@ std::size_t digits_at(std::string_view text, std::size_t at) {
   return end - at;
 }
 
-// What looks like a code at this place: S3-11, S4.18, E12, C-38, D-4, B.1, F.4, with any number of digits; empty if nothing.
+// Returns the code that begins at this place, such as S3-11, S4.18, E12, C-38, D-4, B.1 and F.4
+// with any number of digits, or an empty text.
 std::string code_at(std::string_view text, std::size_t at) {
   const std::string_view no_boundary = "._-/#&%";
   const auto is_any_of = [](char c, std::string_view list) { return list.find(c) != list.npos; };
@@ -81,13 +83,13 @@ std::vector<std::string> codes_in(std::string_view text) {
   return codes;
 }
 
-// "C-" and 80 of "C-80".
+// Splits a code into its group and its number: "C-" and 80 for "C-80".
 std::pair<std::string, int> parts_of(const std::string& code) {
   const std::size_t number = code.find_last_not_of("0123456789") + 1;
   return {code.substr(0, number), std::stoi(code.substr(number))};
 }
 
-// A line of the table: one code, or "C-80 to C-86".
+// A row of the table: one code, or "C-80 to C-86".
 struct Entry {
   std::string first, last;
   bool kept = false;
@@ -117,7 +119,7 @@ std::vector<Entry> entries() {
   return all;
 }
 
-// The first place where each code is cited.
+// Returns the first place where each code is cited.
 std::map<std::string, std::string> citations() {
   std::map<std::string, std::string> cited;
   for (const std::string& file : text_files()) {

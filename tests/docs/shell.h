@@ -1,4 +1,4 @@
-// Command lines that stand in README and docs/, run as they stand.
+// Reads and runs the command lines of README and docs/ as they are written.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 namespace glassbox::test {
 
 struct ShellLine {
-  std::string text;  // as a reader would copy it
-  // What stands below a line that begins with "$ ", up to the next one or the end of the block.
+  std::string text;  // the line as a reader would copy it
+  // The text below a line that begins with "$ ", up to the next such line or the end of the block.
   std::string output;
   bool has_output = false;
 };
 
-// A line of a block that is one of glassbox, without "$ " and indentation; empty otherwise.
+// Returns the line without "$ " and indentation if it runs glassbox, or an empty text.
 inline std::string command_in(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(' ');
   if (begin == std::string_view::npos) return {};
@@ -29,7 +29,7 @@ inline std::string command_in(std::string_view line) {
   return std::string(is_command ? line : std::string_view());
 }
 
-// Those of all blocks between ```, and of blocks indented by four blanks.
+// Returns the commands of all blocks between ```, and of blocks indented by four blanks.
 inline std::vector<ShellLine> shell_lines(const std::string& page) {
   std::vector<ShellLine> found;
   bool in_block = false, in_output = false;
@@ -51,8 +51,8 @@ inline std::vector<ShellLine> shell_lines(const std::string& page) {
   return found;
 }
 
-// The parts of a fresh clone that commands name, with the built program as ./glassbox, and as glassbox for all who ask the
-// shell for it. HOME is a directory of its own beside it.
+// Those parts of a fresh clone that commands use, with the built program as ./glassbox and, through
+// PATH, as glassbox. HOME is a directory of its own beside it.
 class Clone {
 public:
   Clone() {
@@ -77,7 +77,8 @@ public:
   void write(const std::string& name, const std::string& text) const {
     here_.write("clone/" + name, text);
   }
-  // Everything that git would call new or changed: paths below the top that are not below out/.
+  // Returns the paths of all files that git would report as new or changed: those below the top
+  // except out/.
   std::vector<std::string> files() const {
     namespace fs = std::filesystem;
     std::vector<std::string> all;

@@ -1,4 +1,4 @@
-// A C++ source as words and brackets, for checks that need no more of it.
+// Splits a C++ source into tokens (words and single characters), for checks that need no more.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,15 @@ struct Token {
 
 using Tokens = std::vector<Token>;
 
-// Words, and other characters one by one, but for -> and ::. Comments and literals are left out.
+// Returns words, -> and ::, and all other characters one by one. Comments and literals are left
+// out.
 Tokens tokens_of(std::string_view source);
 
-// One past the bracket that closes the one at `at`.
+// Returns the position after the bracket that closes the one at `at`.
 std::size_t closed(const Tokens& tokens, std::size_t at);
 
-// One past the body of the lambda whose captures end before `at`; `at` if it is none.
+// Returns the position after the body of the lambda whose captures end before `at`, or `at` if it
+// is not a lambda.
 std::size_t end_of_lambda(const Tokens& tokens, std::size_t at);
 
 }  // namespace glassbox::test

@@ -1,4 +1,4 @@
-// The files of the project, as text.
+// Reads the project's files as text.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ inline std::vector<std::string> lines_of(const std::string& file) {
   return lines;
 }
 
-// Paths from the top of the tree, in order: what people write, not what builds, git or fuzzers leave there.
+// Returns the sorted paths, from the top of the tree, of the files that people write, without those
+// that builds, git or fuzzers make.
 inline std::vector<std::string> text_files() {
   namespace fs = std::filesystem;
   const std::array folders{".vscode", "app",   "base",     "cli",  "cmake",    "compare",

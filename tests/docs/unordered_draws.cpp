@@ -30,7 +30,7 @@ private:
     return before != "]" && before != ")" && (before == "return" || !tokens_[at - 1].is_word());
   }
 
-  // Of statements or declarations, and not what a value is made of.
+  // Whether the brace begins a block of statements or declarations, and not the parts of a value.
   bool is_block(std::size_t at) const {
     static const std::set<std::string> kBefore{")", "else", "do", "try", ";", "{", "}"};
     if (at == 0 || kBefore.count(text(at - 1)) != 0) return true;
@@ -56,13 +56,14 @@ private:
 
   bool is_random(std::size_t at) const { return text(at) == "random" || text(at) == "random_"; }
 
-  // An argument: it is the function that draws, and after its other arguments are computed.
+  // Whether the generator is passed as an argument: then the function draws, after its other
+  // arguments have been computed.
   bool is_given(std::size_t at) const {
     const std::string &before = text(at - 1), &after = text(at + 1);
     return is_random(at) && (before == "(" || before == ",") && (after == "," || after == ")");
   }
 
-  // What separates computations that are done one after the other.
+  // Whether the token separates computations that are done one after the other.
   bool is_order(std::size_t at) const {
     static const std::set<std::string> kAlone{";", "?", ":"}, kTwice{"&", "|", "<", ">"};
     const std::string before = at > 0 ? text(at - 1) : "";
@@ -71,7 +72,8 @@ private:
     return kAlone.count(text(at)) != 0 || (twice && kTwice.count(text(at)) != 0);
   }
 
-  // Reads what lies between brackets, and says whether it draws. Of `arguments` in parentheses one alone may.
+  // Reads the tokens between brackets and returns whether they draw a number. If they are
+  // `arguments` in parentheses, at most one of them may.
   bool read(std::size_t begin, std::size_t end, bool arguments) {
     bool any = false, in_argument = false, in_part = false;
     int of_arguments = 0;
@@ -96,7 +98,7 @@ private:
       } else if (text(i) == "(" || text(i) == "[" || text(i) == "{") {
         const std::size_t last = closed(tokens_, i) - 1;
         const bool inside = read(i + 1, last, text(i) == "(");
-        // A drawing function's own arguments are computed before it.
+        // The arguments of a function that draws are computed before it draws.
         if (inside && !is_call_that_draws(i)) found(i);
         if (is_condition(i)) in_part = false;
         i = last;
@@ -115,7 +117,7 @@ private:
     return draws_here(at - 1) || (at > 2 && text(at - 2) == "." && draws_here(at - 3));
   }
 
-  // One past it. Its name is known from here on where it draws.
+  // Returns the position after the lambda. If it draws, its name is remembered from here on.
   std::size_t read_lambda(std::size_t at) {
     const std::size_t after = closed(tokens_, at), end = end_of_lambda(tokens_, after);
     if (end == after) return after;
@@ -124,7 +126,7 @@ private:
     return end;
   }
 
-  // A generator of its own.
+  // Whether a random generator is declared within.
   bool declares(std::size_t begin, std::size_t end) const {
     for (std::size_t i = begin; i < end; ++i) {
       if (is_random(i) && tokens_[i - 1].is_word() && text(i + 1) == "(") return true;
@@ -133,7 +135,7 @@ private:
   }
 
   const Tokens& tokens_;
-  std::set<std::string> lambdas_;  // that draw
+  std::set<std::string> lambdas_;  // names of lambdas that draw
   std::set<std::size_t> lines_;
 };
 

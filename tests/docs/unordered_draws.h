@@ -1,5 +1,6 @@
-// Random numbers that are drawn in no order: C++ leaves open which argument of a call, or which side of a +, is computed first, and
-// g++ and clang++ choose differently. Each argument of a call in braces, and each statement, is computed before the next.
+// Finds random numbers that are drawn in an unspecified order: C++ does not specify which argument
+// of a call, or which side of a +, is computed first, and g++ and clang++ choose differently. The
+// elements of an initializer in braces, and statements, are computed one after the other.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +9,10 @@
 
 namespace glassbox::test {
 
-// The lines, counted from 1, of calls and expressions of a C++ source in which more than one is drawn, by its words alone: by a
-// method of what is named "random", by a function that is given it, or by a lambda that does either.
+// Returns the lines, counted from 1, of the calls and expressions of a C++ source in which more
+// than one number is drawn. It looks at the tokens alone. A number is drawn by a method of an
+// object named "random", by a function with that object as an argument, or by a lambda that does
+// either.
 std::vector<std::size_t> unordered_draws(std::string_view source);
 
 }  // namespace glassbox::test

@@ -1,4 +1,4 @@
-// The oracle's three kinds of numbers against each other: what judges everything else.
+// The number types of the exact oracle, compared with one another: all other tests rely on them.
 #include "exact/number.h"
 
 #include <array>
@@ -17,7 +17,7 @@ using glassbox::Random;
 
 namespace {
 
-// Boost's 50-digit binary float has 168 bits, so each operation errs by at most 2^-168 of its result.
+// Boost's 50-digit binary float has 168 bits, so an operation errs by at most 2^-168 of its result.
 constexpr double kDecimalRoundoff = 0x1p-168;
 
 double any_double(Random& random) {
@@ -33,7 +33,7 @@ TEST_CASE("rationals and 50 digits give the same sums, products and quotients of
   for (int i = 0; i < 5000; ++i) {
     const double a = any_double(random), b = any_double(random), c = any_double(random);
     CAPTURE(i, a, b, c);
-    // ((a b) + c) / b: three operations, of which the sum may cancel.
+    // Three operations; the terms of the sum may cancel.
     const Rational exact = (Rational(a) * Rational(b) + Rational(c)) / Rational(b);
     const Decimal decimal = (Decimal(a) * Decimal(b) + Decimal(c)) / Decimal(b);
     const Rational size = (abs(Rational(a) * Rational(b)) + abs(Rational(c))) / abs(Rational(b));
@@ -55,7 +55,7 @@ TEST_CASE("integers of 128 bits and rationals agree on what 128 bits hold") {
     };
     const std::int64_t a = number(), b = number(), c = number(), d = number();
     CAPTURE(i, a, b, c, d);
-    // 3 * 41 bits and a sign: the depth plane's numerators are no wider (SPEC C.9).
+    // At most 3 * 41 bits and a sign: the numerators of the depth plane are no wider.
     const Integer whole = Integer(a) * Integer(b) * Integer(c) - Integer(d);
     const Rational exact = Rational(a) * Rational(b) * Rational(c) - Rational(d);
     REQUIRE(rational_from(whole) == exact);
@@ -73,7 +73,8 @@ TEST_CASE("coverage is the same in 128-bit integers, rationals and 50 digits") {
   int inside = 0, on_an_edge = 0;
   for (int i = 0; i < 400; ++i) {
     SnappedTriangle t;
-    // Multiples of half a pixel on the odd rounds: many edges run through pixel centres.
+    // On odd rounds the coordinates are multiples of half a pixel: many edges then run through
+    // pixel centres.
     for (SnappedVertex& v : t) {
       const auto coordinate = [&] {
         return i % 2 == 0 ? std::int32_t(random.integer(-(1 << 24), 1 << 24))
@@ -128,14 +129,14 @@ TEST_CASE("every double goes in and comes out unchanged, the smallest and the la
 }
 
 TEST_CASE("cancellation that leaves a double nothing leaves the oracle everything") {
-  // (2^60 + 1) - 2^60, and (1 + 2^-100)(1 - 2^-100) - 1 = -2^-200 (1 + 2^-150 would exceed 50 digits).
+  // (2^60 + 1) - 2^60, and (1 + 2^-80)(1 - 2^-80) - 1 = -2^-160.
   CHECK(double(Rational(0x1p60) + Rational(1) - Rational(0x1p60)) == 1);
   CHECK(double(Integer(0x1p60) + Integer(1) - Integer(0x1p60)) == 1);
   const double e = 0x1p-80;
   const Rational product = (Rational(1) + Rational(e)) * (Rational(1) - Rational(e)) - Rational(1);
   const Decimal decimal = (Decimal(1) + Decimal(e)) * (Decimal(1) - Decimal(e)) - Decimal(1);
   CHECK(double(product) == -e * e);
-  CHECK(double(decimal) == -e * e);  // 160 bits of 168
+  CHECK(double(decimal) == -e * e);  // needs 160 of the 168 bits
   CHECK((1 + e) * (1 - e) - 1 == 0);
 }
 
@@ -194,7 +195,8 @@ TEST_CASE(
       for (std::size_t column = 0; column < 4; ++column) {
         const int expected = row == column ? 1 : 0;
         REQUIRE(rational.at[row][column] == Rational(expected));
-        // Three products of entries below 1, each rounded twice before: 16 roundings at most.
+        // Three products of entries below 1, whose factors were rounded before: 16 roundings at
+        // most.
         REQUIRE(abs(decimal.at[row][column] - Decimal(expected)) <= Decimal(16 * kDecimalRoundoff));
       }
     }
@@ -202,13 +204,14 @@ TEST_CASE(
 }
 
 TEST_CASE("three points turn one way, the other way when two change places, and no way on a line") {
-  const SnappedVertex a{0, 0}, b{256, 0}, c{0, 256};  // y points down: to the right, then down
+  const SnappedVertex a{0, 0}, b{256, 0}, c{0, 256};  // with y down: to the right, then down
   CHECK(turn<std::int64_t>(a, b, c) == 1);
   CHECK(turn<Integer>(a, c, b) == -1);
   CHECK(turn<Rational>(b, c, a) == 1);
   CHECK(turn<std::int64_t>(a, a, b) == 0);
   CHECK(turn<std::int64_t>(SnappedVertex{-3, -3}, SnappedVertex{0, 0}, SnappedVertex{7, 7}) == 0);
-  // One step beside a line from corner to corner of the largest picture, where 50 bits are needed.
+  // One step beside the line between opposite corners of the largest picture: the turn needs 50
+  // bits.
   const std::int32_t far = 1 << 24;
   CHECK(turn<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
                            SnappedVertex{0, 1}) == 1);

@@ -1,4 +1,5 @@
-// Any bytes as a glTF or GLB file: an error or a scene, in bounded time and memory.
+// Reads any bytes as a glTF or GLB file: the result is an error or a scene, in bounded time and
+// memory.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,7 +11,8 @@
 
 namespace {
 
-// Not check_mesh: normals that are of unit length but for rounding are kept as the file has them.
+// check_mesh is not used: normals that have unit length up to round-off are kept as the file has
+// them.
 void check_scene(const glassbox::Scene& scene) {
   for (const glassbox::Mesh& mesh : scene.meshes) {
     glassbox::fuzz::require(mesh.material < scene.materials.size(), "material in range");
@@ -22,7 +24,7 @@ void check_scene(const glassbox::Scene& scene) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // Small limits, so that an input that is allowed much does not look like a hang.
+  // The limits are small, because an input that may use many resources would look like a hang.
   glassbox::LoadLimits limits;
   limits.max_image_pixels = 1 << 20;
   limits.max_corners = 1 << 20;

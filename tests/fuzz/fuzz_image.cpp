@@ -1,4 +1,5 @@
-// Hostile image files: PNG, JPEG, BMP, TGA by decode_image; PPM, PGM and PFM by their own readers.
+// Reads hostile image files: PNG, JPEG, BMP and TGA with decode_image; PPM, PGM and PFM with their
+// own readers.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,5 +1,6 @@
-// Any bytes as matrices that a user's program printed, and what `glassbox step --point` says of them. The first byte chooses
-// the options; lines "%%" separate the model, the view and the projection, of which the last are given.
+// Reads any bytes as matrices that a user's program printed, and checks what `glassbox step
+// --point` reports about them. The first byte chooses the options. Lines "%%" separate the model,
+// the view and the projection matrix; with fewer than three parts the first ones are missing.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ void check_numbers(const MatrixText& matrix) {
   }
 }
 
-// The numbers, printed without loss, are read as the same numbers.
+// Prints the numbers without loss and checks that they are read back as the same numbers.
 std::string printed(const MatrixText& matrix) {
   std::string text;
   for (const double number : matrix.numbers) text += fmt::format("{} ", number);

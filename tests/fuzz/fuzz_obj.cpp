@@ -1,4 +1,5 @@
-// Hostile OBJ and MTL text. The first byte chooses limits; a line "%%MTL" starts the material library.
+// Reads hostile OBJ and MTL text. The first byte chooses limits; after a line "%%MTL" the material
+// library begins.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,5 @@
-// Any bytes as a camera path: an error that says where, or a path whose cameras stay between their keyframes.
+// Reads any bytes as a camera path: the result is an error that names the place, or a path whose
+// cameras stay between their keyframes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +13,9 @@
 namespace {
 
 using namespace glassbox;
-using namespace glassbox::app;
 using fuzz::require;
 
-// Within the least and the greatest of all keyframes, and finite.
+// Requires a finite value between the smallest and the largest one of all keyframes.
 template <class ValueOf>
 void check_range(const CameraPath& path, double value, const ValueOf& value_of) {
   const auto [low, high] = std::ranges::minmax(path.keyframes, {}, value_of);

@@ -1,4 +1,4 @@
-// Hostile PLY files, text or binary. The first byte chooses limits.
+// Reads hostile PLY files, text or binary. The first byte chooses limits.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

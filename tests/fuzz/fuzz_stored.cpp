@@ -1,4 +1,5 @@
-// Hostile image files as stored, the text in PNGs, and the recipe in that text.
+// Reads hostile image files with their samples as stored, the text in PNGs, and the recipe in that
+// text.
 #include <zlib.h>
 
 #include <cstddef>
@@ -34,13 +35,13 @@ std::uint8_t nearest_8(std::uint8_t sample) {
   return sample;
 }
 std::uint8_t nearest_8(std::uint16_t sample) {
-  return std::uint8_t((sample + 128u) / 257u);  // of sample * 255 / 65535; no ties
+  return std::uint8_t((sample + 128u) / 257u);  // rounds sample * 255 / 65535; there are no ties
 }
 std::uint8_t nearest_8(float) {
   return 0;  // decode_image and decode_pnm read no floats
 }
 
-// The RGBA of a pixel that starts at `sample`.
+// Returns the RGBA colour of the pixel whose samples start at `sample`.
 template <class Sample>
 Rgba8 rgba_of(const Sample* sample, int channels) {
   const bool colour = channels >= 3, alpha = channels % 2 == 0;
@@ -63,7 +64,8 @@ void check(const StoredImage& image, Bytes bytes) {
         if (std::is_same_v<Sample, float>) return;
         require(same.has_value(), "what decodes as stored decodes to RGBA");
         require(same->width == image.width && same->height == image.height, "the same size");
-        // The nearest 8 bits of a largest value that is neither 255 nor 65535 is not the nearest of the nearest 16.
+        // With a largest value other than 255 and 65535, rounding to 8 bits can differ from
+        // rounding to 16 bits first and then to 8.
         if (pnm && sizeof(Sample) == 2) return;
         for (std::size_t i = 0; i < image.pixels(); ++i) {
           require(same->pixels[i] == rgba_of(samples.data() + i * channels, image.channels),
@@ -97,7 +99,8 @@ void check_text(const std::vector<TextEntry>& entries) {
 }  // namespace
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-// The check sums of the chunks set right after most mutations, or none would come further than those.
+// After most mutations the checksums of the chunks are set right: otherwise almost no input would
+// get past their check.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned seed) {
@@ -128,7 +131,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_explained(entries);
   if (entries) check_text(*entries);
 
-  // The chunks' check sums keep mutations from reaching the recipe: the input as its options, too.
+  // A mutated recipe in a PNG seldom passes the chunks' checksums, so the input is also used
+  // directly as the options of a recipe.
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::vector<TextEntry> recipe{
       {"Software", "glassbox 1"}, {"glassbox scene", "scene"}, {"glassbox options", text}};

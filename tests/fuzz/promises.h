@@ -1,4 +1,4 @@
-// What a fuzz target asks of whatever the bytes are: broken, it stops the program.
+// Promises that must hold for any input of a fuzz target. A broken one stops the program.
 #pragma once
 
 #include <cmath>
@@ -57,7 +57,7 @@ inline void check_mesh(const Mesh& mesh) {
   for (const auto& n : mesh.normals) {
     const double length = std::sqrt(double(n.x) * double(n.x) + double(n.y) * double(n.y) +
                                     double(n.z) * double(n.z));
-    // Each component is off by half an ulp at most, 2^-25.
+    // Each component is rounded to float: it is off by at most half an ulp, 2^-25.
     require(std::abs(length - 1) < 0x1p-23, "unit normal");
   }
   for (const auto& t : mesh.texcoords) {
@@ -71,7 +71,8 @@ inline void check_mesh(const Mesh& mesh) {
   check_indices(mesh);
 }
 
-// A scene that check_scene accepts, or an error in one line with cause and remedy.
+// Requires a scene that check_scene accepts, or an error in one line that names a cause and a
+// remedy.
 template <class Check>
 void check_loaded(const Result<Scene>& scene, const Check& check_scene) {
   if (scene) {

@@ -1,4 +1,4 @@
-// Runs a fuzz target over the files of a corpus, where there is no libFuzzer: replay FOLDER...
+// Runs a fuzz target over the files of a corpus where libFuzzer is not available: replay FOLDER...
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-      // The name comes first, so that a crash says which file it was.
+      // The name is printed first, so that it is known which file a crash belongs to.
       std::fprintf(stderr, "%s\n", entry.path().filename().c_str());
       LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
       ++count;

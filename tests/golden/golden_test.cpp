@@ -1,5 +1,6 @@
-// The golden images: every line of images/golden/commands.txt, run as it stands, gives the picture
-// beside it. With the zlib that compressed the golden files it gives the same file.
+// Runs every line of images/golden/commands.txt as it is written: it must make the picture of that
+// name in the same folder. With the version of zlib that compressed the golden files, the file must
+// be the same byte for byte.
 #include <zlib.h>
 
 #include <algorithm>
@@ -45,27 +46,29 @@ std::vector<Line> read_commands() {
   return lines;
 }
 
-// Runs the line's command with more arguments; what went wrong, or "".
+// Runs the line's command with more arguments. Returns a description of the failure, or "".
 std::string make(const Line& line, const std::vector<std::string>& more,
                  const std::string& picture) {
   std::vector<std::string> arguments = line.arguments;
   arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.insert(arguments.end(), {"-o", picture});
   const Outcome outcome = run_program(GLASSBOX_PROGRAM, arguments, kGolden);
-  const int expected = line.arguments.front() == "diff" ? 1 : 0;  // what it shows is a difference
+  // the picture shows a difference: exit code 1
+  const int expected = line.arguments.front() == "diff" ? 1 : 0;
   if (outcome.exit_code == expected) return "";
   return "exit code " + std::to_string(outcome.exit_code) + ": " + outcome.err;
 }
 
-// The version of zlib that compressed the golden files. Another one may give the same pixels other
-// bytes.
+// Returns the version of zlib that compressed the golden files. Another version may write the same
+// pixels with other bytes.
 std::string recorded_zlib() {
   std::string version;
   std::ifstream(kGolden + "zlib-version") >> version;
   return version;
 }
 
-// What a file would be if it were written today: its own pixels and text, encoded.
+// Returns the bytes that the file would have if it were written today: its own pixels and text,
+// encoded again.
 std::vector<std::byte> written_anew(const std::vector<std::byte>& file) {
   const auto image = decode_stored(file);
   REQUIRE(image);
@@ -86,7 +89,8 @@ void check_all(const std::vector<Line>& lines, const std::vector<std::string>& m
     const auto made = read_file(picture), golden = read_file(kGolden + line.file);
     REQUIRE(made);
     REQUIRE(golden);
-    // The recipe in a file names the version of the program; another one's file has another text.
+    // The recipe in a file names the version of the program, so a file of another version has
+    // another text.
     const bool same_text = *read_png_text(*made) == *read_png_text(*golden);
     if (same_text && recorded_zlib() == zlibVersion()) CHECK(*made == *golden);
   }
@@ -145,7 +149,7 @@ TEST_CASE("a golden image says by which scene and options it was made") {
     std::vector<std::string> words{"render", recipe->scene};
     words.insert(words.end(), recipe->options.begin(), recipe->options.end());
     std::vector<std::string> expected = line.arguments;
-    std::sort(words.begin(), words.end());  // a recipe has its options in their own order
+    std::sort(words.begin(), words.end());  // the options of a recipe have an order of their own
     std::sort(expected.begin(), expected.end());
     CHECK(words == expected);
   }

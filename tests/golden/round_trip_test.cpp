@@ -1,4 +1,4 @@
-// A built-in scene written as GLB and read back is the same picture.
+// A built-in scene that is written as GLB and read back gives the same picture.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -25,8 +25,9 @@ Image<Rgba8> render(const TemporaryDirectory& directory, const std::string& scen
   return *image;
 }
 
-// GLB has triangles only. Where a polygon is plane only up to rounding, its one normal and those of its triangles differ
-// a little, and faces shaded flat show it.
+// Whether the scene has polygons that are planar only up to round-off. GLB has triangles only: the
+// normals of such a polygon's triangles differ a little from the polygon's one normal, and flat
+// shading shows it.
 bool has_rounded_polygons(const std::string& name) {
   return name == "sphere" || name == "room" || name == "thicket";
 }

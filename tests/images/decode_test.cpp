@@ -31,7 +31,7 @@ Rgba8 only_pixel(const PngParts& parts) {
   return image->pixels[0];
 }
 
-// 24 bits a pixel, of one colour.
+// Returns a BMP of 24 bits per pixel in one colour.
 Bytes plain_bmp(std::uint32_t width, std::uint32_t height) {
   return test::build_bmp(width, height, 24, test::one_colour(height, (width * 3 + 3) / 4 * 4));
 }
@@ -56,7 +56,7 @@ TEST_CASE("every PNG colour type decodes to its pixels") {
   CHECK(only_pixel({.colour_type = 2, .transparency = {0, 1, 0, 2, 0, 3}, .rows = {0, 1, 2, 3}}) ==
         Rgba8{1, 2, 3, 0});
   for (const std::uint8_t depth :
-       std::initializer_list<std::uint8_t>{1, 2, 4}) {  // all bits set is white
+       std::initializer_list<std::uint8_t>{1, 2, 4}) {  // all bits set means white
     CAPTURE(int(depth));
     CHECK(only_pixel({.bit_depth = depth, .colour_type = 0, .rows = {0, 0xff}}) ==
           Rgba8{255, 255, 255, 255});
@@ -64,7 +64,8 @@ TEST_CASE("every PNG colour type decodes to its pixels") {
 }
 
 TEST_CASE("16 bits a channel become the nearest 8, for every value") {
-  // 65536 grey values in 32 pictures, because a stored block holds less than 64 KiB.
+  // The 65536 grey values are spread over 32 pictures, because a stored block holds less than 64
+  // KiB.
   for (std::uint32_t part = 0; part < 32; ++part) {
     PngParts parts{.width = 2048, .height = 1, .bit_depth = 16, .colour_type = 0, .rows = {0}};
     for (std::uint32_t x = 0; x < 2048; ++x) {
@@ -76,7 +77,8 @@ TEST_CASE("16 bits a channel become the nearest 8, for every value") {
     REQUIRE(image);
     for (std::uint32_t x = 0; x < 2048; ++x) {
       const std::uint32_t value = part * 2048 + x;
-      // value * 255 / 65535 = value / 257 to the nearest; 257 is odd, so there are no ties.
+      // value * 255 / 65535 = value / 257, rounded to the nearest; 257 is odd, so there are no
+      // ties.
       const std::uint32_t nearest = (value + 128) / 257;
       if (image->pixels[x].r != nearest) {
         CAPTURE(value);
@@ -107,8 +109,9 @@ TEST_CASE("a JPEG decodes, and cut off at any length is refused") {
   REQUIRE(image);
   REQUIRE(image->width == 16);
   REQUIRE(image->height == 8);
-  // One colour throughout, (200, 100, 50) before quality 90. Its quantisation step of 3 moves a block's mean by 3/16 at
-  // most, rounding luma and chroma by 1/2, and blue is luma + 1.772 chroma, rounded: 2.772 * 11/16 + 1/2 < 3.
+  // The picture has one colour throughout, (200, 100, 50) before compression with quality 90. The
+  // quantisation step of 3 moves a block's mean by at most 3/16, luma and chroma are rounded by at
+  // most 1/2, and blue is luma + 1.772 chroma, rounded: 2.772 * 11/16 + 1/2 < 3.
   for (const Rgba8& pixel : image->pixels) {
     CHECK(std::abs(pixel.r - 200) <= 3);
     CHECK(std::abs(pixel.g - 100) <= 3);
@@ -142,12 +145,13 @@ TEST_CASE("a PNG with any one bit flipped decodes or is refused, never worse") {
   for (std::size_t bit = 0; bit < png.size() * 8; ++bit) {
     png[bit / 8] ^= std::byte(1 << bit % 8);
     const auto decoded = decode_image(png);
-    // Only flips that leave IHDR as it is (its CRC is checked) can decode, and then to the same size.
+    // Only flips that leave IHDR as it is (its CRC is checked) can decode, and then to the same
+    // size.
     if (decoded && (decoded->width != 6 || decoded->height != 5)) FAIL("bit " << bit);
     if (!decoded) ++refused;
     png[bit / 8] ^= std::byte(1 << bit % 8);
   }
-  // All of signature and header at least: 33 bytes.
+  // At least every flip in the signature and the header (33 bytes) is refused.
   CHECK(refused >= 33 * 8);
 }
 
@@ -167,18 +171,19 @@ TEST_CASE("images above the limits are refused with the limit and the remedy") {
 }
 
 TEST_CASE("an image that claims more pixels than its bytes can hold is refused at once") {
-  // 1 bit a pixel: 8 * 1032 pixels a byte at most, so 8192 x 8192 needs 8129 bytes; this file has about 160.
+  // At 1 bit per pixel a byte of the file holds at most 8 * 1032 pixels, so 8192 x 8192 pixels need
+  // 8129 bytes; this file has about 160.
   const PngParts bomb{
       .width = 8192, .height = 8192, .bit_depth = 1, .colour_type = 0, .rows = Bytes(100)};
   const auto refused = decode(build_png(bomb));
   REQUIRE_FALSE(refused);
   CHECK(refused.error().cause.starts_with("image of 8192 x 8192 pixels cannot fit into"));
-  // 785 MB of RGBA are above the default limits, however many bytes there are.
+  // 785 MB of RGBA exceed the default limits, no matter how many bytes the file has.
   const PngParts large{
       .width = 14008, .height = 14008, .bit_depth = 1, .colour_type = 0, .rows = Bytes(60000)};
   CHECK(decode(build_png(large)).error().cause.find("more than the limit") != std::string::npos);
   Bytes bmp = plain_bmp(4, 4);
-  bmp[20] = 0x10;  // a width of 2^20 + 4
+  bmp[20] = 0x10;  // makes the width 2^20 + 4
   CHECK_FALSE(decode(bmp, {.max_side = 1u << 30}));
 }
 
@@ -209,14 +214,14 @@ TEST_CASE("the PNG suite decodes, and no file of it with a byte changed where th
     const std::string name = entry.path().filename().string();
     CAPTURE(name);
     ++files;
-    if (name[0] == 'x') {  // one of the suite's own broken files
+    if (name[0] == 'x') {  // one of the suite's broken files
       CHECK_FALSE(read_image(entry.path().string()));
       continue;
     }
     const auto whole = read_file(entry.path().string()).value();
     CHECK(decode_image(whole));
-    // What the suite's broken files have: a bit lost, a letter changed or an end of line turned in the signature, a wrong
-    // check sum of the header.
+    // The defects of the suite's own broken files: a lost bit, a changed letter or a converted line
+    // end in the signature, a wrong checksum of the header.
     for (const std::size_t at : {0u, 1u, 4u, 6u, 29u}) {
       auto broken = whole;
       broken[at] ^= std::byte{0x80};

@@ -38,7 +38,7 @@ unsigned permissions(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 0777u : 0u;
 }
 
-// Runs `work` in a process of its own and returns what it returned (below 128).
+// Runs `work` in a child process and returns its result, which must be below 128.
 template <class Work>
 int in_child(Work work) {
   const pid_t child = ::fork();
@@ -48,7 +48,8 @@ int in_child(Work work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-// Root may write anywhere; an ordinary user's rights are tried as user "nobody".
+// Becomes user "nobody" if the tests run as root, because root may write anywhere. Returns whether
+// the process now has an ordinary user's rights.
 bool drop_privileges() {
   return ::geteuid() != 0 || (::setgid(65534) == 0 && ::setuid(65534) == 0);
 }
@@ -152,14 +153,14 @@ TEST_CASE("a write that fails half way leaves the old file and no temporary") {
   const TemporaryDirectory directory;
   const std::string path = directory.file("file");
   REQUIRE(write_file(path, bytes_of("old")));
-  // A limit on the size of files stands in for a full disk: the write is cut short in the same way.
+  // A limit on the size of files replaces a full disk: it cuts the write short in the same way.
   CHECK(in_child([&] {
           std::signal(SIGXFSZ, SIG_IGN);
           const rlimit limit{10000, 10000};
           if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 1;
           const auto written = write_file(path, bytes_of(std::string(100000, 'x')));
           if (written) return 2;
-          return written.error().remedy == "make room or write to another disk" ? 0 : 3;
+          return written.error().remedy == "free some space or write to another disk" ? 0 : 3;
         }) == 0);
   CHECK(content(path) == "old");
   CHECK(directory.names() == Names{"file"});
@@ -169,9 +170,9 @@ TEST_CASE("a full device is an error that says so") {
   if (::access("/dev/full", W_OK) != 0) SKIP_TEST("/dev/full cannot be written to");
   const auto written = write_file("/dev/full", bytes_of("text"));
   REQUIRE_FALSE(written);
-  CHECK(
-      written.error().message() ==
-      "/dev/full: cannot be written: No space left on device; make room or write to another disk");
+  CHECK(written.error().message() ==
+        "/dev/full: cannot be written: No space left on device; free some space or write to "
+        "another disk");
 }
 
 TEST_CASE("a pipe is written directly and stays a pipe") {

@@ -1,4 +1,5 @@
-// Prints images/srgb_table.h. The test of the table shares none of this: it checks every entry on both sides.
+// Prints images/srgb_table.h. The test of the table shares none of this code: it checks every entry
+// on both sides.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +9,7 @@ namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-// IEC 61966-2-1: the light of an encoded value in [0, 1].
+// The linear light of an encoded value in [0, 1], by IEC 61966-2-1.
 Real light_of(const Real& encoded) {
   if (encoded <= Real("0.04045")) return encoded / Real("12.92");
   return pow((encoded + Real("0.055")) / Real("1.055"), Real("2.4"));

@@ -1,4 +1,4 @@
-// BMP and TGA files, byte by byte.
+// Builds BMP and TGA files byte by byte.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ inline void put_little(Bytes& bytes, std::size_t at, std::uint32_t value, std::s
   for (std::size_t i = 0; i < size; ++i) bytes[at + i] = std::uint8_t(value >> 8 * i);
 }
 
-// Uncompressed, of the given bits a pixel: `palette` has four bytes a colour, `rows` are those of the file, padded.
+// Returns an uncompressed BMP with `bits` per pixel. `palette` has four bytes per colour; `rows`
+// are in the file's order and padded.
 inline Bytes build_bmp(std::uint32_t width, std::uint32_t height, std::uint32_t bits,
                        const Bytes& rows, const Bytes& palette = {}) {
   const auto pixels_at = std::uint32_t(54 + palette.size());
@@ -32,7 +33,8 @@ inline Bytes build_bmp(std::uint32_t width, std::uint32_t height, std::uint32_t 
   return bytes;
 }
 
-// The kinds are 1 palette, 2 colour, 3 grey, and 8 more where packed; `palette` has three bytes a colour.
+// Returns a TGA. The kinds are 1 palette, 2 colour, 3 grey, and 8 more if run-length encoded;
+// `palette` has three bytes per colour.
 inline Bytes build_tga(std::uint8_t kind, std::uint16_t width, std::uint16_t height,
                        std::uint8_t bits, const Bytes& samples, const Bytes& palette = {}) {
   const auto samples_at = std::ptrdiff_t(18 + palette.size());
@@ -51,7 +53,7 @@ inline Bytes build_tga(std::uint8_t kind, std::uint16_t width, std::uint16_t hei
   return bytes;
 }
 
-// Rows of bytes 10, 20, 30, 10 ...: one colour, given as blue, green, red.
+// Returns rows of bytes 10, 20, 30, 10 ...: one colour, in the order blue, green, red.
 inline Bytes one_colour(std::size_t rows, std::size_t row_bytes) {
   Bytes bytes;
   for (std::size_t y = 0; y < rows; ++y) {

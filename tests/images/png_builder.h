@@ -1,4 +1,4 @@
-// PNG files of any colour type, byte by byte and without libpng: what the decoder is tested on.
+// Builds PNG files of any colour type byte by byte and without libpng, to test the decoder.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ inline void put_chunk(Bytes& png, const std::string& type, const Bytes& data) {
   put32(png, crc32(checked));
 }
 
-// A zlib stream that stores its bytes (less than 64 KiB) uncompressed.
+// Returns a zlib stream that stores its bytes (less than 64 KiB) uncompressed.
 inline Bytes stored(const Bytes& data) {
   const auto size = std::uint16_t(data.size());
   Bytes stream{0x78,
@@ -63,9 +63,9 @@ struct PngParts {
                colour_type = 2;  // 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
   Bytes palette = {};            // PLTE, left out when empty
   Bytes transparency = {};       // tRNS, left out when empty
-  Bytes rows = {};               // each row with its filter byte before it
-  bool interlaced = false;       // the rows are then those of the seven passes
-  Bytes extra = {};              // whole chunks, put before PLTE
+  Bytes rows = {};               // each row begins with its filter byte
+  bool interlaced = false;       // then the rows are those of the seven passes
+  Bytes extra = {};              // whole chunks, inserted before PLTE
 };
 
 inline Bytes build_png(const PngParts& parts) {

@@ -30,7 +30,7 @@ Image<Rgba8> random_image(int width, int height, Alpha alpha, Random& random) {
   return image;
 }
 
-// The byte at the place where IHDR keeps the colour type.
+// Returns the byte of IHDR that holds the colour type.
 int colour_type(const std::vector<std::byte>& png) {
   return int(png.at(25));
 }
@@ -63,7 +63,7 @@ TEST_CASE("a PNG gives back the pixels it was made of, at every size from 1 x 1"
 
 TEST_CASE("rows are compressed in bands, which any number of threads makes the same") {
   Random random(8);
-  // Of many rows to a band, and of few; the last one is shorter.
+  // One picture has many rows in a band, the other a few; the last band is shorter.
   for (const auto& [width, height] : {std::pair{300, 1000}, std::pair{16384, 10}}) {
     const auto image = random_image(width, height, Alpha::kVaried, random);
     std::vector<std::vector<std::byte>> all;

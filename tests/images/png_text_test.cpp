@@ -60,8 +60,9 @@ TEST_CASE("text that is compressed or not as the format says is left out, the re
   for (const Chunk& bad :
        std::initializer_list<Chunk>{{"zTXt", "Key\0\0compressed"s},
                                     {"iTXt", "Key\0\1\0\0\0compressed"s},
-                                    {"iTXt", "Key\0\0\0\0\0\xc3"s},      // ends inside a character
-                                    {"iTXt", "Key\0\0\0\0\0\xc0\x80"s},  // an overlong zero
+                                    {"iTXt", "Key\0\0\0\0\0\xc3"s},  // ends within a character
+                                    // an overlong encoding of zero
+                                    {"iTXt", "Key\0\0\0\0\0\xc0\x80"s},
                                     {"iTXt", "Key\0\0\0\0\0\xed\xa0\x80"s},  // a surrogate
                                     {"iTXt", "Key\0\0\0\0\0a\0b"s},
                                     {"iTXt", "Key\0\0\0\0no text"s},
@@ -100,14 +101,14 @@ TEST_CASE("what is no PNG has no text") {
 
 TEST_CASE("a text with the wrong check sum is an error, whichever bit is wrong") {
   const Bytes whole = png_with({{"tEXt", "Key\0text"s}});
-  const std::size_t text_at = test::png_signature().size() + 4;  // behind the length
-  const std::size_t text_end = text_at + 4 + 8 + 4;              // type, data, check sum
+  const std::size_t text_at = test::png_signature().size() + 4;  // after the length
+  const std::size_t text_end = text_at + 4 + 8 + 4;              // type, data, checksum
   for (std::size_t bit = text_at * 8; bit < text_end * 8; ++bit) {
     Bytes flipped = whole;
     flipped[bit / 8] = std::uint8_t(flipped[bit / 8] ^ 1 << bit % 8);
     CAPTURE(bit);
     const auto entries = read(flipped);
-    // With a bit of the type flipped it is an unknown chunk, and skipped.
+    // With a flipped bit in its type the chunk is an unknown one, and skipped.
     if (bit / 8 < text_at + 4) {
       CHECK((entries && entries->empty()));
     } else {
@@ -143,7 +144,7 @@ TEST_CASE("random chunks give text or an error, never worse") {
     for (std::int64_t chunk = random.integer(0, 4); chunk > 0; --chunk) {
       const char* const types[] = {"tEXt", "iTXt", "zTXt", "IDAT"};
       Bytes data(std::size_t(random.integer(0, 12)));
-      // Few different bytes, so that separators stand in every place.
+      // With few different bytes, separators occur in every place.
       for (auto& byte : data) byte = std::uint8_t("\0\0\0\1ab\xc3\xa4"[random.integer(0, 7)]);
       test::put_chunk(png, types[random.integer(0, 3)], data);
     }
@@ -156,7 +157,7 @@ TEST_CASE("random chunks give text or an error, never worse") {
     }
     if (png.size() > 20) {
       png[std::size_t(random.integer(8, 11))] ^= std::uint8_t(1 << random.integer(0, 7));
-      static_cast<void>(read(png));  // with the first length wrong
+      static_cast<void>(read(png));  // the first length is wrong
     }
   }
 }

@@ -38,7 +38,7 @@ TEST_CASE("PPM and PGM headers may have comments, and any largest value") {
   CHECK(first("P6 # a comment\n# another 9 9\n1\t1 255\n\x01\x02\x03"sv) == Rgba8{1, 2, 3, 255});
   CHECK(first("P5 1 1 255 \x20"sv) == Rgba8{32, 32, 32, 255});
   CHECK(first("P5 1 1 100\n\x32"sv) == Rgba8{128, 128, 128, 255});  // 50 * 255 / 100 = 127.5
-  CHECK(first("P5 1 1 100\n\xff"sv) == Rgba8{255, 255, 255, 255});  // above the largest
+  CHECK(first("P5 1 1 100\n\xff"sv) == Rgba8{255, 255, 255, 255});  // above the largest value
   CHECK(first("P5 1 1 65535\n\x80\x80"sv) == Rgba8{128, 128, 128, 255});
 }
 

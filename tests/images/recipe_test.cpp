@@ -16,7 +16,7 @@ using namespace std::string_literals;
 
 const Recipe kDuck{"my duck.glb", {"--camera", "Main \"view\"", "--size", "64x48"}, "0.1.0"};
 
-// Words with everything that a shell, JSON or a line could trip over.
+// Returns a word made of pieces that a shell, JSON or a line of text could misread.
 std::string nasty_word(Random& random) {
   static const std::vector<std::string> kPieces{"a",
                                                 "Z",
@@ -115,7 +115,7 @@ TEST_CASE("a recipe that would not come back whole is not written") {
   changed = longest;
   changed.scene += 'x';
   CHECK_FALSE(written(changed));
-  changed = longest;  // each word is short enough, all of them are not
+  changed = longest;  // each word is short enough, but not all of them together
   std::fill(changed.options.begin(), changed.options.end(), std::string(400, 'x'));
   CHECK_FALSE(written(changed));
 
@@ -162,7 +162,7 @@ TEST_CASE("hostile text is no recipe") {
   for (std::size_t i = 0; i < whole.size(); ++i) {
     auto missing = whole, twice = whole;
     missing.erase(missing.begin() + std::ptrdiff_t(i));
-    twice.push_back(whole[i]);  // which of the two would be right?
+    twice.push_back(whole[i]);  // two values for one key are ambiguous
     CAPTURE(whole[i].first);
     CHECK_FALSE(recipe_of(missing));
     CHECK_FALSE(recipe_of(twice));

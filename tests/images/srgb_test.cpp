@@ -15,14 +15,14 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// The encoding direction of IEC 61966-2-1 (the table was made from the decoding one). The two agree: the pieces meet
-// between the bytes 10 and 11.
+// The encoding direction of IEC 61966-2-1 (the table was made from the decoding direction). The two
+// agree, because the linear and the power part meet between the bytes 10 and 11.
 Real encoded(const Real& linear) {
   if (linear <= Real("0.0031308")) return linear * Real("12.92");
   return Real("1.055") * pow(linear, 1 / Real("2.4")) - Real("0.055");
 }
 
-// 255 times it, rounded to the nearest integer, a half upwards.
+// Returns 255 times the encoded value, rounded to the nearest integer, halves upwards.
 int nearest_byte(float linear) {
   return int(floor(255 * encoded(Real(linear)) + Real("0.5")));
 }
@@ -46,7 +46,8 @@ TEST_CASE("every sRGB byte decodes to the nearest float and encodes back to itse
     CAPTURE(k);
     const float linear = decode_srgb(std::uint8_t(k));
     CHECK(int(encode_srgb(linear)) == k);
-    // The inverse, written out here: the distance to the true value is no larger than that of both neighbours.
+    // Decoding, computed here independently: the table's float must be at least as close to the
+    // true value as its two neighbours.
     const Real v = Real(k) / 255;
     const Real light = v <= Real("0.04045")
                            ? Real(v / Real("12.92"))
@@ -62,7 +63,7 @@ TEST_CASE("the sRGB encoder agrees with 50-digit arithmetic on random floats") {
   CAPTURE(seed);
   Random random(seed);
   for (int i = 0; i < 20000; ++i) {
-    // Every other one small, where the floats are dense.
+    // Every other number is small, where the floats are dense.
     const float linear = float(i % 2 ? random.unit() : random.scaled(0, 1, -14, 0));
     CAPTURE(linear);
     REQUIRE(int(encode_srgb(linear)) == nearest_byte(linear));
@@ -70,7 +71,7 @@ TEST_CASE("the sRGB encoder agrees with 50-digit arithmetic on random floats") {
 }
 
 TEST_CASE("the sRGB encoder never decreases, bucket by bucket") {
-  // Both sides of every bucket of the first guess, and of every half bucket.
+  // Tests both sides of every bucket of the encoder's first guess, and of every half bucket.
   int before = 0;
   for (std::uint32_t bits = 0; bits <= std::bit_cast<std::uint32_t>(2.0f); bits += 1u << 15) {
     for (const std::uint32_t neighbour : {bits, bits + 1, bits + (1u << 15) - 1}) {
@@ -104,7 +105,8 @@ TEST_CASE("plain bytes round to the nearest, exactly at every half") {
   }
   for (int k = 1; k < 256; ++k) {
     CAPTURE(k);
-    // (k - 1/2) / 255 is no float (255 is odd), so its two neighbours decide; 50 digits say which is which.
+    // (k - 1/2) / 255 is not a float (255 is odd), so it is between two neighbouring floats; 50
+    // digits tell which of them is above.
     const Real half = (Real(k) - Real("0.5")) / 255;
     float above = float(half);
     while (Real(above) < half) above = std::nextafter(above, 2.0f);

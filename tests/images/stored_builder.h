@@ -1,4 +1,4 @@
-// Pictures as stored, for tests: random ones, and what they should become.
+// Makes pictures as they are stored in files, for tests: random ones, and the PNGs that hold them.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ StoredImage stored(int width, int height, int channels, std::vector<Sample> samp
   return {width, height, channels, std::move(samples)};
 }
 
-// Any bits at all: of floats also NaN of every payload.
+// Returns samples with random bits: floats include NaN with every payload.
 template <class Sample>
 StoredImage random_stored(int width, int height, int channels, Random& random) {
   std::vector<Sample> samples(std::size_t(width) * std::size_t(height) * std::size_t(channels));
@@ -34,7 +34,7 @@ StoredImage random_stored(int width, int height, int channels, Random& random) {
   return stored(width, height, channels, std::move(samples));
 }
 
-// Like ==, but of the floats' bits.
+// Like ==, but compares the bits of floats.
 inline bool same_bits(const StoredImage& a, const StoredImage& b) {
   if (a.width != b.width || a.height != b.height || a.channels != b.channels) return false;
   return std::visit(
@@ -46,7 +46,7 @@ inline bool same_bits(const StoredImage& a, const StoredImage& b) {
       a.samples);
 }
 
-// The samples of pixel (x, y) as a PNG has them: 16 bits with the high byte first.
+// Appends the samples of pixel (x, y) as a PNG stores them: 16 bits with the high byte first.
 inline void put_pixel(Bytes& row, const StoredImage& image, int x, int y) {
   const auto channels = std::size_t(image.channels);
   const std::size_t first = (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels;
@@ -60,7 +60,8 @@ inline void put_pixel(Bytes& row, const StoredImage& image, int x, int y) {
   }
 }
 
-// An unfiltered PNG of 8 or 16 bits, built without libpng. Interlaced ones have the seven passes of Adam7.
+// Returns an unfiltered PNG of 8 or 16 bits, built without libpng. An interlaced one has the seven
+// passes of Adam7.
 inline Bytes build_stored_png(const StoredImage& image, bool interlaced) {
   struct Pass {
     int x, y, step_x, step_y;

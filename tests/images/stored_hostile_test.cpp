@@ -43,7 +43,8 @@ struct File {
   Bytes bytes;
 };
 
-// One small file of each kind that the corpus of the fuzzer has: every format, depth and channel count.
+// Returns one small file of each kind in the fuzzer's corpus: every format, depth and channel
+// count.
 std::vector<File> small_files() {
   std::vector<File> files;
   for (const auto& entry :
@@ -71,7 +72,8 @@ void require_whole(const StoredImage& image) {
       image.samples);
 }
 
-// What `work` returns (below 128) in a process of its own, and how much that process grew at most.
+// The result of `work` (below 128) in a child process, and by how much the process's peak memory
+// grew.
 struct Run {
   int result = 0;
   long grown_kib = 0;
@@ -105,7 +107,7 @@ Run in_child(Work work) {
   return run;
 }
 
-// A claim of `width` x `height` in a file of a few hundred bytes.
+// Returns files of a few hundred bytes that claim to have `width` x `height` pixels.
 std::vector<File> bombs(std::uint32_t width, std::uint32_t height) {
   const std::string size = std::to_string(width) + " " + std::to_string(height);
   std::vector<File> files;
@@ -139,7 +141,7 @@ std::vector<File> bombs(std::uint32_t width, std::uint32_t height) {
     Bytes jpeg = std::find_if(small.begin(), small.end(), [&](const File& file) {
                    return file.name == name;
                  })->bytes;
-    // The frame header: FF C0 or FF C2, a length of two bytes, the depth, then height and width.
+    // The frame header is FF C0 or FF C2, a length of two bytes, the depth, then height and width.
     std::size_t at = 2;
     while (jpeg[at] != 0xff || (jpeg[at + 1] != 0xc0 && jpeg[at + 1] != 0xc2)) ++at;
     jpeg[at + 5] = std::uint8_t(height >> 8);
@@ -193,7 +195,8 @@ TEST_CASE("a tiny file that claims to be huge is refused without the memory") {
       CAPTURE(name, width, height, bytes.size());
       const Run run = in_child([&, &file = bytes] { return decode(file) ? 1 : 0; });
       CHECK(run.result == 0);
-      // The smallest of them would be 256 MiB; a process that only looks at headers needs a few pages.
+      // The smallest of these pictures would need 256 MiB; a process that only reads headers needs
+      // a few pages.
       CHECK(run.grown_kib >= 0);
       CHECK(run.grown_kib < 32 * 1024);
     }
@@ -246,7 +249,8 @@ TEST_CASE("a tRNS that libpng would leave out is refused: the alpha would be gon
   require_explained(decode(test::build_png(parts)));
   parts = {.colour_type = 2, .transparency = {0, 1, 0, 2}, .rows = {0, 1, 2, 3}};  // too short
   require_explained(decode(test::build_png(parts)));
-  parts = {.colour_type = 6, .transparency = {0, 1}, .rows = {0, 1, 2, 3, 4}};  // has an alpha
+  // the colour type already has alpha
+  parts = {.colour_type = 6, .transparency = {0, 1}, .rows = {0, 1, 2, 3, 4}};
   require_explained(decode(test::build_png(parts)));
   parts = palette;
   test::put_chunk(parts.extra, "tRNS", {1});  // before the palette
@@ -257,7 +261,7 @@ TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
   const auto files = small_files();
   const auto grey = std::find_if(files.begin(), files.end(),
                                  [](const File& file) { return file.name == "grey.jpg"; });
-  // 16 counts of codes that add up to 257 and more, and as many values behind them.
+  // The table has 16 counts of codes that add up to 257 or more, followed by that many values.
   for (const int codes : {257, 600, 4080}) {
     Bytes jpeg{0xff, 0xd8, 0xff, 0xc4};
     const int length = 2 + 17 + codes;
@@ -275,11 +279,11 @@ TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
     REQUIRE_FALSE(image);
     CHECK(image.error().cause == "JPEG with a bad Huffman table");
     CHECK_FALSE(decode_image(std::as_bytes(std::span(jpeg))));
-    // Behind a scan, too.
+    // The same table after a scan.
     Bytes late(grey->bytes.begin(), grey->bytes.end() - 2);  // without the last marker
     late.insert(late.end(), jpeg.begin() + 2, jpeg.end());
     CHECK(decode(late).error().cause == "JPEG with a bad Huffman table");
-    // With FF before its start it is no file that stb may see.
+    // With a byte FF before its start, it must not reach stb as a JPEG.
     jpeg.insert(jpeg.begin(), 0xff);
     require_explained(decode(jpeg));
   }
@@ -289,7 +293,7 @@ TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
 TEST_CASE("a JPEG that leaves out a scan decodes the same, whatever was in the memory before") {
   const auto path = GLASSBOX_SOURCE_DIR "/tests/fuzz/corpus/stored/found-no-dc.jpg";
   const auto decode_over = [&](int byte) {
-    ::mallopt(M_PERTURB, byte);  // fills what malloc hands out
+    ::mallopt(M_PERTURB, byte);  // fills the memory that malloc returns
     const auto image = read_stored(path);
     ::mallopt(M_PERTURB, 0);
     REQUIRE(image);
@@ -300,10 +304,11 @@ TEST_CASE("a JPEG that leaves out a scan decodes the same, whatever was in the m
 #endif
 
 TEST_CASE("a BMP that chooses colours behind the end of its palette is refused") {
-  const Bytes palette(4 * 3);  // colours 0, 1 and 2
+  const Bytes palette(4 * 3);  // the colours 0, 1 and 2
   CHECK(decode(test::build_bmp(3, 1, 8, {0, 1, 2, 0}, palette)));
   require_explained(decode(test::build_bmp(3, 1, 8, {0, 3, 2, 0}, palette)));
-  CHECK(decode(test::build_bmp(3, 1, 8, {0, 1, 2, 99}, palette)));  // only the padding does
+  // only the padding has a larger number
+  CHECK(decode(test::build_bmp(3, 1, 8, {0, 1, 2, 99}, palette)));
   CHECK(decode(test::build_bmp(3, 2, 4, {0x01, 0x2f, 0, 0, 0x10, 0x20, 0, 0}, palette)));
   require_explained(
       decode(test::build_bmp(3, 2, 4, {0x01, 0x20, 0, 0, 0x10, 0x30, 0, 0}, palette)));
@@ -315,8 +320,8 @@ TEST_CASE("a TGA that stb would read in another order is refused") {
   REQUIRE(decode(test::build_tga(2, 2, 1, 24, samples)));
   for (const std::uint8_t order : std::initializer_list<std::uint8_t>{0x10, 0x40, 0x80}) {
     Bytes tga = test::build_tga(2, 2, 1, 24, samples);
-    tga[17] = order;  // from the right, or every second or fourth row first
-    CHECK(decode(tga).error().cause == "TGA in an odd order");
+    tga[17] = order;  // rows from right to left, or every second or fourth row first
+    CHECK(decode(tga).error().cause == "TGA with an unusual order of pixels");
   }
   Bytes shifted = test::build_tga(1, 2, 1, 8, {0, 1}, samples);
   REQUIRE(decode(shifted));
@@ -365,7 +370,7 @@ TEST_CASE("garbage behind the first bytes of every format decodes whole or is re
 
 TEST_CASE("16384 x 16384 grey pixels come back from a PNG") {
   constexpr int kSide = 16384;
-  // Slopes and steps that are cheap to pack; no two rows alike near each other.
+  // Slopes and steps are easy to compress, and rows near each other differ.
   const auto sample_at = [](int x, int y) { return std::uint8_t((x >> 4) + y * 3 + (y >> 8)); };
   std::vector<std::byte> png;
   {
@@ -390,5 +395,5 @@ TEST_CASE("16384 x 16384 grey pixels come back from a PNG") {
     }
   }
   CHECK(wrong == 0);
-  CHECK_FALSE(decode_image(png));  // above the default limit of the reader of RGBA
+  CHECK_FALSE(decode_image(png));  // above the default limit for reading RGBA
 }

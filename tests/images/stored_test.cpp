@@ -83,7 +83,7 @@ TEST_CASE("every colour type and depth of PNG decodes to the samples that it sto
   CHECK(grey(4, 3, {0x07, 0xf0}) == row8(1, {0, 119, 255}));
   CHECK(grey(8, 3, {0, 77, 255}) == row8(1, {0, 77, 255}));
   CHECK(grey(16, 2, {0x12, 0x34, 0xff, 0xfe}) == row16(1, {0x1234, 0xfffe}));
-  // tRNS names the one grey that is transparent, at the file's depth.
+  // tRNS names the one grey value that is transparent, at the file's depth.
   CHECK(grey(2, 4, {0b00011011}, {0, 2}) == row8(2, {0, 255, 85, 255, 170, 0, 255, 255}));
   CHECK(grey(8, 2, {7, 8}, {0, 8}) == row8(2, {7, 255, 8, 0}));
   CHECK(grey(16, 2, {1, 2, 1, 3}, {1, 2}) == row16(2, {0x102, 0, 0x103, 65535}));
@@ -113,7 +113,7 @@ TEST_CASE("palettes of every depth become their colours, and tRNS their alpha") 
   const U8 rgb{4, 5, 6, 1, 2, 3, 7, 8, 9}, rgba{4, 5, 6, 128, 1, 2, 3, 0, 7, 8, 9, 255};
   struct Case {
     std::uint8_t depth;
-    Bytes row;  // colours 1, 0 and, where the depth has it, 2
+    Bytes row;  // the colours 1, 0 and, if the depth allows it, 2
   };
   for (const auto& [depth, row] : {Case{1, {0, 0b10000000}}, Case{2, {0, 0b01001000}},
                                    Case{4, {0, 0x10, 0x20}}, Case{8, {0, 1, 0, 2}}}) {
@@ -127,7 +127,7 @@ TEST_CASE("palettes of every depth become their colours, and tRNS their alpha") 
         .rows = row};
     CHECK(decode(build_png(opaque)) == row8(3, U8(rgb.begin(), rgb.begin() + width * 3)));
     test::PngParts transparent = opaque;
-    transparent.transparency = {0, 128};  // shorter than the palette: the rest is opaque
+    transparent.transparency = {0, 128};  // shorter than the palette: the other colours are opaque
     CHECK(decode(build_png(transparent)) == row8(4, U8(rgba.begin(), rgba.begin() + width * 4)));
   }
 }
@@ -169,7 +169,8 @@ TEST_CASE("every format and channel count of PNG gives back what it was made of"
         const auto png = encode_png(image);
         REQUIRE(png);
         REQUIRE(decode(*png) == image);
-        // The reader of RGBA sees the same picture: grey repeated, alpha filled in, the nearest 8 bits.
+        // Read as RGBA, it is the same picture: grey is repeated, a missing alpha is 255, and
+        // samples are rounded to 8 bits.
         const auto rgba = decode_image(*png);
         REQUIRE(rgba);
         for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -221,16 +222,17 @@ TEST_CASE("PGM and PPM keep 8 and 16 bits, and bring other largest values to the
   CHECK(decode("P6 1 1 255\n\x01\x02\x03"s) == row8(3, {1, 2, 3}));
   CHECK(decode("P5 2 1 65535\n\x12\x34\xff\xfe"s) == row16(1, {0x1234, 0xfffe}));
   CHECK(decode("P6 1 1 65535\n\x01\x02\x03\x04\x05\x06"s) == row16(3, {0x102, 0x304, 0x506}));
-  CHECK(decode("P5 3 1 1\n\x00\x01\x02"s) == row8(1, {0, 255, 255}));  // above the largest
+  CHECK(decode("P5 3 1 1\n\x00\x01\x02"s) == row8(1, {0, 255, 255}));  // above the largest value
   CHECK(decode("P5 1 1 100\n\x32"s) == row8(1, {128}));                // 127.5
-  // 1000: 1 is 65.535, 500 is 32767.5, 999 is 65469.465.
+  // Scaled from 1000 to 65535, 1 becomes 65.535, 500 becomes 32767.5 and 999 becomes 65469.465.
   CHECK(decode("P5 5 1 1000\n\x00\x00\x00\x01\x01\xf4\x03\xe7\x03\xe8"s) ==
         row16(1, {0, 66, 32768, 65469, 65535}));
   CHECK(decode("P5 2 1 256\n\x00\x80\xff\xff"s) == row16(1, {32768, 65535}));
 }
 
 TEST_CASE("a PFM keeps the bits of its floats, in both byte orders") {
-  // Quiet and signalling NaN with payloads, infinities, -0, the smallest and the largest.
+  // The bits of quiet and signalling NaNs with payloads, infinities, -0, and the smallest and
+  // largest numbers.
   const std::vector<std::uint32_t> bits{0x7fc12345, 0xffc00001, 0x7f812345, 0xff800001,
                                         0x7f800000, 0xff800000, 0x80000000, 0x00000001,
                                         0x7f7fffff, 0x3f800000, 0x00000000, 0x807fffff};
@@ -287,7 +289,7 @@ TEST_CASE("a JPEG has the channels of its file: grey stays grey") {
 }
 
 TEST_CASE("BMP decodes with rows from either end, palettes, and alpha where it has any") {
-  // Blue, green, red; rows padded to four bytes, the lowest first.
+  // Bytes in the order blue, green, red; rows padded to four bytes, the lowest row first.
   const Bytes rows{3, 2, 1, 6, 5, 4, 0, 0, 9, 8, 7, 12, 11, 10, 0, 0};
   CHECK(decode(test::build_bmp(2, 2, 24, rows)) ==
         stored<std::uint8_t>(2, 2, 3, {7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6}));

@@ -1,4 +1,4 @@
-// A directory that lives as long as a test.
+// A temporary directory that exists during a test.
 #pragma once
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ public:
   }
   const std::filesystem::path& path() const { return path_; }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
-  // The names of everything in it.
+  // Returns the names of everything in the directory.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {

@@ -1,11 +1,12 @@
-# Builds tests/install/golden against the installed package and lives through its day: no golden image yet, approval, a pass, a
-# defect found, approval refused on a server. Included by check_install.cmake.
-set(source ${work}/golden-example)  # a copy: golden images are kept beside the tests
+# This file builds tests/install/golden against the installed package. It then goes through typical
+# steps: no golden image yet, approval, a pass, a defect that is found, and approval that is refused
+# on a server. check_install.cmake includes it.
+set(source ${work}/golden-example)  # a copy, because golden images are kept beside the tests
 set(build ${work}/golden-example-build)
 file(REMOVE_RECURSE ${source} ${build})
 file(COPY ${example}/ DESTINATION ${source})
 
-# run_tests(EXPECTED EXIT CODE, TEXT THAT IT SAYS, ENVIRONMENT...): both programs.
+# run_tests(EXPECTED EXIT CODE, EXPECTED TEXT, ENVIRONMENT...) runs both programs.
 function(run_tests expected says)
   foreach(program with_catch2 with_gtest)
     execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE ${ARGN} ${build}/${program}
@@ -15,7 +16,8 @@ function(run_tests expected says)
     else()
       set(outcome fails)
     endif()
-    # Of no option of glassbox diff, whose comparison it is.
+    # The text must not name an option of glassbox diff, although glassbox diff uses the same
+    # comparison.
     if(NOT outcome STREQUAL expected OR NOT output MATCHES "${says}" OR output MATCHES "-[ \n]*approve")
       message(FATAL_ERROR "${program} with ${ARGN}: ${outcome}, expected that it ${expected} and says '${says}':\n${output}")
     endif()

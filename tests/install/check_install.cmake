@@ -1,11 +1,11 @@
-# Called by tests/install/CMakeLists.txt with build, consumer, clone, example, work, compiler, flags,
-# strict, generator.
+# tests/install/CMakeLists.txt calls this file with build, consumer, clone, example, work, compiler,
+# flags, strict, generator.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${ARGV}\nended with ${result}:\n${output}")
   endif()
-  # CMake warns of policies and modules that a later one no longer has.
+  # CMake warns of policies and modules that a later version no longer has.
   if(output MATCHES "CMake[A-Za-z ]* Warning")
     message(FATAL_ERROR "${ARGV}\nwarns:\n${output}")
   endif()
@@ -18,7 +18,7 @@ run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 run(${prefix}/bin/glassbox --version)
 foreach(file man/man1/glassbox.1 bash-completion/completions/glassbox zsh/site-functions/_glassbox
     fish/vendor_completions.d/glassbox.fish)
-  file(SIZE ${prefix}/share/${file} size)  # an error where it is not there
+  file(SIZE ${prefix}/share/${file} size)  # an error if the file is missing
   if(size LESS 1000)
     message(FATAL_ERROR "${file} has ${size} bytes")
   endif()
@@ -28,7 +28,8 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
-# What students' functions are compiled with is there for every lab, and an installed program finds it.
+# The files with which students' functions are compiled are there for every lab, and an installed
+# program finds them.
 foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
   file(GLOB of_clone RELATIVE ${clone}/labs ${clone}/labs/[0-9][0-9]-*/${part})
   file(GLOB installed RELATIVE ${prefix}/share/glassbox/labs ${prefix}/share/glassbox/labs/[0-9][0-9]-*/${part})

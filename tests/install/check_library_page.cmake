@@ -1,8 +1,9 @@
-# The program of docs/library.md, built against the installed package by the page's own CMake lines, prints the page's numbers and
-# writes the picture that the command line renders; without the scene it says so. Included by check_install.cmake.
+# This file builds README's program, exactly as printed there, against the installed package, with
+# README's CMake lines. The program must print README's numbers and write the picture that the
+# program renders. Without the scene it must say so. check_install.cmake includes this file.
 file(READ ${clone}/docs/library.md page)
 
-# block_of_page(LANGUAGE RESULT): the text of the page's only block in that language.
+# block_of_readme(LANGUAGE RESULT) returns the text of README's only block in that language.
 function(block_of_page language result)
   string(FIND "${page}" "\n```${language}\n" begin)
   string(FIND "${page}" "\n```${language}\n" last REVERSE)
@@ -27,7 +28,7 @@ run(${CMAKE_COMMAND} -S ${house} -B ${house}/build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} "-DCMAKE_CXX_FLAGS=${flags} ${strict}")
 run(${CMAKE_COMMAND} --build ${house}/build)
 
-# run_house(EXPECTED EXIT CODE, TEXT THAT IT PRINTS)
+# run_house(EXPECTED EXIT CODE, EXPECTED TEXT) runs README's program.
 function(run_house expected prints)
   execute_process(COMMAND ${house}/build/house WORKING_DIRECTORY ${house} RESULT_VARIABLE result OUTPUT_VARIABLE output)
   if(NOT result EQUAL expected OR NOT output STREQUAL prints)

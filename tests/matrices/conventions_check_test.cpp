@@ -1,5 +1,5 @@
-// Slips are planted in textbook matrices; the change that undoes each must be among those that are reported, and first where
-// the matrices tell. Nothing is reported where nothing is wrong.
+// Plants slips in textbook matrices: the change that undoes each must be among the reported ones,
+// and first where the matrices can tell. If nothing is wrong, nothing is reported.
 #include <glassbox/matrices/conventions_check.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace book = test::textbook;
 using book::given;
 using book::Rows;
 
-// A camera, the points that it sees, and what its matrices are made from.
+// A camera, the points that it sees, and the numbers that its matrices are made from.
 struct Scene {
   book::Vector3 eye, at;
   double fovy = 1, aspect = 1.5, near = 0.1, far = 100;
@@ -38,8 +38,8 @@ struct Scene {
 
 const Viewport kWindow = window_rectangle(api_dialects().front(), 0, 0, 640, 480);
 
-// Rotation and translation of an object and a camera of round numbers, as people type them, and four points well inside of
-// the picture.
+// Returns a scene whose object and camera are placed and turned by round numbers, as people type
+// them, with four points well inside the picture.
 Scene random_scene(Random& random) {
   Scene s;
   const auto round = [&](double size) { return std::round(random.between(-size, size) * 2) / 2; };
@@ -103,7 +103,7 @@ TEST_CASE("where everything is right, every point is visible and no change is pr
   }
 }
 
-// How often a planted slip made the points vanish, was listed, and stood first.
+// Counts how often a planted slip made the points vanish, was listed, and was listed first.
 struct Score {
   int planted = 0, vanished = 0, listed = 0, first = 0, others = 0;
 };
@@ -133,7 +133,7 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
     const char* name;
     Change undoes;
     std::function<MatrixSetup(const Scene&)> slip;
-    double first_share;  // in how many cases it must stand first
+    double first_share;  // share of cases in which it must be listed first
   };
   const auto rigid_part = [](Rows m) {
     m[0][3] = m[1][3] = m[2][3] = 0;
@@ -229,7 +229,7 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
 TEST_CASE("E16: a point that OpenGL shows and Direct3D clips is brought back by the other range") {
   const Rows view = book::look_at_right({3, 2, 5}, {0, 0, 0}, {0, 1, 0});
   const book::Vector3 gaze = book::unit({-3, -2, -5});
-  // 0.15 in front of the eye: beyond near = 0.1, in front of 0.1998.
+  // The point is 0.15 in front of the eye: farther than near = 0.1, but nearer than 0.1998.
   const CheckedPoint point{{3 + 0.15 * gaze[0], 2 + 0.15 * gaze[1], 5 + 0.15 * gaze[2], 1}, {}};
   MatrixSetup set = setup(book::identity(), view, book::perspective_gl(1, 1.5, 0.1, 100), "d3d");
   const ConventionsReport report = check_conventions(set, kWindow, {&point, 1});
@@ -286,7 +286,7 @@ TEST_CASE(
   const ConventionsReport seen = check_conventions(set, kWindow, {&point, 1});
   CHECK(seen.visible == 1);
 
-  // Where it is, from a second computation: (P V x) / w.
+  // The point's position by a second computation: (P V x) / w.
   const Rows both = book::product(projection, view);
   const auto row = [&](std::size_t r) {
     return both[r][0] * 1 + both[r][1] * 0.5 + both[r][2] * -1 + both[r][3];
@@ -339,7 +339,7 @@ TEST_CASE("changes that spoil a sound matrix are counted, not proposed") {
     for (const Alternative& a : report.alternatives) {
       CAPTURE(i, a.what);
       CHECK(a.change != Change::kTransposeView);
-      // A rotation's transpose is sound.
+      // The transpose of a mere rotation is a sound matrix.
       const bool moves = s.model_offset[0] != 0 || s.model_offset[2] != 0;
       CHECK((a.change != Change::kTransposeModel || !moves));
       CHECK(a.change != Change::kTransposeAll);

@@ -1,4 +1,4 @@
-// What is wrong with matrices: planted slips are named, and correct sets raise no alarm.
+// Findings about wrong matrices: planted slips are named, and correct sets raise no alarm.
 #include <glassbox/matrices/findings.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ TEST_CASE("correct sets of matrices raise neither alarm nor hint, in any dialect
       const auto findings = check_matrices(setup(api, model, matrices.first, matrices.second));
       CAPTURE(i, api, n, f, angle, ids(findings, Severity::kHint));
       CHECK(ids(findings, Severity::kHint).empty());
-      // The world that each draws: look_at_left in a left-handed world, and so on.
+      // The world that each set is made for: look_at_left for a left-handed one, and so on.
       MatrixSetup known = setup(api, model, matrices.first, matrices.second);
       known.world = matrices.first == left ? Hand::kLeft : Hand::kRight;
       CHECK(world_drawn(known) == known.world);
@@ -165,7 +165,7 @@ TEST_CASE("every planted slip is named, on the matrix that has it") {
       CHECK((finding.severity == Severity::kNote || !finding.remedy.empty()));
     }
   }
-  // A projection alone may have a view in it, and is looked at without it.
+  // If only a projection is given, it may contain a view, which is factored out.
   MatrixSetup alone = with(model, view, book::product(projection, view));
   alone.view = {};
   CHECK(has(check_matrices(alone), "contains-view", Severity::kNote, "projection"));
@@ -189,10 +189,12 @@ TEST_CASE("aspect ratios that do not fit the picture are explained") {
 }
 
 TEST_CASE("E7: a gaze turned to +z mirrors a right-handed world, and fits a left-handed one") {
-  // S3.37 literally: a proper rotation that sends the gaze to +z and up to +y, for a projection with w = +z.
+  // The matrix of S3.37 as written: a proper rotation that turns the gaze to +z and up to +y, for a
+  // projection with w = +z.
   const book::Vector3 eye{3, 2, 5}, gaze = book::unit({-3, -2, -5});
   const book::Vector3 up = book::unit(book::cross(book::cross(gaze, {0, 1, 0}), gaze));
-  const book::Vector3 x = book::cross(up, gaze);  // right-handed axes: minus the picture's right
+  // right-handed axes: x is the opposite of the picture's right
+  const book::Vector3 x = book::cross(up, gaze);
   MatrixSetup set = setup("d3d", book::identity(), book::from_axes(x, up, gaze, eye),
                           book::perspective_d3d_left(1, 1.5, 0.1, 100));
   CHECK(facts_of(set.view.m).rigid());
@@ -201,7 +203,7 @@ TEST_CASE("E7: a gaze turned to +z mirrors a right-handed world, and fits a left
   CHECK(has(check_matrices(set), "world-mirrored", Severity::kAlarm));
   set.world = Hand::kLeft;
   CHECK(ids(check_matrices(set), Severity::kHint) == std::vector<std::string>());
-  // Its mirror, diag(-1, 1, 1, 1) V, draws right-handed worlds.
+  // Its mirror image, diag(-1, 1, 1, 1) V, draws right-handed worlds.
   const Rows mended = book::product(book::scaling(-1, 1, 1), book::from_axes(x, up, gaze, eye));
   set.view = given(mended);
   set.world = Hand::kRight;

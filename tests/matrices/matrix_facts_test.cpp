@@ -1,4 +1,4 @@
-// What a matrix is: textbook matrices are read back as what they were made from.
+// Facts about a matrix: from textbook matrices the numbers that they were made from are recovered.
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/matrices/decimal.h>
@@ -71,8 +71,8 @@ TEST_CASE("rotations printed with few digits are rigid, to the digits they have"
     const MatrixFacts facts = facts_of(given(view).m);
     CAPTURE(i, facts.orthogonality);
     CHECK(facts.rigid());
-    CHECK(facts.orthogonality > 0x1p-21);  // it is seen, too
-    CHECK(facts.orthogonality < 4e-4);     // 3 products off by 5e-5 each, twice
+    CHECK(facts.orthogonality > 0x1p-21);  // the lack of digits is noticed
+    CHECK(facts.orthogonality < 4e-4);     // 3 products, each off by 5e-5, twice
   }
 }
 
@@ -81,11 +81,11 @@ TEST_CASE("rank is counted by what rounding to float leaves, not by the size of 
   CHECK(rank_of(glm::dmat4(0)) == 0);
   CHECK(rank_of(given(book::perspective_gl(1, 1, 1e-6, 1e6)).m) == 4);
   CHECK(rank_of(given(book::scaling(1e-12, 1, 1e12)).m) == 4);
-  // E15: diag(d, d, d, 0) and the row 0 0 1 0.
+  // The matrix of E15: diag(d, d, d, 0) and the row 0 0 1 0.
   CHECK(rank_of(given({{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 1, 0}}}).m) == 3);
   Random random(411);
   for (int i = 0; i < 500; ++i) {
-    // A sum of two rows, rounded to float, in the place of a third.
+    // A row is replaced by a sum of two others, rounded to float.
     Rows m{};
     for (auto& row : m) {
       for (double& entry : row) entry = double(float(random.between(-1, 1)));

@@ -1,4 +1,5 @@
-// What a projection does: textbook projections are read back as what they were made from, with or without a view in them.
+// Facts about a projection: from textbook projections, with or without a view in them, the numbers
+// that they were made from are recovered.
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/matrices/matrix_setup.h>
@@ -34,7 +35,8 @@ TEST_CASE("angle, aspect ratio, planes and handedness are recovered from textboo
       CHECK_FALSE(p.off_centre());
       const DepthReading& r = from_minus_one ? p.minus_one_to_one : p.zero_to_one;
       CHECK(r.possible);
-      // Within what the entries' rounding leaves open, to second order.
+      // The error is within the uncertainty that comes from the rounding of the entries, up to
+      // second order.
       CHECK(std::abs(r.near - n) <= 1.01 * r.near_uncertainty + 1e-12);
       CHECK(std::abs(r.far - f) <= 1.01 * r.far_uncertainty + 1e-12);
     };
@@ -44,7 +46,7 @@ TEST_CASE("angle, aspect ratio, planes and handedness are recovered from textboo
     check(book::perspective_d3d_left(angle, aspect, n, f), false, false);
     Rows scaled = book::perspective_d3d_left(angle, aspect, n, f);
     for (auto& row : scaled) {
-      for (double& entry : row) entry *= 0.37;  // the same map
+      for (double& entry : row) entry *= 0.37;  // a multiple of the matrix is the same map
     }
     check(scaled, false, false);
   }
@@ -81,7 +83,7 @@ TEST_CASE("off-centre frusta, infinite far planes and reversed depth are seen as
 TEST_CASE(
     "either range of depth can be read from any matrix; the rounder planes are the likelier") {
   const ProjectionFacts gl = projection_facts(given(book::perspective_gl(1, 1, 0.1, 100)));
-  CHECK(gl.zero_to_one.possible);  // near 0.1998, far 100
+  CHECK(gl.zero_to_one.possible);  // with near 0.1998 and far 100
   CHECK(gl.minus_one_to_one.possible);
   const DepthReading* range = gl.likely_range();
   REQUIRE(range);
@@ -95,7 +97,7 @@ TEST_CASE(
     REQUIRE(b.likely_range());
     CHECK_FALSE(b.likely_range()->from_minus_one);
   }
-  // 1 and 3 for one, 3/2 and 3 for the other: nothing tells.
+  // The planes are 1 and 3 for one range, 3/2 and 3 for the other: both are round.
   const ProjectionFacts close = projection_facts(given(book::perspective_gl(1, 1, 1, 3)));
   CHECK(close.likely_range() == nullptr);
 }
@@ -133,7 +135,7 @@ TEST_CASE("the dialect is guessed from round planes, and from what points down")
   CHECK(guess(book::perspective_reversed_infinite(1, 1.5, 0.1)) == "reversed");
   CHECK(guess(book::ortho_gl(-1, 1, -1, 1, 0.1, 100)) == "opengl");
   CHECK(guess(book::ortho_d3d(-1, 1, -1, 1, 0.1, 100, true)) == "d3d");
-  CHECK(guess(book::perspective_gl(1, 1, 1, 3)) == "opengl");  // nothing tells
+  CHECK(guess(book::perspective_gl(1, 1, 1, 3)) == "opengl");  // undecided: the default
   const Rows view = book::look_at_right({3, 2, 5}, {0, 0, 0}, {0, 1, 0});
   CHECK(guess(book::product(book::perspective_d3d_right(1, 1.5, 0.5, 20), view)) == "d3d");
 }
@@ -175,7 +177,7 @@ TEST_CASE(
       m[0][0] /= 2;
       m[1][1] /= 2;
       const ProjectionFacts halved = projection_facts(given(m));
-      // 90 degrees leave a scale of 1/2, which somebody may have typed.
+      // At 90 degrees the scale is 1/2, which may as well have been typed on purpose.
       if (degrees != 90) CHECK(halved.degrees_of_half_window == std::optional<int>(degrees));
     }
   }
@@ -186,7 +188,7 @@ TEST_CASE("one eye of a stereo pair: where it stands, and where it sees no paral
   for (int i = 0; i < 500; ++i) {
     const double s = random.between(-0.1, 0.1), f = random.between(0.5, 20);
     Rows skew = book::identity();
-    skew[0][2] = s / f;  // the eye looks down -z
+    skew[0][2] = s / f;  // the sign for an eye that looks down -z
     skew[0][3] = s;
     const Rows m = book::product(book::perspective_gl(1, 1.5, 0.1, 100), skew);
     const ProjectionFacts p = projection_facts(given(m));

@@ -1,6 +1,7 @@
-// Matrices as the manuals of the graphics interfaces print them, written out here apart from our own code: gluLookAt,
-// gluPerspective, glFrustum, glOrtho, D3DXMatrixLookAtLH, D3DXMatrixPerspectiveFovLH and RH, D3DXMatrixOrthoOffCenterLH, and
-// what Vulkan tutorials make of them. Rows of p' = M p; D3DX documents the transposes.
+// Matrices as the manuals of the graphics interfaces print them, independent of the program's own
+// code: gluLookAt, gluPerspective, glFrustum, glOrtho, D3DXMatrixLookAtLH,
+// D3DXMatrixPerspectiveFovLH and RH, D3DXMatrixOrthoOffCenterLH, and their variants in Vulkan
+// tutorials. They are the rows of M in p' = M p; the D3DX manual documents the transposes.
 #pragma once
 
 #include <array>
@@ -73,13 +74,13 @@ inline Rows perspective_d3d_left(double fovy_radians, double aspect, double n, d
            {0, 0, f / (f - n), -n * f / (f - n)},
            {0, 0, 1, 0}}};
 }
-// GLM with depth 0 .. 1 and proj[1][1] *= -1.
+// GLM with depth from 0 to 1 and proj[1][1] *= -1.
 inline Rows perspective_vulkan(double fovy_radians, double aspect, double n, double f) {
   Rows m = perspective_d3d_right(fovy_radians, aspect, n, f);
   m[1][1] *= -1;
   return m;
 }
-// Depth 1 at the near plane, 0 at infinity.
+// Depth is 1 at the near plane and 0 at infinity.
 inline Rows perspective_reversed_infinite(double fovy_radians, double aspect, double n) {
   const double scale = 1 / std::tan(fovy_radians / 2);
   return {{{scale / aspect, 0, 0, 0}, {0, scale, 0, 0}, {0, 0, 0, n}, {0, 0, -1, 0}}};
@@ -98,7 +99,7 @@ inline Rows ortho_gl(double l, double r, double b, double t, double n, double f)
            {0, 0, -2 / (f - n), -(f + n) / (f - n)},
            {0, 0, 0, 1}}};
 }
-// D3DXMatrixOrthoOffCenterLH and RH.
+// D3DXMatrixOrthoOffCenterLH, or RH if not `left`.
 inline Rows ortho_d3d(double l, double r, double b, double t, double n, double f, bool left) {
   const double sign = left ? 1 : -1;
   return {{{2 / (r - l), 0, 0, (l + r) / (l - r)},
@@ -121,7 +122,7 @@ inline Rows translation(double x, double y, double z) {
 inline Rows scaling(double x, double y, double z) {
   return {{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}, {0, 0, 0, 1}}};
 }
-// About y, counter-clockwise seen from above.
+// Rotates about y, counter-clockwise seen from above.
 inline Rows turn_y(double degrees) {
   const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
   return {{{c, 0, s, 0}, {0, 1, 0, 0}, {-s, 0, c, 0}, {0, 0, 0, 1}}};
@@ -147,7 +148,7 @@ inline Rows transposed(const Rows& a) {
   }
   return c;
 }
-// Of a rotation and a translation.
+// The inverse of a rotation and a translation.
 inline Rows rigid_inverse(const Rows& a) {
   Rows c = identity();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +165,7 @@ inline Vector3 random_place(Random& random, double size) {
   return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }
 
-// As a program of floats has it.
+// Rounds the entries to float, as a program with float matrices has them.
 inline GivenMatrix given(const Rows& rows) {
   GivenMatrix matrix;
   matrix.given = true;

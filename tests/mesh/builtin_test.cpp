@@ -23,8 +23,8 @@ bool in_range(std::uint32_t index, std::size_t size) {
   return index == kNone || index < size;
 }
 
-// A component carries half an ulp of at most 2^-24, so the squared length is off by 2 * 2^-24 at most, and the doubles
-// it was computed in add nothing that counts.
+// A component has an error of half an ulp, at most 2^-24 / 2, so the squared length is off by at
+// most 2 * 2^-24; the errors of the doubles that it was computed in are negligible.
 bool is_unit(const Normal<Object>& n) {
   const double squared = double(n.x) * n.x + double(n.y) * n.y + double(n.z) * n.z;
   return std::abs(squared - 1) <= 0x1.001p-23;
@@ -62,7 +62,7 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
   CHECK(report.non_planar_faces == 0);
 }
 
-// Positive where a closed mesh's faces look outwards. Six times the volume.
+// Six times the volume of a closed mesh; positive if its faces look outwards.
 double signed_volume(const Mesh& mesh) {
   double sum = 0;
   for (const Triangle& t : triangulate(mesh).triangles) {
@@ -126,7 +126,7 @@ TEST_CASE(
       for (std::size_t j = 0; j < 3; ++j) CHECK(std::abs(dot(axes[i], axes[j]) - (i == j)) < 1e-15);
     }
     CHECK(dot(cross(axes[0], axes[1]), axes[2]) > 0);
-    // Some of the scene lies in front of the eye.
+    // Some of the scene is in front of the eye.
     const Box<World> box = bounds(scene);
     double nearest = 0;
     for (int i = 0; i < 8; ++i) {
@@ -142,7 +142,7 @@ TEST_CASE("closed built-in shapes are closed and look outwards") {
     CAPTURE(name);
     const Scene scene = *make_builtin(name);
     const Mesh& mesh = scene.meshes[0];
-    const Topology topology = find_topology(mesh);  // by index: nothing needs welding
+    const Topology topology = find_topology(mesh);  // by index: no welding is needed
     CHECK(topology.closed());
     CHECK(topology.euler_characteristic() == 2);
     CHECK(topology.genus() == 0u);
@@ -167,16 +167,18 @@ TEST_CASE("the teapot is watertight at every level but for the model's own borde
     const Mesh mesh = tessellate_teapot(level);
     const auto n = std::uint32_t(level);
     const Topology topology = find_topology(mesh);
-    // Rim, lid and handle four curves each; two at each end of the spout.
+    // The rim, the lid and the handle have four boundary curves each, each end of the spout has
+    // two.
     CHECK(topology.boundary_edges == 16 * n);
     CHECK(topology.non_manifold_edges == 0);
     CHECK(topology.inconsistent_edges == 0);
     CHECK(topology.pinched_vertices ==
           1);                         // the handle's lower end touches the body at (-2, 0.9, 0)
     CHECK(topology.components == 4);  // body, handle, spout, lid
-    // Welding by place finds nothing that indices did not: no two positions are the same.
+    // Welding by position merges nothing more: no two positions are the same.
     CHECK(find_topology(mesh, Weld::kByPlace).vertices == topology.vertices);
-    // Two triangles a cell, one in the first row of the eight patches that start in a point.
+    // Two triangles for each cell, but one in the first row of the eight patches that start in a
+    // point.
     CHECK(mesh.faces.size() == 32 * 2 * n * n - 8 * n);
     CHECK(triangulate(mesh).triangles.size() == mesh.faces.size());
     CHECK(signed_volume(mesh) > 0);

@@ -59,7 +59,7 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
     Points points = kCubeCorners;
     points[7] = {1, 1, 1.25f};
     const MeshReport report = check(make_mesh(points, kCubeFaces));
-    // The corner moves within the planes of the two other sides that it belongs to.
+    // The corner moves within the planes of the two other faces that it belongs to.
     CHECK(report.non_planar_faces == 1);
     CHECK(report.worst_planarity_face == 5);
     CHECK(report.worst_planarity_deviation > 0.05);
@@ -74,7 +74,8 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
     CHECK(report.degenerate_faces == 1);
     CHECK(report.unused_positions == 1);
     CHECK(report.euler_characteristic == 2);
-    CHECK(report.bounds.high == Point<Object, double>(1, 1, 1));  // what is not drawn has no extent
+    // Positions that are not drawn do not count.
+    CHECK(report.bounds.high == Point<Object, double>(1, 1, 1));
     CHECK_FALSE(report.clean());
   }
   SECTION("an outline that crosses itself") {
@@ -87,7 +88,7 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
 }
 
 TEST_CASE("flat faces stay flat when their corners are rounded to floats") {
-  // A tilted hexagon far from the origin: the corners are up to half an ulp off the plane.
+  // A tilted hexagon far from the origin: its corners are up to half an ulp off the plane.
   Points points;
   for (const auto& [x, y] :
        {std::array{2.0, 0.0}, std::array{1.0, 1.7}, std::array{-1.0, 1.7}, std::array{-2.0, 0.0},
@@ -103,7 +104,7 @@ TEST_CASE("the box of a turned object is the box of its turned positions") {
   line.lines.push_back({Corner{0}, Corner{1}});
   Scene scene;
   scene.meshes.push_back(line);
-  Node quarter_turn;  // x -> y -> -x, then 10 along x
+  Node quarter_turn;  // x becomes y, y becomes -x; then a translation by 10 along x
   quarter_turn.world_from_node.at(0, 0) = 0;
   quarter_turn.world_from_node.at(0, 1) = -1;
   quarter_turn.world_from_node.at(0, 3) = 10;
@@ -115,7 +116,8 @@ TEST_CASE("the box of a turned object is the box of its turned positions") {
   CHECK(bounds(scene).low == Point<World, double>(9, 0, 0));
   CHECK(bounds(scene).high == Point<World, double>(10, 1, 0));
 
-  // Turned by 45 degrees the line stands upright and has no width; its box's corners would have some.
+  // Turned by 45 degrees, the line is upright and has no width, while the turned corners of its box
+  // would give it some.
   const double half = 0.7071067811865476;
   Node eighth;
   eighth.world_from_node.at(0, 0) = half;

@@ -1,4 +1,4 @@
-// Small glTF files made in memory: a JSON document and the bytes of its one buffer.
+// Builds small glTF files in memory: a JSON document and the bytes of its only buffer.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct GltfBuilder {
   json document = {{"asset", {{"version", "2.0"}}}};
   Bytes binary;
 
-  // Appends the numbers to the buffer; the index of their buffer view.
+  // Appends the numbers to the buffer. Returns the index of their buffer view.
   template <class T>
   std::size_t view(const std::vector<T>& numbers, std::size_t stride = 0) {
     while (binary.size() % 4 != 0) binary.push_back(std::byte(0));
@@ -38,7 +38,7 @@ struct GltfBuilder {
     return document["bufferViews"].size() - 1;
   }
 
-  // An accessor over a view; `more` adds properties or replaces them.
+  // Adds an accessor of a view; `more` adds properties to it or replaces them. Returns its index.
   std::size_t accessor(std::size_t view, int component_type, const char* type, std::size_t count,
                        const json& more = json::object()) {
     json described = {
@@ -52,14 +52,14 @@ struct GltfBuilder {
     return accessor(view(numbers), 5126, type, numbers.size() / width);
   }
 
-  // A mesh of one primitive, on a node, in the scene.
+  // Adds a mesh of one primitive, and a node of the scene that draws it. Returns the primitive.
   json& primitive(const json& described) {
     document["meshes"].push_back({{"primitives", {described}}});
     document["nodes"].push_back({{"mesh", document["meshes"].size() - 1}});
     return document["meshes"].back()["primitives"][0];
   }
 
-  // Positions of one triangle and the primitive that draws them.
+  // Adds the positions of one triangle and a primitive that draws them. Returns the primitive.
   json& triangle() {
     const std::size_t positions = floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", 3);
     return primitive({{"attributes", {{"POSITION", positions}}}});
@@ -95,7 +95,7 @@ struct GltfBuilder {
   }
 };
 
-// The message of the error, or "" where there is none.
+// The message of the error, or "" if there is none.
 inline std::string error_of(const Result<Scene>& scene) {
   return scene ? std::string() : scene.error().message();
 }

@@ -1,4 +1,4 @@
-// Light that surfaces emit, from glTF and back.
+// The emission of surfaces, read from glTF and written to it.
 #include <array>
 
 #include <glassbox/images/write.h>
@@ -21,7 +21,7 @@ Scene loaded(const GltfBuilder& builder) {
   return std::move(*scene);
 }
 
-// A triangle with one set of texture coordinates and two textures of one texel.
+// A triangle with this material, one set of texture coordinates and two textures of one texel.
 GltfBuilder with_material(const json& material) {
   GltfBuilder b;
   json& primitive = b.triangle();

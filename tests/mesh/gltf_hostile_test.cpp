@@ -1,4 +1,5 @@
-// Files that lie: every one gives an error that names the place, and none crashes or takes memory out of proportion.
+// glTF files with wrong numbers: each gives an error that names the place, and none crashes the
+// loader or makes it allocate memory out of proportion.
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -21,7 +22,7 @@ void write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-// A file with everything that has offsets, counts and indices.
+// A file that has every kind of offset, count and index.
 GltfBuilder rich() {
   GltfBuilder b;
   json& primitive = b.triangle();
@@ -201,7 +202,7 @@ TEST_CASE("cycles, self children, two parents, deep chains and bad matrices are 
   deeper.max_node_depth = 10000;
   CHECK(mentions(chain({1, 1, 1}, {}), "node 1024: is nested deeper than 1024 levels"));
   CHECK(chain({1, 1, 1}, deeper).empty());
-  // The scale of node n is 2^(n + 1), and 2^1024 is no double.
+  // The scale of node n is 2^(n + 1), and 2^1024 overflows a double.
   CHECK(mentions(chain({2, 2, 2}, deeper),
                  "node 1023: its matrix in the world has numbers that are not finite"));
 }
@@ -248,7 +249,8 @@ TEST_CASE("JSON that is no glTF is refused with its place") {
                  "nested deeper than 256"));
   CHECK(mentions(error("{\"asset\":{\"version\":\"2.0\"},\"nodes\":3}"),
                  "nodes: is not a JSON array"));
-  // A number that is beyond double, as an infinity is written: the parser quotes it, and knows no place.
+  // 1e999 overflows a double: the parser quotes it with its line and column, but does not know
+  // which property it belongs to.
   CHECK(mentions(
       error("{\"asset\":{\"version\":\"2.0\"},\n  \"nodes\":[{\"translation\":[1e999,0,0]}]}"),
       "JSON, line 2, column 28: number overflow parsing '1e999'"));
@@ -310,7 +312,7 @@ TEST_CASE("the last element of a matrix accessor has no padding after its last c
   struct Case {
     const char* type;
     int component_type;
-    std::size_t bytes;  // of two elements
+    std::size_t bytes;  // size of two elements
   };
   // glTF 2.0, section 3.6.2.4: columns start at multiples of four bytes.
   for (const Case& c : {Case{"MAT2", 5121, 14},
@@ -354,8 +356,8 @@ TEST_CASE("real and malformed files meet their verdicts with work that is bounde
     const auto scene = load_gltf(path.string());
     const Allocations after = allocations();
     CAPTURE(columns[0], verdict, error_of(scene));
-    // Twice what the largest of them takes, a small file that draws one mesh many times. What is refused is refused on
-    // reading it.
+    // For a file that loads: twice the most that any of these files takes (a small one that draws
+    // one mesh many times). A file that is refused is refused while it is read.
     CHECK(after.bytes - before.bytes <
           (scene ? 256u << 20 : (1u << 20) + 100 * std::filesystem::file_size(path)));
     CHECK(after.calls - before.calls < (scene ? 60000 : 10000));

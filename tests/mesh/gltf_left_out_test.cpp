@@ -1,4 +1,4 @@
-// What a glTF file asks for is drawn, or named: once for each kind, with its count.
+// All that a glTF file describes is drawn or named by a warning: one for each kind, with its count.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -25,7 +25,8 @@ std::vector<std::string> warnings_of(const GltfBuilder& builder) {
   return scene->warnings;
 }
 
-// Textures of one kind of name, without an image: materials may refer to them.
+// Triangles with `materials` copies of this material, and a texture without an image that it may
+// refer to.
 GltfBuilder textured(const json& material, int materials) {
   GltfBuilder b;
   b.document["textures"] = json::array({json::object()});
@@ -36,7 +37,7 @@ GltfBuilder textured(const json& material, int materials) {
   return b;
 }
 
-// The warnings of the scene are these, in any order.
+// Checks that the scene has exactly these warnings, in any order.
 void check_warnings(const GltfBuilder& builder, std::multiset<std::string> expected) {
   const auto found = warnings_of(builder);
   CHECK(std::multiset<std::string>(found.begin(), found.end()) == expected);
@@ -71,8 +72,8 @@ TEST_CASE("animations are counted, and skins that stand in the pose of their nod
   b.document["nodes"] = {{{"mesh", 0}, {"skin", 0}}, json::object()};
   const json one = json::array({json::object()});
   b.document["animations"] = {{{"channels", one}, {"samplers", one}}, {{"channels", one}}};
-  check_warnings(b, {"2 animations are not played: everything stands as the file places it",
-                     "1 skin stands in the pose of its nodes"});
+  check_warnings(b, {"2 animations are not played: everything is drawn where the file places it",
+                     "1 skin is drawn in the pose of its nodes"});
   b.document["nodes"][0].erase("skin");
   b.document.erase("animations");
   check_warnings(b, {"vertex attributes are not drawn: JOINTS_0 (1 primitive), WEIGHTS_0 (1 "
@@ -105,9 +106,9 @@ TEST_CASE("what stands outside the scene that is drawn is counted, and cameras b
   b.document["nodes"].push_back({{"camera", 0}});
   b.document["nodes"].push_back({{"camera", 2}});
   b.document["scenes"] = {{{"nodes", {0, 2, 3}}}, {{"nodes", json::array({1})}}};
-  check_warnings(b, {"2 cameras: a picture is taken through the first, unless another is asked for",
-                     "in the file, but not in the scene that is drawn: 1 scene, 1 node that "
-                     "carries something, 1 mesh, 1 camera"});
+  check_warnings(b, {"2 cameras: the first one is used, unless another one is chosen",
+                     "in the file, but not in the scene that is drawn: 1 scene, 1 node with a "
+                     "mesh, camera or light, 1 mesh, 1 camera"});
 }
 
 TEST_CASE("an extension that is not known is named with its places, listed by the file or not") {
@@ -188,7 +189,7 @@ TEST_CASE("in real files nothing is neither drawn nor named, by an independent r
     const std::string extension = entry.path().extension().string();
     if (extension != ".gltf" && extension != ".glb") continue;
     const auto scene = load_gltf(entry.path().string());
-    if (!scene) continue;  // an error is not silent
+    if (!scene) continue;  // the loader has reported an error
     ++files;
     const json document = document_of(entry.path());
     for (const Wish& wish : wishes_of(document)) {
@@ -202,5 +203,5 @@ TEST_CASE("in real files nothing is neither drawn nor named, by an independent r
     }
   }
   CHECK(files > 50);
-  CHECK(wishes > 10);  // most of them ask for nothing that is not drawn
+  CHECK(wishes > 10);  // few: most files describe nothing that is not drawn
 }

@@ -1,4 +1,4 @@
-// What glTF files may say, and what becomes of it.
+// The contents that glTF files may have, and the scenes that are loaded from them.
 #include <array>
 #include <cmath>
 
@@ -25,7 +25,7 @@ std::array<std::uint32_t, 3> face_positions(const Mesh& mesh, std::size_t face) 
   return {c[0].position, c[1].position, c[2].position};
 }
 
-// Puts three texture coordinates and a material with a one-texel texture on a triangle.
+// A triangle with three texture coordinates and a material with a one-texel texture.
 GltfBuilder textured_triangle(const json& texture_info) {
   GltfBuilder b;
   json& primitive = b.triangle();
@@ -178,7 +178,7 @@ TEST_CASE(
     "scale") {
   GltfBuilder b;
   b.triangle();
-  // A quarter turn about z as an unnormalised quaternion, negative and zero scale.
+  // A quarter turn about z as an unnormalized quaternion, with a negative scale and a zero scale.
   b.document["nodes"] = {
       {{"children", {1}},
        {"translation", {0.1, 1e10, 3}},
@@ -287,7 +287,7 @@ TEST_CASE("metallic-roughness materials become the Blinn-Phong ones that load.h 
   CHECK(gold.alpha_mode == AlphaMode::kMask);
   CHECK(gold.alpha_cutoff == 0.25f);
   CHECK(gold.double_sided);
-  // (0.2 / 2 + 1 / 2) / 4, and 2 / 0.5^4 - 2
+  // The expected values are (0.2 / 2 + 1 / 2) / 4 and 2 / 0.5^4 - 2.
   CHECK(gold.specular[0] == float(0.6 * 0.25));
   CHECK(gold.shininess == 30);
   CHECK(scene.materials[1].unlit);
@@ -306,7 +306,8 @@ TEST_CASE("the base colour texture brings its image, its sampler and the coordin
 }
 
 TEST_CASE("KHR_texture_transform is baked into the coordinates, its own set included") {
-  // A quarter turn counter-clockwise on the image as seen: (u, v) -> (v, -u), after the scale and before the offset.
+  // A quarter turn counter-clockwise as seen in the image: (u, v) becomes (v, -u), after the scale
+  // and before the offset.
   const json transform = {
       {"offset", {10, 20}}, {"scale", {2, 4}}, {"rotation", kHalfPi}, {"texCoord", 0}};
   const Scene scene = loaded(textured_triangle(
@@ -320,7 +321,7 @@ TEST_CASE("KHR_texture_transform is baked into the coordinates, its own set incl
 TEST_CASE(
     "a missing set of texture coordinates and an image in an unsupported format are warnings") {
   const Scene scene = loaded(textured_triangle({{"index", 0}, {"texCoord", 5}}));
-  REQUIRE(scene.warnings.size() == 2);  // and the sets that are there are not drawn
+  REQUIRE(scene.warnings.size() == 2);  // and the texture coordinate sets that exist are not used
   CHECK(mentions(scene.warnings[1], "has a texture but no TEXCOORD_5"));
   CHECK(scene.meshes[0].texcoords.empty());
   GltfBuilder b = textured_triangle({{"index", 0}});
@@ -339,7 +340,7 @@ TEST_CASE("normals are made unit length, and those without direction are left ou
   const Mesh& mesh = scene.meshes[0];
   CHECK(mesh.normals[0] == Normal<Object>(0, 0, 1));
   CHECK(mesh.normals[2] ==
-        Normal<Object>(0.6f, 0.8f, 0));  // unit to within rounding: kept bit by bit
+        Normal<Object>(0.6f, 0.8f, 0));  // a unit vector up to rounding is kept bit by bit
   CHECK(mesh.corners[0].normal == 0);
   CHECK(mesh.corners[1].normal == kNone);
   REQUIRE(scene.warnings.size() == 1);

@@ -1,4 +1,5 @@
-// What a glTF file asks a picture to show, read from its JSON without the loader: a second opinion on what is left out.
+// Lists what a glTF file describes from its JSON, without the loader: an independent check that the
+// loader reports all that it leaves out.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 
 namespace glassbox::test {
 
-// The JSON of a .gltf file, or of a GLB's first chunk.
+// The JSON of a .gltf file, or that of the first chunk of a GLB file.
 inline nlohmann::json document_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -31,7 +32,7 @@ inline nlohmann::json document_of(const std::filesystem::path& path) {
   return nlohmann::json::parse(bytes);
 }
 
-// One kind of thing, and how many there are.
+// A kind of thing that a file describes, and how many of it there are.
 struct Wish {
   std::string what;
   std::size_t count = 0;
@@ -163,7 +164,7 @@ inline std::vector<Wish> wishes_of(const nlohmann::json& document) {
   return WishReader(document).wishes();
 }
 
-// Whether the scene has it, as often as the file, or a warning has its name and count.
+// Whether the scene has as many of them as the file, or a warning gives their name and count.
 inline bool is_drawn_or_named(const Wish& wish, const Scene& scene) {
   const auto named = [&](const std::string& part) {
     return std::ranges::any_of(scene.warnings, [&](const std::string& warning) {
@@ -188,7 +189,8 @@ inline bool is_drawn_or_named(const Wish& wish, const Scene& scene) {
     return named(wish.what.substr(10) + " (" + n + " primitive" + s + ")");
   }
   if (wish.what == "animation") return named(n + " animation" + s);
-  if (wish.what == "skin") return named(n + " skin" + s + " stand");
+  if (wish.what == "skin")
+    return named(n + " skin" + s + (wish.count == 1 ? " is drawn" : " are drawn"));
   if (wish.what == "camera") {
     return scene.cameras.size() == wish.count && (wish.count == 1 || named(n + " cameras"));
   }

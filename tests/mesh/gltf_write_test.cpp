@@ -1,4 +1,4 @@
-// Scenes written and read back: what is drawn comes back bit by bit.
+// Scenes written to glTF and read back: all that is drawn comes back bit by bit.
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -46,7 +46,7 @@ void append_corner(Bytes& bits, const Mesh& mesh, const Corner& c) {
   for (const float f : {t.u, t.v, color.r, color.g, color.b, color.a}) append_bits(bits, f);
 }
 
-// All that is drawn of one instance, in order.
+// The bits of all that is drawn of one instance, in order.
 Bytes drawn_bits(const Mesh& mesh) {
   Bytes bits;
   for (const Triangle& triangle : triangulate(mesh).triangles) {
@@ -60,8 +60,8 @@ Bytes drawn_bits(const Mesh& mesh) {
   return bits;
 }
 
-// Each drawn thing as one string of bytes: where, with what material, which corners. Instances are joined, since a mesh
-// may come back in parts.
+// Each drawn thing as one string of bytes: its position, its material and its corners. Instances
+// are joined, since a mesh may come back in parts.
 Bytes drawn_bits(const Scene& scene) {
   Bytes bits;
   for (const Instance& instance : scene.instances) {
@@ -219,7 +219,7 @@ TEST_CASE("a scene of every kind of thing comes back bit by bit from a GLB") {
   CHECK(drawn_bits(scene) == drawn_bits(read));
   CHECK(read.name == "mixed");
   check_same_looks(scene, read);
-  // Each mesh comes back in five parts: faces with and without normals, lines, points.
+  // Each mesh comes back in four parts: faces with normals, faces without, lines, points.
   REQUIRE(read.instances.size() == 12);
   CHECK(read.nodes[read.instances[4].node].world_from_node == scene.nodes[0].world_from_node);
   CHECK(read.nodes[read.instances[8].node].world_from_node == scene.nodes[1].world_from_node);

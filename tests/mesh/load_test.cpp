@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that goes when the test does.
+// A folder that is removed when the test ends.
 class TemporaryFolder {
 public:
   TemporaryFolder() : path_(fs::temp_directory_path() / "glassbox_load_test") {

@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<Point<Object>>;
 
-// S4.33 as printed: the sums over the raw coordinates.
+// Newell's sums over the raw coordinates, as printed on the slide (S4.33).
 template <class T>
 Vector<Object, T> raw_newell(const std::vector<Point<Object, T>>& p) {
   Vector<Object, T> m(T(0), T(0), T(0));
@@ -23,7 +23,7 @@ Vector<Object, T> raw_newell(const std::vector<Point<Object, T>>& p) {
   return m;
 }
 
-// S4.32 as printed.
+// The cross product as printed on the slide (S4.32).
 template <class T>
 Vector<Object, T> slide_cross(const std::vector<Point<Object, T>>& p) {
   return cross(p[0] - p[1], p[2] - p[1]);
@@ -38,7 +38,7 @@ ExactVector exact_newell(const Points& points) {
   return newell_vector<Rational>(std::span<const ExactPoint>(p));
 }
 
-// A regular octagon of circumradius 1, tilted, about (offset, offset, offset).
+// A tilted regular octagon of circumradius 1 about (offset, offset, offset).
 Points octagon(double offset) {
   Points points;
   for (int i = 0; i < 8; ++i) {
@@ -59,7 +59,7 @@ TEST_CASE("the cross product and Newell's sums point to the same side of a face 
   CHECK(face_normal(square, square.faces[0]) == Normal<Object>(0, 0, 1));
   CHECK(face_area(square, square.faces[0]) == 1);
 
-  // The trap: the product printed on the slide faces the other way, and the square would be culled.
+  // The trap: the product on the slide points the other way, so the square would be culled.
   CHECK(slide_cross(kUnitSquare) == Vector<Object>(0, 0, -1));
 }
 
@@ -93,7 +93,8 @@ TEST_CASE("Newell's vector in double is within its running error bound of the ra
     const Mesh mesh = make_polygon(points);
     const Vector<Object, double> m = newell_vector(mesh, mesh.faces[0]);
     const ExactVector oracle = exact_newell(points);
-    // SPEC C, generic bound 6, for z: gamma_(N+3) sum |x_i - x_n| |y_i + y_n| relative to the first corner.
+    // The bound of Newell's sums, for z: gamma_(N+3) sum |x_i - x_n| |y_i + y_n|, with coordinates
+    // relative to the first corner.
     double sum = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto a = points[i], b = points[(i + 1) % points.size()], o = points[0];
@@ -127,7 +128,8 @@ TEST_CASE(
         angle_between(truth, widened(three_point_normal(points[0], points[1], points[2])));
     newell_error += angle_between(truth, newell_vector(mesh, mesh.faces[0]));
   }
-  // The cross product errs by about noise / bend = 1 rad; Newell's vector by about the noise over the polygon's size.
+  // The cross product errs by about noise / bend = 1 rad; Newell's vector by about the noise over
+  // the polygon's size.
   CHECK(cross_error / kTrials > 0.3);
   CHECK(newell_error / kTrials < 2 * noise);
 }
@@ -140,8 +142,8 @@ TEST_CASE(
     const Vector<Object, double> truth = rounded(exact_newell(points));
     const double error =
         angle_between(truth, widened(newell_vector<float>(std::span<const Point<Object>>(points))));
-    CHECK(error <= 2e-7);  // rad, in float arithmetic; SPEC C-22
-    // The trap: raw coordinates.
+    CHECK(error <= 2e-7);  // radians, in float arithmetic (C-22)
+    // The trap: sums over raw coordinates.
     const double raw_error = angle_between(truth, widened(raw_newell(points)));
     if (offset == 1e4) CHECK(raw_error > 2e-4);
     if (offset == 1e6) CHECK(raw_error > 0.02);
@@ -172,7 +174,8 @@ TEST_CASE(
     const Mesh mesh = make_polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}});
     const double lift = h;
     CHECK(newell_vector(mesh, mesh.faces[0]) == Vector<Object, double>(-lift, -lift, 2));
-    // (h/2) / sqrt(4 + 2 h^2), which is h/4 to first order; four roundings on the way.
+    // The expected sine is (h/2) / sqrt(4 + 2 h^2), which is h/4 to first order; four roundings
+    // occur.
     const double expected = lift / 2 / std::sqrt(4 + 2 * lift * lift);
     CHECK(std::abs(planarity_deviation(mesh, mesh.faces[0]) - expected) <= 0x1p-50 * lift);
   }
@@ -193,7 +196,7 @@ TEST_CASE("the angle between vectors is right where the arccosine is not (S4-14)
   CHECK(angle_between(V(0, 0, 0), V(1, 0, 0)) == 0);
   CHECK(dot(V(1, 0, 0), V(1, 3, 0)) > 0);   // acute
   CHECK(dot(V(1, 0, 0), V(-1, 3, 0)) < 0);  // obtuse
-  // arctan(1e-9) = 1e-9 - 1e-27/3; cos(1e-9) is 1 in double, so that its arccosine would be 0.
+  // arctan(1e-9) = 1e-9 - 1e-27/3. In double cos(1e-9) is 1, so an arccosine would give 0.
   CHECK(std::abs(angle_between(V(1, 0, 0), V(1, 1e-9, 0)) - 1e-9) <= 1e-24);
 }
 

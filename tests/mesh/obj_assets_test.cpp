@@ -1,4 +1,4 @@
-// Real OBJ files, with tinyobjloader as the second opinion on what they say.
+// Real OBJ files, whose contents are compared with what tinyobjloader reads from them.
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Listed {
 
 const std::string kManifest = GLASSBOX_ASSETS_DIR "/MANIFEST.tsv";
 
-// The OBJ files of the manifest under a prefix.
+// The OBJ files of the manifest whose paths begin with a prefix.
 std::vector<Listed> listed(const std::string& prefix) {
   std::vector<Listed> files;
   std::ifstream manifest(kManifest);
@@ -45,7 +45,7 @@ std::string full_path(const Listed& file) {
   return (fs::path(GLASSBOX_ASSETS_DIR) / file.path).string();
 }
 
-// Triangles after triangulation, if no face is degenerate.
+// The number of triangles after triangulation if no face is degenerate.
 std::size_t triangles(const Scene& scene) {
   std::size_t count = 0;
   for (const Mesh& mesh : scene.meshes) {
@@ -54,7 +54,8 @@ std::size_t triangles(const Scene& scene) {
   return count;
 }
 
-// A corner as numbers, so that scenes of different arrangement can be compared as sorted lists.
+// A corner as numbers, so that scenes that are arranged differently can be compared as sorted
+// lists.
 using CornerValues = std::array<float, 8>;
 using FaceValues = std::vector<CornerValues>;
 
@@ -86,7 +87,7 @@ std::vector<FaceValues> faces_of(const tinyobj::attrib_t& attributes,
         const tinyobj::index_t index = shape.mesh.indices[next++];
         const float* const p = &attributes.vertices[3 * std::size_t(index.vertex_index)];
         CornerValues corner{p[0], p[1], p[2], 0, 0, 0, 0, 0};
-        // It does not check indices against the tables.
+        // tinyobjloader does not check indices against the tables.
         const auto in = [](int i, const std::vector<float>& table, std::size_t width) {
           return i >= 0 && std::size_t(i) < table.size() / width;
         };
@@ -112,11 +113,11 @@ std::vector<FaceValues> faces_of(const tinyobj::attrib_t& attributes,
   return faces;
 }
 
-// tinyobjloader sums decimal digits in double, which is off by some 2^-50 of the number, so that a
-// position or texture coordinate can round to the neighbour of the nearest float: one ulp, 2^-23 of
-// the number (2^-149 near zero). A normal's components may each move by that and then share the
-// rounded length: 4 ulps of a number up to 1. Turning v around and back rounds it at most to
-// 2^-23 of max(1, |v|).
+// tinyobjloader sums decimal digits in double, with an error of about 2^-50 of the number, so a
+// position or texture coordinate may be rounded to the float next to the nearest: one ulp, 2^-23 of
+// the number (2^-149 near zero). The components of a normal may each move by that and are then
+// divided by the rounded length: 4 ulps of a number up to 1. Flipping v and flipping it back rounds
+// it by at most 2^-23 of max(1, |v|).
 bool same(const CornerValues& a, const CornerValues& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double size =
@@ -143,7 +144,7 @@ TEST_CASE("OBJ real files: each loads with the triangles that the manifest lists
                    << "): " << (scene ? std::string("loaded") : scene.error().message()));
     if (!file.verdict.starts_with("render")) continue;
     REQUIRE(scene);
-    // The manifest takes the words of this file's comments for corners.
+    // The manifest counted words in this file's comments as corners.
     const bool commented = file.path.ends_with("cube_with_materials_comments.obj");
     const std::string counts = commented ? "12" : file.counts;
     CHECK(triangles(*scene) == std::size_t(std::atoll(counts.c_str())));
@@ -179,8 +180,8 @@ TEST_CASE("OBJ real files: faces are those that tinyobjloader finds") {
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
     const std::string directory = fs::path(full_path(file)).parent_path().string();
-    // Not triangulated, without colours. It reads no comments after a statement: those files are
-    // its error, or give corners of index 0.
+    // Read without triangulation and without colours. tinyobjloader does not read comments after a
+    // statement: it refuses such files, or gives corners of index 0.
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error,
                           full_path(file).c_str(), directory.c_str(), false, false)) {
       continue;
@@ -193,7 +194,7 @@ TEST_CASE("OBJ real files: faces are those that tinyobjloader finds") {
     CHECK(same_faces(ours, theirs));
     ++compared;
   }
-  // All but the few that one of the two refuses.
+  // All but the few files that one of the two loaders refuses.
   CHECK(compared >= files.size() - files.size() / 10);
 }
 
@@ -202,7 +203,7 @@ TEST_CASE("OBJ real files: textures and materials arrive") {
   if (!fs::exists(folder)) SKIP_TEST("no assets at " << folder.string());
   const auto spider = load_obj((folder / "assimp/spider.obj").string());
   REQUIRE(spider);
-  // It defines five materials and uses four.
+  // The file defines five materials and uses four.
   CHECK(spider->materials.size() == 4);
   CHECK(spider->images.size() == 4);
   CHECK(spider->materials[0].texture);

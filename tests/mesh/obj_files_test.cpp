@@ -28,8 +28,7 @@ std::string tga(int width, int height, char blue) {
   return bytes;
 }
 
-// A directory "scene" with files, and its parent with files that must not be read; removed at the
-// end.
+// A directory "scene" with files, whose parent has files that must not be read. Removed at the end.
 class Folder {
 public:
   Folder() {
@@ -52,7 +51,7 @@ public:
   Result<Scene> load(const LoadLimits& limits = {}) const {
     return load_obj(path("a.obj").string(), limits);
   }
-  // Loads a triangle with this line before it.
+  // Loads a triangle that has this line before it.
   Scene load_with(const std::string& line, const LoadLimits& limits = {}) const {
     write("a.obj", line + "\n" + kTriangle + "usemtl m\nf 1/1 2/2 3/2\n");
     auto scene = load(limits);
@@ -92,7 +91,7 @@ TEST_CASE("OBJ files: libraries and textures beside the file are read") {
   REQUIRE(scene.textures.size() == 1);
   CHECK(scene.textures[0].sampler == Sampler{});
   CHECK(scene.materials[0].texture == 0u);
-  // (u, v) to (2 u + 0.5, 1 - (4 v + 0.25)).
+  // (u, v) becomes (2 u + 0.5, 1 - (4 v + 0.25)).
   CHECK(scene.meshes[0].texcoords[0] == TexCoord{0.5f, 0.75f});
   CHECK(scene.meshes[0].texcoords[1] == TexCoord{2.5f, -0.25f});
 }
@@ -149,7 +148,7 @@ TEST_CASE(
   CHECK(alone.materials[0].emission == std::array<float, 3>{1, 1, 1});
   CHECK(alone.materials[0].emission_texture == 0u);
   CHECK_FALSE(alone.materials[0].texture);
-  CHECK(alone.meshes[0].texcoords[1] == TexCoord{2, 0});  // v is 0.25
+  CHECK(alone.meshes[0].texcoords[1] == TexCoord{2, 0});  // v is 0.25 in the file
   folder.write("a.mtl", "newmtl m\nKe 3 0 0\nmap_Kd -s 2 4 p.tga\nmap_Ke -s 2 4 q.tga\n");
   const Scene both = folder.load_with("mtllib a.mtl");
   CHECK(both.materials[0].emission == std::array<float, 3>{3, 0, 0});
@@ -179,7 +178,8 @@ TEST_CASE("OBJ files: nothing outside the file's directory is read") {
     CAPTURE(name);
     const Scene scene = folder.load_with("mtllib " + name);
     CHECK_FALSE(has_material(scene));
-    CHECK(scene.warnings.size() == 2);  // the library, and the material it would have defined
+    // One for the library, one for the material that it would have defined.
+    CHECK(scene.warnings.size() == 2);
   }
   folder.write("a.mtl", "newmtl m\nmap_Kd ../secret.tga\n");
   const Scene scene = folder.load_with("mtllib a.mtl");

@@ -19,7 +19,7 @@ Scene load(const std::string& obj) {
   return std::move(*scene);
 }
 
-// The message of the error, which must be one line.
+// The message of the error; it must be one line.
 std::string refusal(const std::string& obj, const LoadLimits& limits = {}) {
   const auto scene = load_obj_memory(obj, "", limits);
   INFO(obj.substr(0, 400));
@@ -41,7 +41,7 @@ bool warns_of(const Scene& scene, const std::string& part) {
   return false;
 }
 
-// Positions of the corners of a face, in its order.
+// The positions of a face's corners, in order.
 std::vector<Point<Object>> outline(const Mesh& mesh, std::size_t face) {
   std::vector<Point<Object>> points;
   for (std::uint32_t i = 0; i < mesh.faces[face].count; ++i) {
@@ -110,7 +110,8 @@ TEST_CASE("OBJ: spacing, line ends, comments and continued lines do not matter")
 }
 
 TEST_CASE("OBJ: every decimal notation gives the nearest float") {
-  // The last two: halfway between 1 and its successor (to even), and one digit above (up).
+  // The last two numbers: one halfway between 1 and its successor, which is rounded to even, and
+  // one a digit above it, which is rounded up.
   const Scene scene = load(
       "v .5 5. +1.5\nv -.5 1e2 1E-2\nv +1.5e+1 1e-60 -1e-60\nv 0.1 1e-45 3.4028235e38\n"
       "v 1.000000059604644775390625 1.0000000596046447753906251 000000000000000000000000001\nf 1 2 "
@@ -228,9 +229,9 @@ TEST_CASE("OBJ: what can be done without is left out with a warning") {
   CHECK(warns_of(load(kSquare + "f 1 2 3\nl 1\np\n"), "2 lines or points"));
   CHECK(warns_of(load(kSquare + "cstype bezier\nend\nf 1 2 3\n"), "2 statements of free-form"));
   CHECK(warns_of(load(kSquare + "xyzzy 1\nf 1 2 3\n"), "'xyzzy'"));
-  CHECK(warns_of(load(kSquare + "f 1 2 3\n"), "1 of 4 vertices are used by nothing"));
+  CHECK(warns_of(load(kSquare + "f 1 2 3\n"), "1 of 4 vertices are not used"));
   CHECK(warns_of(load(kSquare + "v 3.1+e2 0 0\nv 1\nf 1 2 3 4\n"),
-                 "2 vertices that nothing uses do not have three numbers (first in line 5)"));
+                 "2 unused vertices do not have three numbers (first in line 5)"));
   CHECK(load(kSquare + "s 1\ns off\nf 1 2 3 4\n").warnings.empty());
 }
 
@@ -272,7 +273,7 @@ TEST_CASE("OBJ: an index that names nothing is an error with its line") {
     CHECK(
         contains(refusal(kSquare + "vt 0 0\nvn 0 0 1\nf 1 2 " + bad + "\nf 1 2 3\n"), "line 7: "));
   }
-  // Inside a continued line, its first line counts.
+  // The number of a continued line is that of its first line.
   CHECK(contains(refusal(kSquare + "f 1 2 \\\n\\\n 9\n"), "line 5: names vertex 9"));
   CHECK(contains(refusal("vt 0 0\nf 1/1 1/1 1/1\n"), "line 2: names vertex 1"));
 }
@@ -298,7 +299,7 @@ TEST_CASE("OBJ: limits hold") {
 }
 
 TEST_CASE("OBJ: long lines, long names and a million odd lines take linear time and few warnings") {
-  // A quadratic step anywhere would take hours here.
+  // A loader with quadratic running time would take hours here.
   std::string text = kSquare + "# " + std::string(10'000'000, 'x') + "\n";
   text += "o " + std::string(1'000'000, 'n') + "\n";
   for (int i = 0; i < 50'000; ++i) text += "g " + std::to_string(i) + "\nf 1 2 3\n";

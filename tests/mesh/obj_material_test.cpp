@@ -8,7 +8,7 @@
 namespace glassbox {
 namespace {
 
-// The material that "m" is with this MTL text after "newmtl m".
+// The material "m" when this MTL text follows "newmtl m".
 Material material(const std::string& statements) {
   const auto scene = load_obj_memory("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n",
                                      "newmtl m\n" + statements + "\n");
@@ -44,7 +44,7 @@ TEST_CASE("MTL: what a surface emits may be brighter than white, and unlit ones 
   CHECK(material("").emission == Rgb{0, 0, 0});
   CHECK(material("Ke nan 0 0").emission == Rgb{0, 0, 0});
   CHECK(material("Ke 1 1 1\nillum 0").emission == Rgb{0, 0, 0});
-  // A texture that is not there: without it all of the surface would shine.
+  // The texture is missing: without it the whole surface would emit light.
   CHECK(material("Ke 1 1 1\nmap_Ke a.png").emission == Rgb{0, 0, 0});
 }
 

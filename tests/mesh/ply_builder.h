@@ -1,4 +1,4 @@
-// PLY files made in memory, in any of the three formats.
+// Builds PLY files in memory in each of the three formats.
 #pragma once
 
 #include <algorithm>
@@ -85,7 +85,7 @@ private:
   std::string file_;
 };
 
-// A triangle: a file that is right, to be made wrong.
+// A triangle: a valid file, from which tests make invalid ones.
 inline PlyBuilder ply_triangle(PlyFormat format) {
   PlyBuilder b(format);
   b.element("vertex", 3).property("float", "x").property("float", "y").property("float", "z");

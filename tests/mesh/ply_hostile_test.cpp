@@ -1,4 +1,5 @@
-// PLY files that lie: every one gives an error that names the place, and none crashes or takes memory out of proportion.
+// PLY files with wrong numbers: each gives an error that names the place, and none crashes the
+// loader or makes it allocate memory out of proportion.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -22,7 +23,7 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The triangle in text, with a part of it replaced.
+// The triangle in text format, with a part of it replaced.
 std::string with(const std::string& part, const std::string& replacement) {
   std::string file = ply_triangle(PlyFormat::kAscii).file();
   const std::size_t at = file.find(part);
@@ -35,7 +36,7 @@ TEST_CASE("PLY: a file cut off at any byte is an error, in each format") {
        {PlyFormat::kAscii, PlyFormat::kLittleEndian, PlyFormat::kBigEndian}) {
     const std::string file = ply_triangle(format).file();
     REQUIRE(error_of_ply(file) == "");
-    // The blank and the line's end behind the last number of a text are not missed.
+    // A text file is complete without the blank and the line end after its last number.
     const std::size_t needed = file.size() - (format == PlyFormat::kAscii ? 2 : 0);
     for (std::size_t length = 0; length < needed; ++length) {
       CAPTURE(length);
@@ -75,7 +76,7 @@ TEST_CASE("PLY: counts are held against the bytes that exist before anything is 
   }
   CHECK(says(error_of_ply(with("vertex 3", "vertex -3")), "needs a name and a count"));
   CHECK(says(error_of_ply(with("vertex 3", "vertex 3e0")), "needs a name and a count"));
-  // A list that says more than there is; of a signed count, less than nothing.
+  // Lists that claim more entries than there are, and a signed count that is negative.
   CHECK(says(error_of_ply(with("3 0 1 2", "200 0 1 2")), "face 0 (line 13): its list"));
   std::string negative = with("list uchar", "list char");
   negative.replace(negative.find("3 0 1 2"), 7, "-1 0 1 2");
@@ -85,7 +86,7 @@ TEST_CASE("PLY: counts are held against the bytes that exist before anything is 
   big.element("face", 1).list("uint", "uint", "vertex_indices");
   big.begin_data().floats({0, 0, 0}).ints({-1}).ints({0, 0, 0});
   CHECK(says(error_of_ply(big.file()), "has 4294967295 entries, which the file does not hold"));
-  // Elements of nothing cost nothing.
+  // Elements without properties take no bytes and no memory.
   const std::string nothing = with("element face", "element void 4000000000\nelement face");
   CHECK(error_of_ply(nothing) == "");
 }
@@ -109,8 +110,8 @@ TEST_CASE("PLY: indices out of range are named by their face") {
   CHECK(says(error_of_ply(with("3 0 1 2", "3 0 -1 2")), "names vertex -1 of 3"));
   CHECK(says(error_of_ply(with("list uchar int", "list uchar float")),
              "no list 'vertex_indices' of integers"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "3 0 1 x")), "'x' is no number of the type"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "300 0 1 2")), "'300' is no number of the type"));
+  CHECK(says(error_of_ply(with("3 0 1 2", "3 0 1 x")), "'x' is not a number of the type"));
+  CHECK(says(error_of_ply(with("3 0 1 2", "300 0 1 2")), "'300' is not a number of the type"));
 }
 
 TEST_CASE("PLY: a point cloud and what has nothing to draw are refused with what they are") {
@@ -133,9 +134,9 @@ TEST_CASE("PLY: headers that are not right are refused by their line") {
   CHECK(says(error_of_ply(with("format ascii 1.0\n", "")), "has no 'format'"));
   CHECK(says(error_of_ply(with("element vertex 3\n", "")), "before the first element"));
   CHECK(says(error_of_ply(with("property float x", "property real x")), "unknown type 'real'"));
-  CHECK(says(error_of_ply(with("property float y", "property float x")), "is there twice"));
-  CHECK(says(error_of_ply(with("element face", "element vertex")), "is there twice"));
-  CHECK(says(error_of_ply(with("list uchar", "list float")), "no integer"));
+  CHECK(says(error_of_ply(with("property float y", "property float x")), "occurs twice"));
+  CHECK(says(error_of_ply(with("element face", "element vertex")), "occurs twice"));
+  CHECK(says(error_of_ply(with("list uchar", "list float")), "not an integer"));
   CHECK(says(error_of_ply(with("property float z\n", "property float z\nmaterial 3\n")),
              "unknown word 'material'"));
   CHECK(says(error_of_ply("ply\nformat ascii 1.0\nelement vertex 3\n"), "no 'end_header'"));

@@ -1,4 +1,4 @@
-// What PLY files may say, and what becomes of it: the same mesh from all three formats.
+// The contents that PLY files may have; all three formats give the same mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,8 @@ Scene loaded(const std::string& file) {
   return *scene;
 }
 
-// An arrowhead of four corners, concave at the last, and a triangle; everything that a vertex may have.
+// A concave arrowhead of four corners, whose last one is reflex, and a triangle; the vertices have
+// all properties that are read.
 PlyBuilder arrowhead(PlyFormat format) {
   PlyBuilder b(format);
   b.element("vertex", 5);
@@ -52,7 +53,7 @@ TEST_CASE("PLY: text and both binary orders give the same mesh") {
   REQUIRE(mesh.positions.size() == 5);
   CHECK(mesh.positions[1] == Point<Object>(2, 0.1f, 0.25f));
   CHECK(mesh.normals[4] == Normal<Object>(0, 0, 1));
-  CHECK(mesh.texcoords[3] == TexCoord{0.375f, 0.75f});  // v = 0 is the bottom
+  CHECK(mesh.texcoords[3] == TexCoord{0.375f, 0.75f});  // v = 0 is at the bottom
   CHECK(mesh.colors[2] == Rgba{decode_srgb(20), 0, 1, 1});
   REQUIRE(mesh.faces.size() == 2);
   CHECK(mesh.faces[0] == Face{0, 4});

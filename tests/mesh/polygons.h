@@ -1,4 +1,4 @@
-// Small meshes for tests, and exact arithmetic to judge them by.
+// Small meshes for tests, and exact arithmetic to check results with.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -26,7 +26,7 @@ inline Mesh make_mesh(std::vector<Point<Object>> positions, const std::vector<In
   return mesh;
 }
 
-// One face over all positions, in their order.
+// A mesh of one face whose corners are all positions, in order.
 inline Mesh make_polygon(std::vector<Point<Object>> positions) {
   Indices all(positions.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;

@@ -31,7 +31,7 @@ Mesh make_torus(std::uint32_t rows, std::uint32_t columns) {
 
 const std::vector<Indices> kTetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
-// The faces of a mesh, each with positions of its own.
+// The faces of a mesh, each with its own positions.
 Mesh split_apart(const Mesh& mesh) {
   Mesh result;
   for (const Face& face : mesh.faces) {
@@ -53,7 +53,7 @@ const Edge* find_edge(const Topology& topology, std::uint32_t low, std::uint32_t
 }
 
 TEST_CASE("adjacency of the five-vertex strip follows from its face table (S4-17)") {
-  // F1 = (V1, V2, V3), F2 = (V3, V2, V4), F3 = (V3, V4, V5); indices here start from 0.
+  // F1 = (V1, V2, V3), F2 = (V3, V2, V4), F3 = (V3, V4, V5); the indices here start at 0.
   const Mesh strip = make_mesh(any_positions(5), {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}});
   const Topology t = find_topology(strip);
   CHECK(t.vertices == 5);
@@ -65,7 +65,7 @@ TEST_CASE("adjacency of the five-vertex strip follows from its face table (S4-17
   CHECK_FALSE(t.closed());
   CHECK_FALSE(t.genus().has_value());
 
-  // F1 passes V2 V3 in one direction and F2 in the other; so do F2 and F3 with V3 V4.
+  // F1 and F2 pass the edge V2 V3 in opposite directions; so do F2 and F3 with V3 V4.
   for (const auto& [low, high, first, second] :
        {std::array<std::uint32_t, 4>{1, 2, 0, 1}, std::array<std::uint32_t, 4>{2, 3, 1, 2}}) {
     const Edge* edge = find_edge(t, low, high);
@@ -86,7 +86,7 @@ TEST_CASE("a face wound the wrong way shows at each of its inner edges") {
   const Topology t = find_topology(make_mesh(any_positions(4), faces));
   CHECK(t.inconsistent_edges == 3);
   CHECK(t.closed());
-  CHECK_FALSE(t.genus().has_value());  // of an unoriented surface nothing is said
+  CHECK_FALSE(t.genus().has_value());  // the genus of an unoriented surface is not defined here
 }
 
 TEST_CASE("V - E + F counts the handles of closed surfaces (S3-01)") {
@@ -128,7 +128,7 @@ TEST_CASE("surfaces that touch in a vertex are pinched there") {
   CHECK(bow.pinched_vertices == 1);
   CHECK(bow.components == 2);
 
-  // Two tetrahedra that share vertex 3: every edge is fine, the vertex is not.
+  // Two tetrahedra that share vertex 3: every edge is manifold, the vertex is not.
   std::vector<Indices> two = kTetrahedron;
   for (const Indices& f : kTetrahedron) {
     Indices moved;

@@ -52,7 +52,7 @@ bool segments_meet(const Int2& a, const Int2& b, const Int2& c, const Int2& d) {
          sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
 }
 
-// The first two edges that meet where they must not, or (n, n) for a simple polygon.
+// The first two edges that meet where they must not, or (n, n) if the polygon is simple.
 std::pair<std::size_t, std::size_t> find_crossing(const Outline& p) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -74,7 +74,8 @@ std::int64_t twice_area(const Outline& p) {
   return sum;
 }
 
-// Random points, untangled by reversing the stretch between two edges that cross. Empty where that does not end.
+// Random points, untangled by reversing the part of the outline between two edges that cross. Empty
+// if that does not end.
 Outline random_simple(Random& random, std::size_t n, int range) {
   Outline p;
   while (p.size() < n) {
@@ -89,7 +90,7 @@ Outline random_simple(Random& random, std::size_t n, int range) {
     }
     std::reverse(p.begin() + std::ptrdiff_t(std::min(i, j)) + 1,
                  p.begin() + std::ptrdiff_t(std::max(i, j)) + 1);
-    // Reversing does not untangle neighbours that overlap; moving a point may.
+    // Reversing does not untangle neighbouring edges that overlap; moving a point may.
     if (j == i + 1) std::swap(p[j], p[std::size_t(random.integer(0, std::int64_t(n) - 1))]);
   }
   return {};
@@ -107,7 +108,7 @@ std::string text(const Outline& outline) {
   return out.str();
 }
 
-// What the triangles of a mesh would be as a mesh of their own.
+// The triangles of a mesh as a mesh.
 Mesh as_mesh(const Mesh& mesh, const Triangulation& triangulation) {
   Mesh result;
   result.positions = mesh.positions;
@@ -123,7 +124,8 @@ TEST_CASE("triangles stay as they are and every face takes n - 2 numbers") {
   const Mesh mesh =
       make_mesh(points, {{2, 0, 1}, {0, 1, 4}, {0, 1}, {0, 1, 2, 3}, {0, 0, 1, 1, 4}, {1, 2, 0}});
   const Triangulation t = triangulate(mesh);
-  // 1 + 1 + 0 + 2 + 3 + 1; the collinear triangle and the collinear pentagon take numbers but give nothing.
+  // 1 + 1 + 0 + 2 + 3 + 1: the collinear triangle and the collinear pentagon are numbered, but give
+  // no triangles.
   CHECK(t.numbered == 8);
   const std::vector<Triangle> expected = {
       {{0, 1, 2}, 0, 0}, {{8, 9, 10}, 3, 2}, {{8, 10, 11}, 3, 3}, {{17, 18, 19}, 5, 7}};
@@ -139,19 +141,19 @@ TEST_CASE("a quad is cut along its shorter diagonal, and on a tie from its first
   CHECK(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}) == from_first);
   CHECK(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25f}, {0, 1, 0}}) == from_second);
   CHECK(cut({{0, 0, 0}, {1, 0, 0.25f}, {1, 1, 0}, {0, 1, 0}}) == from_first);
-  // One ulp decides.
+  // A difference of one ulp decides.
   const float more = std::nextafter(1.0f, 2.0f);
   CHECK(cut({{0, 0, 0}, {1, 0, 0}, {more, 1, 0}, {0, 1, 0}}) == from_second);
-  // The same square, 2^24 away, where squared lengths computed from rounded coordinates would decide.
+  // The same square 2^24 away, where the rounding of squared lengths would decide.
   const float far = 0x1p24f;
   CHECK(cut({{far, 0, 0}, {far + 2, 0, 0}, {far + 2, 2, 0}, {far, 2, 0}}) == from_first);
 }
 
 TEST_CASE("a concave quad is cut from its reflex corner, even if that diagonal is the longer one") {
-  // Corner 1 is reflex; the diagonal from 0 to 2 is shorter but lies outside.
+  // Corner 1 is reflex; the diagonal from 0 to 2 is shorter, but outside the polygon.
   const Mesh arrow = make_polygon({{0, 0, 0}, {1, 0.5f, 0}, {2, 0, 0}, {1, 9, 0}});
   CHECK(rings(triangulate(arrow)) == std::vector<Ring>{{0, 1, 3}, {1, 2, 3}});
-  // The same with the reflex corner elsewhere, and seen from the other side.
+  // The same polygon with the reflex corner elsewhere, seen from the other side.
   const Mesh turned = make_polygon({{1, 9, 0}, {0, 0, 0}, {1, 0.5f, 0}, {2, 0, 0}});
   CHECK(rings(triangulate(turned)) == std::vector<Ring>{{0, 1, 2}, {0, 2, 3}});
   const Mesh reversed = make_polygon({{0, 0, 0}, {1, 9, 0}, {2, 0, 0}, {1, 0.5f, 0}});
@@ -159,7 +161,7 @@ TEST_CASE("a concave quad is cut from its reflex corner, even if that diagonal i
 }
 
 TEST_CASE("a quad with a straight or repeated corner loses no area") {
-  // Corner 1 lies on the line from 0 to 2: only the diagonal from it gives two triangles.
+  // Corner 1 is on the line from 0 to 2: only the diagonal from corner 1 gives two triangles.
   const Triangulation straight =
       triangulate(make_polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}}));
   CHECK(rings(straight) == std::vector<Ring>{{0, 1, 3}, {1, 2, 3}});
@@ -175,9 +177,9 @@ TEST_CASE("a quad with a straight or repeated corner loses no area") {
 TEST_CASE("faces without area are dropped and counted (C-24, C-25)") {
   const Points points = {{0, 0, 0}, {1, 1, 0},       {1, 0, 0},
                          {0, 1, 0}, {0.1f, 0.1f, 0}, {-0.0f, 0, 0}};
-  const Mesh mesh = make_mesh(points, {{0, 1, 2, 3},  // a bow-tie with equal wings
-                                       {0, 1, 4},     // collinear, if 0.1f is the same number twice
-                                       {0, 5, 1},     // 0 and -0 are one place
+  const Mesh mesh = make_mesh(points, {{0, 1, 2, 3},  // a bow-tie whose wings are equal
+                                       {0, 1, 4},     // collinear: 0.1f is twice the same number
+                                       {0, 5, 1},     // 0 and -0 are the same place
                                        {0, 1, 0, 1},  // there and back
                                        {0},
                                        {},
@@ -189,7 +191,8 @@ TEST_CASE("faces without area are dropped and counted (C-24, C-25)") {
 }
 
 TEST_CASE("a sliver that is not quite degenerate is kept") {
-  // The middle corner is one ulp off the line; rounded arithmetic on raw coordinates sees no area.
+  // The middle corner is one ulp off the line; with rounded arithmetic on raw coordinates the area
+  // would be 0.
   const float x = 0x1p20f, off = std::nextafter(0x1p20f, 0x1p21f);
   const Triangulation t = triangulate(make_polygon({{0, 0, 0}, {x, off, 0}, {2 * x, 2 * x, 0}}));
   CHECK(t.triangles.size() == 1);
@@ -218,7 +221,8 @@ TEST_CASE("random simple polygons are covered exactly once by triangles that tur
       covered += area;
     }
     REQUIRE(covered == twice_area(outline));
-    // Edge to edge: a disc whose border is the outline, without corners in the middle of edges.
+    // The triangles meet edge to edge: they form a disc whose border is the outline, with no corner
+    // in the middle of an edge.
     const Topology topology = find_topology(as_mesh(mesh, t));
     REQUIRE(topology.boundary_edges == n);
     REQUIRE(topology.non_manifold_edges == 0);
@@ -273,7 +277,7 @@ TEST_CASE("any closed outline whatever is cut into n - 2 triangles, the same one
     const auto n = std::size_t(random.integer(3, 24));
     Points points;
     for (std::size_t i = 0; i < n; ++i) {
-      // Few distinct coordinates, so that corners repeat and edges overlap.
+      // Few distinct coordinates, so that many corners repeat and many edges overlap.
       const auto x = float(random.integer(-2, 2)), y = float(random.integer(-2, 2));
       points.emplace_back(x, y, float(random.integer(0, 1)));
     }
@@ -289,14 +293,15 @@ TEST_CASE("any closed outline whatever is cut into n - 2 triangles, the same one
 }
 
 TEST_CASE("an outline that crosses itself is reported") {
-  // A bow-tie with unequal wings has an area, but no triangulation.
+  // A bow-tie with unequal wings has an area but no triangulation.
   const Triangulation t = triangulate(make_polygon({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}));
   CHECK(t.fallback_faces == Indices{0});
   CHECK(t.triangles.size() == 2);
 }
 
 TEST_CASE("a hole that a bridge joins to the outline stays open") {
-  // A square of side 6 with a square hole of side 2; the bridge runs from corner 0 to the hole and back.
+  // A square of side 6 with a square hole of side 2. The bridge runs from corner 0 to the hole and
+  // back.
   const Outline outline = {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0},
                            {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}};
   const Triangulation t = triangulate(flat_mesh(outline));
@@ -312,7 +317,7 @@ TEST_CASE("a hole that a bridge joins to the outline stays open") {
 
 // ---- size ----
 
-// How many corners and cells are looked at for each corner of the outline.
+// How many corners and grid cells are visited, divided by the number of corners of the outline.
 double work_for(const Points& points) {
   std::vector<FlatPoint> outline;
   for (const Point<Object>& p : points) outline.push_back({p.x, p.y});
@@ -329,8 +334,8 @@ TEST_CASE("polygons of 20 000 corners take little more work than to look at them
     circle.emplace_back(float(1000 * turn.cos), float(1000 * turn.sin), 0.0f);
     star.emplace_back(float(radius * turn.cos), float(radius * turn.sin), 0.0f);
   }
-  // Teeth that reach almost across. What is left without them is one long row of straight corners, where the grid
-  // does not help: this takes quadratic time.
+  // Teeth that reach almost across. When they are cut off, one long row of straight corners is
+  // left, for which the grid does not help: this takes quadratic time.
   constexpr int kTeeth = 5000;
   for (int i = 0; i < kTeeth; ++i) comb.emplace_back(float(i), i % 2 == 0 ? 1.0f : 1000.0f, 0.0f);
   comb.emplace_back(float(kTeeth), 0.0f, 0.0f);
@@ -349,7 +354,7 @@ TEST_CASE("polygons of 20 000 corners take little more work than to look at them
   struct Outline {
     const char* name;
     const Points& points;
-    double most;  // looked at for each corner: twice what it is, the same on every machine
+    double most;  // limit of visits per corner: twice the count, which no machine changes
   };
   for (const auto& [name, points, most] : {Outline{"circle", circle, 16},
                                            {"star", star, 440},
@@ -365,14 +370,14 @@ TEST_CASE("polygons of 20 000 corners take little more work than to look at them
 }
 
 TEST_CASE("a tangle of 20 000 corners comes to an end") {
-  // Every edge crosses most others, so that nearly no corner is ever an ear.
+  // Every edge crosses most others, so hardly any corner is ever an ear.
   Random random(6);
   Points points;
   for (int i = 0; i < 20000; ++i) {
     const auto x = float(random.between(-1, 1)), y = float(random.between(-1, 1));
     points.emplace_back(x, y, 0.0f);
   }
-  CHECK(work_for(points) < 5400);  // twice what it is
+  CHECK(work_for(points) < 5400);  // twice the count
   const Triangulation t = triangulate(make_polygon(points));
   CHECK(t.triangles.size() + t.degenerate_triangles == points.size() - 2);
   CHECK(t.fallback_faces == Indices{0});

@@ -1,6 +1,6 @@
-// SSIM, FLIP and the plain errors against a second computation of them: tests/metrics/reference/metrics.py, in double
-// precision, with two-dimensional kernels. It wrote values.txt from the pictures that are made here by the same
-// formulas.
+// Compares SSIM, FLIP and the plain errors with a second computation of them:
+// tests/metrics/reference/metrics.py, in double precision, with two-dimensional kernels. That
+// program wrote values.txt from the same pictures, which are made here by the same formulas.
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -49,12 +49,12 @@ int deep_transparent(int x, int y, int c) {
   return c == 0 ? 251 * noise(x, y, c, 4) : 2000 * x;
 }
 
-// 0 and 255 only.
+// Samples that are only 0 or 255.
 Formula saturated(Formula sample) {
   return [=](int x, int y, int c) { return sample(x, y, c) / 128 * 255; };
 }
 
-// `sample` with up to `spread` added or taken away.
+// `sample` with a pseudo-random change of at most `spread` up or down.
 Formula speckled(Formula sample, int seed, int spread, int largest = 255) {
   return [=](int x, int y, int c) {
     const int change = noise(x, y, c, seed) % (2 * spread + 1) - spread;
@@ -103,18 +103,21 @@ std::map<std::string, WholePair> cases() {
   return pairs;
 }
 
-// How far single precision may be from double.
+// The largest difference to expect between a metric in single precision and one in double.
 //
-// FLIP, a pixel: its lightness, in [0, 1], is off by at most 4 roundings of 2^-24. A filter whose positive weights sum up
-// to 1 and whose negative ones to -1 doubles that and adds its own roundings, fewer than 12 of values below 1: the
-// strength of a feature is off by 1.2e-6 at most. The feature error is sqrt(strength / sqrt(2)), worst where the
-// strength is 0: 9.2e-4. The colour error c becomes c^(1 - feature), whose slope |c ln c| is at most 0.37: 3.4e-4. The
-// roundings of colours and 2^-17 for the bins of the percentiles are less than 1e-5.
+// FLIP, one pixel: its lightness, in [0, 1], is off by at most 4 roundings of 2^-24. A filter whose
+// positive weights sum up to 1 and whose negative ones to -1 doubles that error and adds its own
+// roundings, fewer than 12 of values below 1: the strength of a feature is off by at most 1.2e-6.
+// The feature error is sqrt(strength / sqrt(2)), which is worst where the strength is 0: 9.2e-4.
+// The colour error c becomes c^(1 - feature), whose slope |c ln c| is at most 0.37: 3.4e-4. The
+// rounding of colours, and 2^-17 for the bins of the percentiles, add less than 1e-5.
 //
-// FLIP, the mean: roundings of either sign, of root mean square 2^-25, mostly cancel in a filter with weights of root
-// sum of squares near 0.1: a strength is typically off by 4e-9, which makes 2e-5 where it is 0, and less elsewhere.
+// FLIP, the mean: roundings have either sign and a root mean square of 2^-25, so they mostly cancel
+// in a filter whose weights have a root sum of squares near 0.1. A strength is typically off by
+// 4e-9, which makes 2e-5 where the strength is 0, and less elsewhere.
 //
-// SSIM: 5e-11 for a window (ssim.h), and 2^-33 for the mean (fixed_sum.h). The others are in double on both sides.
+// SSIM: 5e-11 for a window (ssim.h), and 2^-33 for the mean (fixed_sum.h). The other metrics are
+// computed in double on both sides.
 double tolerance(const std::string& metric) {
   if (metric == "flip.mean") return 2e-5;
   if (metric.starts_with("flip.")) return 3.5e-4;

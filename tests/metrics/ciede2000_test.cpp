@@ -15,7 +15,8 @@ struct Published {
   double difference;
 };
 
-// Table 1 of Sharma, Wu and Dalal (2005): made to catch wrong hue means, arcs and rotation terms.
+// Table 1 of Sharma, Wu and Dalal (2005), whose pairs are chosen to reveal wrong hue means, wrong
+// arcs and wrong rotation terms.
 constexpr Published kPublished[] = {
     {{50.0000, 2.6772, -79.7751}, {50.0000, 0.0000, -82.7485}, 2.0425},
     {{50.0000, 3.1571, -77.2803}, {50.0000, 0.0000, -82.7485}, 2.8615},
@@ -76,7 +77,7 @@ TEST_CASE("CIEDE2000 of a colour with itself is 0, of black and white 100") {
   CHECK(std::abs(ciede2000(lab_of_linear(0, 0, 0), lab_of_linear(1, 1, 1)) - 100) <= 1e-9);
 }
 
-// White and the primaries of sRGB in CIELAB under D65, as commonly published to two digits.
+// White, grey and the primaries of sRGB in CIELAB under D65, as commonly published with two digits.
 TEST_CASE("Lab of sRGB's white, grey and primaries") {
   const auto near = [](const Lab& lab, double l, double a, double b) {
     return std::abs(lab.l - l) <= 0.01 && std::abs(lab.a - a) <= 0.02 &&

@@ -50,7 +50,7 @@ TEST_CASE("16-bit samples 257 times as large have the errors of the bytes", "[me
   const SampleErrors a = sample_errors(bytes);
   const SampleErrors b = sample_errors(words);
   CHECK(a.absmax == b.absmax);
-  // The sums are exact; a square root, two divisions and nothing else round.
+  // The sums are exact; only a square root and two divisions are rounded.
   CHECK(std::abs(a.rmse - b.rmse) <= 4 * 0x1p-53 * a.rmse);
 }
 

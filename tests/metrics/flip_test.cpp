@@ -77,8 +77,8 @@ TEST_CASE("visible differences have the same bits for any tiles and threads", "[
 }
 
 TEST_CASE("a tile of opaque pixels in a transparent picture is as in an opaque one", "[metrics]") {
-  // The left half is opaque and the right one is not, so tiles of 10 pixels skip the second background on the left
-  // only.
+  // The left half is opaque and the right half is not, so tiles of 10 pixels skip the second
+  // background only on the left.
   const auto half = [](int x, int y, int c) {
     return c == 3 && x < 60 ? 255 : test::noise(x, y, c, 3);
   };
@@ -104,10 +104,12 @@ TEST_CASE("errors lie between 0 and 1 and their statistics are in order", "[metr
 }
 
 TEST_CASE("the farthest colours of a monitor have an error of 1", "[metrics]") {
-  // Green and blue define the largest distance; the exponent 1 - feature of a constant picture is 1.
+  // Green and blue have the largest distance by definition. In a constant picture the exponent 1 -
+  // feature is 1.
   const FlipErrors errors =
       flip(WholePair{constant(30, 30, {0, 255, 0}), constant(30, 30, {0, 0, 255})});
-  // The rounding of colours before the power: a few 2^-24 of values up to 1 that CIELab takes times 500.
+  // The colours are rounded before the power: by a few 2^-24 of values up to 1, which CIELAB
+  // multiplies by 500.
   CHECK(std::abs(errors.mean - 1) < 2e-6);
   CHECK(errors.max <= 1);
 }
@@ -195,7 +197,7 @@ TEST_CASE("a single wrong pixel shows as far as the filters reach and no farther
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
       INFO(x << ", " << y);
-      // In the corners of the square the filters' weights are below the rounding.
+      // In the corners of the square the filters' weights are smaller than the rounding error.
       if (std::hypot(x - 30, y - 20) <= kFlipHalo) CHECK(levels.at(x, y) > 0);
       if (std::max(std::abs(x - 30), std::abs(y - 20)) > kFlipHalo) CHECK(levels.at(x, y) == 0);
     }
@@ -220,7 +222,7 @@ TEST_CASE("the heat map has the levels of the errors and marks what is left out"
     }
   }
   CHECK(int(hottest) == int(std::ceil(float(errors.max) * float(kHeatHottest))));
-  // Rounded up, a level is less than one above its error.
+  // Levels are rounded up, so a level exceeds its error by less than one.
   const double mean_level = sum / double(errors.pixels);
   CHECK(mean_level >= errors.mean * kHeatHottest);
   CHECK(mean_level < errors.mean * kHeatHottest + 1);
@@ -239,20 +241,21 @@ TEST_CASE("the filters' short radii leave out less than 2^-32 of their weight", 
   const FlipFilters& filters = flip_filters();
   CHECK(beyond(0.0047, filters.lightness.size()) < 0x1p-32);
   CHECK(beyond(0.0053, filters.red_green.size()) < 0x1p-32);
-  // One tap less would be too few.
+  // With one tap less the filter would leave out too much.
   CHECK(beyond(0.0047, filters.lightness.size() - 1) > 0x1p-32);
   CHECK(beyond(0.0053, filters.red_green.size() - 1) > 0x1p-32);
 }
 
 TEST_CASE("the separable filters multiply out to the kernels of the paper", "[metrics]") {
-  // The centre's weight is what the others leave of 1.
+  // The weight of the centre is 1 minus the other weights.
   const auto tap = [](const auto& taps, int r) {
     double centre = 1;
     for (const float weight : taps) centre -= 2 * double(weight);
     const auto at = std::size_t(std::abs(r));
     return at == 0 ? centre : at <= taps.size() ? double(taps[at - 1]) : 0.0;
   };
-  // Table 1: a Gaussian of amplitude a and width b, at a squared distance in square degrees.
+  // Table 1 of the paper: a Gaussian of amplitude a and width b at a squared distance, in square
+  // degrees.
   const auto gaussian = [](double a, double b, double square) {
     constexpr double kPi = std::numbers::pi;
     return a * std::sqrt(kPi / b) * std::exp(-kPi * kPi * square / b);
@@ -284,7 +287,8 @@ TEST_CASE("the separable filters multiply out to the kernels of the paper", "[me
               double(filters.narrow_share) * product(filters.narrow_blue_yellow)};
       for (std::size_t i = 0; i < 3; ++i) {
         INFO("kernel " << i << " at " << x << ", " << y);
-        // Up to 20 weights below 1/4, each rounded by 2^-27 at most, make the centre's; it is below 1/2.
+        // The weight of the centre, below 1/2, is computed from up to 20 weights below 1/4, each
+        // rounded by at most 2^-27.
         CHECK(std::abs(products[i] - kernel.at(x, y)[i] / kernel.sums[i]) < 20 * 0x1p-27);
       }
     }
@@ -292,7 +296,7 @@ TEST_CASE("the separable filters multiply out to the kernels of the paper", "[me
 }
 
 TEST_CASE("the median and the 95th percentile are ranks", "[metrics]") {
-  // A picture of three constant parts, far apart: most pixels have one of three errors.
+  // A picture of three wide constant parts: most pixels have one of three errors.
   const auto part = [](int step) {
     return test::picture<std::uint8_t>(400, 20, 1, [=](int x, int, int) {
       return 100 + (x < 160 ? 0 : x < 370 ? step : 4 * step);
@@ -301,6 +305,6 @@ TEST_CASE("the median and the 95th percentile are ranks", "[metrics]") {
   const FlipErrors errors = flip(WholePair{part(0), part(10)});
   const FlipErrors low = flip(WholePair{constant(20, 20, {100}), constant(20, 20, {110})});
   const FlipErrors high = flip(WholePair{constant(20, 20, {100}), constant(20, 20, {140})});
-  CHECK(errors.median == low.median);  // 40 % differ by 0, the next 52.5 % by 10
+  CHECK(errors.median == low.median);  // 40 % of the pixels differ by 0, the next 52.5 % by 10
   CHECK(errors.p95 == high.median);
 }

@@ -46,7 +46,7 @@ TEST_CASE("values come in the order asked for, each with its limit", "[metrics]"
 }
 
 TEST_CASE("the limit itself passes with = only", "[metrics]") {
-  const WholePair pair = shifted(20, 51);  // absmax is exactly 51/255 = 0.2
+  const WholePair pair = shifted(20, 51);  // the largest absolute error is exactly 51/255 = 0.2
   CHECK_FALSE(measured(pair, "absmax<0.2")[0].passes);
   CHECK(measured(pair, "absmax<=0.2")[0].passes);
   const WholePair same = shifted(20, 0);

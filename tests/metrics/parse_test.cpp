@@ -6,7 +6,7 @@ namespace {
 
 using namespace glassbox;
 
-// The requests as text, or the error.
+// Parses the requests and returns them as text, or returns the error.
 std::string parsed(const std::string& text) {
   const auto requests = parse_metrics(text);
   if (!requests) return requests.error().message();
@@ -46,7 +46,7 @@ TEST_CASE("an unknown metric is named together with the known ones", "[metrics]"
   }
   CHECK(parsed("mse<1").find("there is no metric 'mse'") != std::string::npos);
   for (const std::string text : {"", ",", "rmse,", "rmse,,psnr", " "}) {
-    CHECK(parsed(text).find("a name is missing") != std::string::npos);
+    CHECK(parsed(text).find("the name of a metric is missing") != std::string::npos);
   }
   CHECK(parsed("<1").find("there is no metric ''") != std::string::npos);
 }

@@ -1,4 +1,4 @@
-// Pictures made by formula, and pairs of them.
+// Test pictures that are computed by formulas, and pairs of them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace glassbox::test {
 
-// A byte that looks random: the same as in tests/metrics/reference/metrics.py.
+// A byte that looks random; tests/metrics/reference/metrics.py computes the same one.
 inline int noise(int x, int y, int channel, int seed) {
   std::uint32_t v = 0x9e3779b1u * std::uint32_t(x) + 0x85ebca77u * std::uint32_t(y) +
                     0xc2b2ae3du * std::uint32_t(channel) + 0x27d4eb2fu * std::uint32_t(seed);
@@ -18,7 +18,7 @@ inline int noise(int x, int y, int channel, int seed) {
   return int((v ^ (v >> 15)) >> 24);
 }
 
-// sample(x, y, channel) for every sample.
+// A picture whose samples are sample(x, y, channel).
 template <class Sample, class Formula>
 StoredImage picture(int width, int height, int channels, const Formula& sample) {
   std::vector<Sample> samples;
@@ -51,7 +51,7 @@ inline StoredImage floats(int width, int height, int channels, std::vector<float
   return {width, height, channels, std::move(samples)};
 }
 
-// Two pictures with all pixels compared.
+// Two pictures all of whose pixels are compared.
 struct WholePair {
   StoredImage reference, test;
   Selection selection{reference.width, reference.height};

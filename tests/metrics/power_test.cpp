@@ -1,4 +1,4 @@
-// The elementary functions of FLIP against the C library's in double precision.
+// Compares the elementary functions of FLIP with those of the C library in double precision.
 #include <glassbox/images/colour/power.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace glassbox;
 
 constexpr std::uint64_t kSeed = 20200701;
 
-// Every 251st float from `low` to `high`, and both.
+// Calls check for every 251st float from `low` to `high`, and for both ends.
 template <class Check>
 void for_floats(float low, float high, const Check& check) {
   const auto end = std::bit_cast<std::uint32_t>(high);

@@ -65,7 +65,8 @@ TEST_CASE("a picture of one window has one, and a smaller one has none", "[metri
 TEST_CASE("16-bit samples 257 times as large have the similarity of the bytes", "[metrics]") {
   const WholePair bytes = noisy_pair(40, 29, 3);
   const WholePair words{test::deepened(bytes.reference), test::deepened(bytes.test)};
-  CHECK(same(ssim(bytes), ssim(words)));  // 257 v / 65535 and v / 255 round alike
+  // Both numbers are rounded alike: 257 v / 65535 and v / 255.
+  CHECK(same(ssim(bytes), ssim(words)));
 }
 
 TEST_CASE("a difference that is left out does not make pictures less similar", "[metrics]") {

@@ -1,7 +1,7 @@
-# Faults that somebody might make: plant(FILE RIGHT WRONG CASE WHAT) each. WRONG is of RIGHT's type, and draws without reading or
-# writing beyond its tables.
+# These are faults that somebody might make, each as plant(FILE RIGHT WRONG CASE WHAT). WRONG has
+# the type of RIGHT, and draws without reading or writing outside of its tables.
 
-# ---- edges, snap, depth, attributes and textures: one definition for the reference and the lanes ----
+# ---- edges, snap, depth, attributes, textures: one formula for stages and lanes ----
 plant(raster/formulas/edges.h [[edge.a > zero]] [[edge.a < zero]] C-43 "right edges own their points in place of left ones")
 plant(raster/formulas/edges.h [[edge.b > zero]] [[edge.b < zero]] C-43 "bottom edges own their points in place of top ones")
 plant(raster/formulas/edges.h [[low + (kPixelCentre - 1)]] [[low + kPixelCentre]] C-43 "a box begins after a centre that lies on its edge")
@@ -87,7 +87,7 @@ plant(raster/lanes/vertex_kernels.cpp [[transform_row(*job.other_clip_from_ancho
 plant(render/stereo/render_pair.cpp [[with_mask(render, masks.left)]] [[with_mask(render, masks.right)]] C-76 "the left eye writes the right one's channels")
 plant(pipeline/stereo/culling.cpp [[left && right]] [[left || right]] C-74 "what one eye does not see is thrown away")
 
-# ---- what is drawn together: groups of instances, slots of small draws, quads of small triangles ----
+# ---- drawn together: instances in groups, small draws in slots, small triangles in quads ----
 plant(raster/lanes/small_setups-inl.h [[quad1.here > 0]] [[quad1.here > kSubpixels]] C-43 "a quad that an edge meets by less than a pixel is left out")
 plant(raster/lanes/small_setups-inl.h [=[e1 + rise1 > s.above1[t]]=] [=[e1 > s.above1[t]]=] C-53 "a quad of a wide triangle is judged by its first pixel alone")
 plant(raster/lanes/small_triangles-inl.h [=[list.references[last] != reference]=] [[last == 0]] C-69 "of the triangles that share a block only the first and the last are gathered")
@@ -96,7 +96,7 @@ plant(render/tile/slots.cpp [[method.divide == method_of_other.divide]] [[true]]
 plant(render/plan/group_place.cpp [[distances.greatest >= 0]] [[distances.least >= 0]] C-42 "a group of instances that is partly outside is left out")
 plant(render/plan/group_place.cpp [[inside && distances.least >= 0]] [[inside]] C-42 "a group of instances that is partly inside is taken whole")
 
-# ---- slack for what rounding may be off by ----
+# ---- margins for rounding errors ----
 plant(pipeline/clip.cpp [[dot(error_, sizes_of(middle) + half) + error_offset_]] [[0.0]] C-42 "boxes have no slack for the rounding of what is in them")
 plant(render/plan/box_bounds.cpp [[gamma<float>(5) * size + 4 * 0x1p-149]] [[0.0]] C-57 "depths of a box have no slack for the rounding of the transform")
 

@@ -1,5 +1,6 @@
-// Every fault of faults.cmake is found by the extreme case that is named for it: drawn by some engine, the case is wrong. And
-// docs/mutants.md says so. Every run has one fault in four of every file, so that four days have them all; "[.page]" has each.
+// For every fault of faults.cmake, the extreme case that is named for it must be drawn wrong by
+// some engine, and docs/mutants.md must say so. A run plants one fault in four of every file, so
+// that runs on four days cover all of them; the test tagged "[.page]" plants every fault.
 #include <tests/support/catch.h>
 
 #include <cstdio>
@@ -32,7 +33,7 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-// One of them, as long as it lives.
+// Switches a fault on for as long as the object exists.
 class Planted {
 public:
   explicit Planted(int number) { planted_fault = number; }
@@ -41,7 +42,8 @@ public:
   Planted& operator=(const Planted&) = delete;
 };
 
-// By the reference, by the tile engine for the best target, whose source is that of all, and without a plan.
+// Whether the case is drawn wrong: by the reference, by the tile engine for the best target (the
+// targets share their source), and without a plan.
 std::vector<bool> drawn_wrong(const ExtremeCase& extreme) {
   const std::vector<Drawer>& all = drawers();
   std::vector<bool> wrong;
@@ -54,7 +56,7 @@ bool any(const std::vector<bool>& of) {
   return std::ranges::find(of, true) != of.end();
 }
 
-// All cases, without a fault: what is right is worked out once, when a case is first drawn.
+// Whether all cases are drawn right when no fault is planted.
 bool all_drawn_right() {
   bool right = true;
   for (const ExtremeCase& extreme : extreme_cases()) {
@@ -65,7 +67,7 @@ bool all_drawn_right() {
   return right;
 }
 
-// "both": the reference as well; "tile": the tile engine alone.
+// "both": the reference draws it wrong, too; "tile": only the tile engine does.
 const char* engines_of(const std::vector<bool>& wrong) {
   return wrong.front() ? "both" : "tile";
 }
@@ -84,7 +86,7 @@ std::string page() {
 
 constexpr std::size_t kDays = 4;
 
-// Those faults of every file that have their turn.
+// The faults of every file whose turn it is today.
 std::vector<const Fault*> faults_drawn(const test::Share& share) {
   std::map<std::string, std::size_t> sizes, positions;
   for (const Fault& fault : faults()) ++sizes[fault.file];
@@ -105,7 +107,8 @@ TEST_CASE("planted faults of every file are found by their cases, and the page h
                        << ", " << share.text());
     REQUIRE(extreme != nullptr);
     REQUIRE(extreme->drawn);
-    // What is right is worked out once, when a case is first drawn.
+    // The expected picture is computed once, when the case is first drawn; it must be drawn without
+    // a fault.
     if (seen.insert(extreme).second) REQUIRE_FALSE(any(drawn_wrong(*extreme)));
     const Planted planted(fault->number);
     const std::vector<bool> wrong = drawn_wrong(*extreme);
@@ -131,7 +134,8 @@ TEST_CASE("four days have every planted fault, and every day some of every file"
   CHECK(all.size() == faults().size());
 }
 
-// FAULTS=45-72: these alone.
+// Whether the environment variable FAULTS, such as FAULTS=45-72, selects this fault. Unset, it
+// selects all.
 bool is_asked_for(const Fault& fault) {
   const char* const asked = std::getenv("FAULTS");
   int first = 0, last = 0;
@@ -140,7 +144,8 @@ bool is_asked_for(const Fault& fault) {
   return fault.number >= first && fault.number <= last;
 }
 
-// All faults against all cases: test_mutants "[.page]" prints the table of docs/mutants.md, and checks that it is there.
+// Draws all cases with every fault: test_mutants "[.page]" prints the table of docs/mutants.md and
+// checks that the page has it.
 TEST_CASE("the page says which other cases find a fault", "[.page]") {
   const std::string text = page();
   REQUIRE(all_drawn_right());

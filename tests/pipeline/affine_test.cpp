@@ -61,7 +61,8 @@ TEST_CASE("a rotation about an axis agrees with GLM and is orthogonal to 16 u (S
                                      random.between(-1, 1)};
     const double degrees = random.between(-720, 720);
     const WorldMap ours = rotation(axis, degrees);
-    // GLM's angle is in radians, rounded (720 degrees: 2^3 u), its sine and cosine are libm's.
+    // GLM takes radians, which are rounded (720 degrees: 2^3 u), and uses sine and cosine of the C
+    // library.
     const glm::dmat4 glm = glm::rotate(glm::dmat4(1), degrees * (kPi / 180), to_glm(axis));
     CAPTURE(i, axis.x, axis.y, axis.z, degrees);
     CHECK(largest_difference(ours.columns, glm) <= 40 * u);
@@ -113,7 +114,8 @@ TEST_CASE("the rigid inverse is the transpose and undoes the map to rounding (S4
     const Vector<World, double> axis{random.between(-1, 1), random.between(-1, 1),
                                      random.between(-1, 1)};
     const WorldMap m = translate<World>(to) * rotation(axis, random.between(0, 360));
-    // Rotation part 8 u from orthogonal, translation |t| <= 16 times that and gamma_4.
+    // The rotation part is orthogonal up to 8 u; the translation has |t| <= 16 times that error,
+    // and gamma_4.
     CHECK(largest_difference((inverse_rigid(m) * m).columns, glm::dmat4(1)) <= 16 * 24 * u);
   }
 }
@@ -138,8 +140,9 @@ TEST_CASE(
     REQUIRE(bool(inverse) == (det != 0));
     if (!inverse) continue;
     const RationalMatrix product = test::exactly(*inverse) * exact;
-    // Small integers: cofactors and determinant are exact, so each entry of the inverse is within u of its own and the
-    // product within 3 . 9 u max|inverse|; the last column adds one multiplication more.
+    // Cofactors and determinant of small integers are exact, so each entry of the inverse has a
+    // relative error of u, and the product an error of 3 . 9 u max|inverse|; the last column has
+    // one more multiplication.
     double largest = 1;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column)
@@ -166,7 +169,8 @@ TEST_CASE("axis and angle come back from a rotation (S3-06)") {
     const double degrees = random.between(1, 179);
     const AxisAngle found = axis_angle_of(rotation(axis, degrees));
     CAPTURE(i, axis.x, axis.y, axis.z, degrees);
-    // Entries err by 8 u; near 0 the axis by that over the sine (1/0.0175), which dominates.
+    // The entries err by 8 u. Near 0 and 180 degrees the axis errs by that over the sine
+    // (1/0.0175), which dominates.
     CHECK(std::abs(found.radians - radians_from_degrees(degrees)) <= 32 * u);
     CHECK(std::abs(found.axis.x - axis.x) <= 16 * u / 0.0174);
     CHECK(std::abs(found.axis.y - axis.y) <= 16 * u / 0.0174);
@@ -179,7 +183,7 @@ TEST_CASE("small angles come back to 4 u where the arccosine of the slides loses
     const WorldMap r = rotation({0, 0, 1}, degrees_from_radians(radians));
     const AxisAngle found = axis_angle_of(r);
     CAPTURE(radians);
-    // 1.5 ulps from degrees and back on top of the recovery's own.
+    // 1.5 ulps for the conversion from degrees and back, and the error of axis_angle_of.
     CHECK(std::abs(found.radians - radians) <= 8 * u * radians);
     CHECK(found.axis == glm::dvec3(0, 0, 1));
   }
@@ -198,7 +202,7 @@ TEST_CASE("axes of half turns come from R + R^T (C-05)") {
       const double along = found.axis.x * axis.x + found.axis.y * axis.y + found.axis.z * axis.z;
       CAPTURE(away_degrees, i);
       CHECK(std::abs(found.radians - radians_from_degrees(180 - away_degrees)) <= 32 * u);
-      // Up to its direction where the turn is so near to 180 degrees that rounding decides it.
+      // Close to 180 degrees, where rounding decides the direction, the axis may come back negated.
       const double sign = along < 0 ? -1 : 1;
       if (away_degrees >= 1e-9) CHECK(sign == 1);
       CHECK(std::abs(found.axis.x - sign * axis.x) <= 32 * u);
@@ -209,7 +213,8 @@ TEST_CASE("axes of half turns come from R + R^T (C-05)") {
 }
 
 TEST_CASE("drift of repeated products is removed by the nearest rotation (C-11)") {
-  // 100 000 products of a float rotation by 0.01 rad: without repair the axes drift by about u/3 per product.
+  // The products of 100 000 float rotations by 0.01 rad: without repair the axes drift by about u/3
+  // per product.
   const glm::mat4 step = glm::mat4(rotation({1, 2, 3}, degrees_from_radians(0.01)).columns);
   glm::mat4 drifting(1), repaired(1);
   for (int i = 1; i <= 100000; ++i) {
@@ -273,10 +278,11 @@ TEST_CASE("the condition of three correspondences grows like 1/sin of the smalle
     const auto fit = affine_from_three_points(
         {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(a.cos, a.sin)}, target);
     REQUIRE(fit);
-    // Edges (1, 0) and (cos, sin): norm at most 1.5, inverse norm (1 + cos)/sin to within the sine.
+    // The edges are (1, 0) and (cos, sin): their norm is at most 1.5, that of the inverse (1 +
+    // cos)/sin, up to the sine.
     CHECK(fit->condition * a.sin > 1.5);
     CHECK(fit->condition * a.sin < 3);
-    // And the error follows it.
+    // The error grows with the condition.
     for (const glm::dvec2& p : {glm::dvec2(0, 0), glm::dvec2(1, 0)}) {
       CHECK(glm::length(glm::dvec2(fit->matrix * glm::dvec4(p, 0, 1)) - p) <=
             8 * u * fit->condition);
@@ -298,12 +304,12 @@ TEST_CASE(
     for (std::size_t corner = 0; corner < 4; ++corner) {
       source[corner] = {double(random.integer(-9, 9)), double(random.integer(-9, 9)),
                         double(random.integer(-9, 9))};
-      target[corner] = to_glm(m * Point<World, double>(source[corner]));  // exact: small integers
+      target[corner] = to_glm(m * Point<World, double>(source[corner]));  // small integers: exact
     }
     const auto fit = affine_from_four_points(source, target);
-    if (!fit) continue;  // the source points happened to lie in a plane
+    if (!fit) continue;  // the source points happened to be in a plane
     CAPTURE(i, fit->condition);
-    // |entries| <= 99, |target edges| <= 99 * 27 * 2; first order in the condition.
+    // |entries| <= 99, |target edges| <= 99 * 27 * 2; the bound is of first order in the condition.
     CHECK(largest_difference(fit->matrix, m.columns) <= 16 * u * fit->condition * 99 * 54);
     const glm::dvec4 direction(1, 2, -3, 0);  // the same direction from two places
     CHECK((fit->matrix * direction).w == 0);
@@ -319,7 +325,7 @@ TEST_CASE(
   RationalMatrix exact = RationalMatrix::identity();
   glm::dmat4 sizes(1);  // product of |M_i|
   for (int level = 0; level < 100; ++level) {
-    // Scales come in pairs of 2 and 1/2, so that nothing grows without end.
+    // Scales alternate between 2 and 1/2, so the product does not grow without bound.
     const double s = level % 2 == 0 ? 2 : 0.5;
     const Vector<World, double> to{random.between(-1, 1), random.between(-1, 1),
                                    random.between(-1, 1)};

@@ -1,4 +1,5 @@
-// Back faces in object space, against rational arithmetic and against the snapped area that decides the picture.
+// Back-face tests in object space, compared with rational arithmetic and with the snapped area that
+// decides whether the face is drawn.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -37,7 +38,7 @@ Rational dot(const RationalVector& a, const RationalVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// (P - eye) . m by Newell's own sums, over the raw coordinates.
+// (P - eye) . m with m by Newell's sums over the raw coordinates.
 Rational exact_value(std::span<const Point<Object>> polygon, const ObjectViewer& viewer) {
   RationalVector m{0, 0, 0};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -65,7 +66,7 @@ void check_against_rationals(const BackFaceTest& test, std::span<const Point<Obj
   REQUIRE(abs(Rational(test.value) - exact) <= Rational(test.bound));
 }
 
-// A closed convex solid: faces counter-clockwise from outside.
+// A closed convex solid whose faces are counter-clockwise as seen from outside.
 std::vector<Polygon> cube() {
   std::vector<Polygon> faces;
   for (int axis = 0; axis < 3; ++axis) {
@@ -99,7 +100,7 @@ std::vector<Polygon> octahedron() {
   return faces;
 }
 
-// An inexact rotation and translation, which is all that a view has to be here.
+// A rotation that is not exact, then a translation: all that these tests need of a view.
 Transform<Eye, Object> random_eye_from_object(Random& random, double distance) {
   const double a = random.between(0, 6.28), b = random.between(0, 6.28);
   glm::dmat4 turn_y(1.0), turn_x(1.0);
@@ -136,7 +137,8 @@ TEST_CASE("an eye exactly in the face's plane sees it edge-on, which counts as f
   Random random(seed);
   int rounded_to_something_else = 0;
   for (int i = 0; i < 2000; ++i) {
-    // Corners from integers times 2^-10; the eye is an integer combination of the corners, so exactly in the plane.
+    // The corners are integers times 2^-10; the eye is an integer combination of them, so it is
+    // exactly in the plane.
     const auto coordinate = [&] { return float(random.integer(-(1 << 20), 1 << 20)) * 0x1p-10f; };
     const Corners face{{{coordinate(), coordinate(), coordinate()},
                         {coordinate(), coordinate(), coordinate()},
@@ -154,7 +156,8 @@ TEST_CASE("an eye exactly in the face's plane sees it edge-on, which counts as f
     REQUIRE_FALSE(certainly_back(test, 0));
     rounded_to_something_else += test.value != 0;
   }
-  CHECK(rounded_to_something_else > 100);  // doubles alone would have flickered
+  // With doubles alone the result would have been arbitrary.
+  CHECK(rounded_to_something_else > 100);
 }
 
 TEST_CASE("nearly edge-on faces have the sign of rational arithmetic, and few need it (C-28)") {
@@ -240,7 +243,7 @@ TEST_CASE("the viewer in object space solves the matrix to within its stated err
     const Point<Eye, double> viewpoint{random.between(-1, 1), 0, 0};
     const auto viewer = viewer_in_object_space(m, perspective, viewpoint);
     REQUIRE(viewer.has_value());
-    // Cramer's rule again, in rationals.
+    // Cramer's rule in rationals.
     std::array<RationalVector, 3> column;
     RationalVector right{0, 0, -1};
     for (std::size_t row = 0; row < 3; ++row) {
@@ -259,7 +262,7 @@ TEST_CASE("the viewer in object space solves the matrix to within its stated err
       REQUIRE(abs(Rational(got[k]) - exact[k]) <= Rational(error[k]));
   }
   Transform<Eye, Object> flat;
-  flat.at(2, 2) = 0;  // C-18: no eye point maps to the eye
+  flat.at(2, 2) = 0;  // C-18: no point of object space maps to the eye
   CHECK_FALSE(viewer_in_object_space(flat, true).has_value());
   CHECK_FALSE(viewer_in_object_space(flat, false).has_value());
 }
@@ -268,31 +271,34 @@ TEST_CASE("the traps around (P - eye) . m give wrong answers (E18)") {
   const Polygon top = cube()[5];  // z = 1, faces +z
   REQUIRE(top[0].z == 1);
   SECTION("P has to be a vertex of the face itself") {
-    // The eye is above the bottom's plane and below the top's: the top is a back face.
+    // The eye is above the bottom's plane and below the top's plane, so the top is a back face.
     const ObjectViewer viewer = eye_at(5, 0, 0);
     const BackFaceTest test = test_back_face(top, viewer);
     CHECK(test.facing == Facing::kBack);
     const Vector<Object, double> m(0, 0, 8);
-    const Vector<Object, double> from_bottom(1 - 5.0, 0, -1);  // P on the bottom
-    CHECK(glassbox::dot(from_bottom, m) < 0);                  // "front"
+    const Vector<Object, double> from_bottom(1 - 5.0, 0, -1);  // P is taken from the bottom face
+    CHECK(glassbox::dot(from_bottom, m) < 0);                  // wrongly a front face
   }
   SECTION("under non-uniform scale the normal does not go with the vertices' matrix") {
-    // The plane x + z = 1 scaled by (4, 1, 1) becomes x/4 + z = 1, with the normal (1, 0, 4); (4, 0, 1) is wrong.
+    // The plane x + z = 1, scaled by (4, 1, 1), becomes x/4 + z = 1 with the normal (1, 0, 4), not
+    // (4, 0, 1).
     const Corners face{{{1, -1, 0}, {1, 1, 0}, {0, 0, 1}}};
     const ObjectViewer viewer = eye_at(0.75, 0, 1);
     const Vector<World, double> sight =
         Point<World, double>(4, -1, 0) - Point<World, double>(3, 0, 1);
     CHECK(test_back_face(face, viewer).facing == Facing::kFront);
     CHECK(glassbox::dot(sight, Vector<World, double>(1, 0, 4)) < 0);
-    CHECK(glassbox::dot(sight, Vector<World, double>(4, 0, 1)) > 0);  // "back"
+    CHECK(glassbox::dot(sight, Vector<World, double>(4, 0, 1)) > 0);  // wrongly a back face
   }
   SECTION("a mirrored model turns the winding in the world, not what is outside") {
-    // Mirror x: the eye mirrors with the object, the world's Newell vector points inwards.
+    // Mirrored in x: the eye is mirrored with the object, but the Newell vector in world space
+    // points inwards.
     const ObjectViewer viewer = eye_at(-0.5, 0, 5);
     CHECK(test_back_face(top, viewer).facing == Facing::kFront);
     Polygon mirrored = top;
     for (Point<Object>& p : mirrored) p.x = -p.x;
-    CHECK(test_back_face(mirrored, eye_at(0.5, 0, 5)).facing == Facing::kBack);  // without the flip
+    // Without the change of sign.
+    CHECK(test_back_face(mirrored, eye_at(0.5, 0, 5)).facing == Facing::kBack);
   }
 }
 
@@ -308,8 +314,9 @@ TEST_CASE(
       const double x = coordinate(), y = coordinate(), z = coordinate();
       const ObjectViewer viewer = eye_at(x, y, z);
       int front_here = 0;
-      // m is twice the vector area; over a closed surface it sums to zero. Seen from far away in direction g, front and
-      // back faces have opposite shadows of the same size: culling loses nothing that is not covered by the front.
+      // m is twice the vector area, and its sum over a closed surface is zero. Seen from far away
+      // in direction g, the front and the back faces have projections of the same size with
+      // opposite signs: culling removes nothing that front faces do not cover.
       double front_shadow = 0, back_shadow = 0, error = 0;
       for (const Polygon& face : solid) {
         const BackFaceTest test = test_back_face(face, viewer);
@@ -324,8 +331,9 @@ TEST_CASE(
       REQUIRE(front_here > 0);
       REQUIRE(std::abs(front_shadow + back_shadow) <= error);
     }
-    // Each face is seen from half of the box of eyes up to its distance of 1 from the centre: 1/2 +- 1/1000; the mean of
-    // 2000 eyes of which each sees at least a quarter and at most three quarters deviates by less than 5 * 0.25 / 44.
+    // Each face is seen from half of the box of eyes, except for a layer of thickness 1, its
+    // distance from the centre: 1/2 +- 1/1000. Each of 2000 eyes sees between a quarter and three
+    // quarters of the faces, so their mean deviates by less than 5 * 0.25 / 44.
     CHECK(std::abs(double(back) / double(all) - 0.5) < 0.03);
     // From inside, everything is a back face.
     for (const Polygon& face : solid) {
@@ -344,7 +352,7 @@ TEST_CASE("what is certainly back has a snapped area that is back too (C-29)") {
     const bool perspective = i % 4 != 0;
     const double distance = random.between(3, 8);
     const Transform<Eye, Object> eye_from_object = random_eye_from_object(random, distance);
-    // near 1, far 20 (frustum of half width 1 at w = 1), or a box of half width 2.
+    // near 1, far 20: a frustum of half width 1 at w = 1, or a box of half width 2.
     Transform<Clip, Eye> clip_from_eye;
     if (perspective) {
       clip_from_eye.at(2, 2) = -20.0 / 19;
@@ -361,7 +369,7 @@ TEST_CASE("what is certainly back has a snapped area that is back too (C-29)") {
     const auto viewer = viewer_in_object_space(eye_from_object, perspective);
     REQUIRE(viewer.has_value());
 
-    // Small triangles, and slivers whose facing snapping may well change.
+    // Small triangles, and slivers, whose facing often changes when they are snapped.
     const double size = std::ldexp(1.0, -int(random.integer(0, 10)));
     const std::array<double, 3> centre{random.between(-0.5, 0.5), random.between(-0.5, 0.5),
                                        random.between(-0.5, 0.5)};
@@ -384,18 +392,19 @@ TEST_CASE("what is certainly back has a snapped area that is back too (C-29)") {
     const auto edge = [&](std::size_t from, std::size_t to, std::size_t axis) {
       return snapped[to][axis] - snapped[from][axis];
     };
-    // y down: clockwise on the screen, a positive area here, is a front face.
+    // With y down, a front face is clockwise on the screen and has a positive area here.
     const std::int64_t area = edge(0, 1, 1) * edge(0, 2, 0) - edge(0, 1, 0) * edge(0, 2, 1);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        // + 2 for snapping both ends.
+        // 2 is added because both ends were snapped.
         longest = std::max(longest, double(std::abs(edge(k, (k + 1) % 3, axis)) + 2) / 256);
       }
     }
 
-    // Snapping moves by 2^-9 px. Before it: matrix and transform round by 5 u of sizes below 16, the quotient magnifies
-    // that by at most 2/w < 2 and the viewport by 320: below 16 * 5 * 2 * 320 u < 2^-8 px.
+    // Snapping moves a vertex by at most 2^-9 px. Before that the matrix and the transform err by 5
+    // u of numbers below 16, which the division multiplies by at most 2/w < 2 and the viewport by
+    // 320: less than 16 * 5 * 2 * 320 u < 2^-8 px.
     const double displacement = 0x1p-9 + 0x1p-8;
     const double margin =
         snapping_margin(clip_from_object, *viewer, viewport, largest_w, longest, displacement);
@@ -413,6 +422,6 @@ TEST_CASE("what is certainly back has a snapped area that is back too (C-29)") {
     }
   }
   CAPTURE(culled, back, disagreements, area_zero);
-  CHECK(culled * 2 > back);  // the margin leaves the test something to do
-  CHECK(disagreements > 0);  // and is needed
+  CHECK(culled * 2 > back);  // the margin leaves something to cull
+  CHECK(disagreements > 0);  // the margin is needed
 }

@@ -1,4 +1,5 @@
-// The true/false bank of S3.39-40 and the claims around it, as statements that a machine checks (S3-18).
+// The true/false questions of the slides (S3.39-40) and the claims around them, checked as
+// statements (S3-18).
 #include <glassbox/base/random.h>
 #include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
@@ -22,7 +23,7 @@ struct Image {
   double x = 0, y = 0, z = 0;
 };
 
-// The image of a point of eye space: near 1, far 1000, 90 degrees.
+// The image of a point of eye space, with near 1, far 1000 and a field of view of 90 degrees.
 Image image_of(const EyePoint& p) {
   static const Transform<Clip, Eye> projection = perspective_degrees(90, 1, {1, 1000}).value();
   const Point<Clip, double> c = projection * p;
@@ -48,7 +49,7 @@ TEST_CASE(
     CHECK(std::abs(b.y - vanishing.y) <= 4 / t);
     last_gap = gap;
   }
-  // Lines across the gaze stay parallel.
+  // Parallel lines that are perpendicular to the gaze stay parallel.
   const Image a0 = image_of({0, 0, -4}), a1 = image_of({2, 1, -4}), b0 = image_of({0, 1, -4}),
               b1 = image_of({2, 2, -4});
   CHECK((a1.x - a0.x) * (b1.y - b0.y) == (a1.y - a0.y) * (b1.x - b0.x));
@@ -77,7 +78,7 @@ TEST_CASE(
   const Image middle = image_of(between(a, b, 0.5));
   const double image_middle = 0.5 * (image_of(a).x + image_of(b).x);
   CHECK(std::abs(middle.x - image_middle) > 0.1);
-  // The first half of the segment is more than half of its image.
+  // The image of the first half of the segment is more than half of the image of the segment.
   CHECK(std::abs(middle.x - image_of(a).x) > std::abs(image_of(b).x - middle.x));
 }
 
@@ -87,7 +88,8 @@ TEST_CASE("true: lines and planes stay lines and planes, in depth as well (S3-07
     const EyePoint a{random.between(-5, 5), random.between(-5, 5), random.between(-50, -1)};
     const EyePoint b{random.between(-5, 5), random.between(-5, 5), random.between(-50, -1)};
     const Image ia = image_of(a), ib = image_of(b), ip = image_of(between(a, b, random.unit()));
-    // Twice the area of the images' triangle, in the picture and in depth. Coordinates up to 5, each within 8 u.
+    // Twice the area of the triangle of the three images, in the picture and in depth, with
+    // coordinates up to 5, each within 8 u.
     CHECK(std::abs((ib.x - ia.x) * (ip.y - ia.y) - (ib.y - ia.y) * (ip.x - ia.x)) <=
           8 * u * 4 * 10 * 5);
     CHECK(std::abs((ib.x - ia.x) * (ip.z - ia.z) - (ib.z - ia.z) * (ip.x - ia.x)) <=
@@ -101,9 +103,9 @@ TEST_CASE(
   const auto m = perspective_degrees(90, 1, {1, 1000}).value();
   const Point<Clip, double> behind = m * EyePoint(1, 2, 4);
   CHECK(behind.w == -4);
-  CHECK(behind.x / behind.w == -0.25);  // a legal position on the picture, upside down
+  CHECK(behind.x / behind.w == -0.25);  // a legal position in the picture, upside down
   CHECK(behind.y / behind.w == -0.5);
-  CHECK(behind.z / behind.w > 1);  // beyond the far plane, as if past infinity
+  CHECK(behind.z / behind.w > 1);  // beyond the far plane, as if beyond infinity
 }
 
 TEST_CASE("true: z' = alpha + beta/z, 0 at hither and 1 at yon (S3-12)") {
@@ -120,7 +122,7 @@ TEST_CASE("E9: identity and inverses do not make a class closed, though translat
   // T(a) T(b) = T(a + b).
   const Vector<World, double> a{1, 2, 3}, b{-5, 0.5, 8};
   CHECK(translate<World>(a) * translate<World>(b) == translate<World>(a + b));
-  // {I, R(90), R(-90)} has the identity and every inverse, and R(90) R(90) is not in it.
+  // {I, R(90), R(-90)} contains the identity and every inverse, but not R(90) R(90).
   const std::vector<WorldMap> set{WorldMap{}, rotate_degrees<World>({0, 0, 1}, 90).value(),
                                   rotate_degrees<World>({0, 0, 1}, -90).value()};
   const auto contains = [&](const WorldMap& m) {
@@ -157,7 +159,7 @@ TEST_CASE(
     for (int column = 0; column < 4; ++column) CHECK(m.at(3, column) == (column == 3 ? 1 : 0));
     CHECK((m.columns * glm::dvec4{random.unit(), random.unit(), random.unit(), 1}).w == 1);
   }
-  // A column's last entry is another matter: the translation.
+  // The last entries of the columns are 0, those of the rows are not: they are the translation.
   CHECK(translate<World>({1, 2, 3}).at(0, 3) == 1);
 }
 

@@ -1,5 +1,6 @@
-// The error bounds of pipeline/bounds.h against exact arithmetic: every error within its bound, and no bound more than 100
-// times the worst error that was seen. 10^6 vertices altogether; the ratios are printed, and stand in docs/step.md.
+// The error bounds of pipeline/bounds.h, compared with exact arithmetic: every error is within its
+// bound, and no bound is more than 100 times the largest error seen. 10^6 vertices altogether. The
+// ratios are printed, and docs/step.md lists them.
 #include <glassbox/pipeline/bounds.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ std::string page_of_docs() {
   return {std::istreambuf_iterator<char>(page), {}};
 }
 
-// The largest error in units of its bound. A bound of 0 admits no error.
+// The largest error in units of its bound; where the bound is 0, the error must be 0.
 class Worst {
 public:
   explicit Worst(const char* name) : name_(name) {}
@@ -37,7 +38,8 @@ public:
     if (!(error <= bound)) ++broken_;
     if (bound > 0) ratio_ = std::max(ratio_, error / bound);
   }
-  // Bounds that are never met by a hundredth say nothing.
+  // Fails if an error exceeded its bound, or if the largest error was below a hundredth of the
+  // bound.
   void check() const {
     char line[160];
     std::snprintf(line, sizeof line, "  %-40s %8d numbers, largest error / bound = %.3f\n", name_,
@@ -76,12 +78,13 @@ double error_of(float value, const Dyadic& exact) {
   return (Dyadic(value) - exact).size();
 }
 
-// |value - x/w|. Two roundings to double, which are nothing beside float's.
+// |value - x/w|. The two roundings to double are negligible beside those of float.
 double error_of_quotient(double value, const Dyadic& x, const Dyadic& w) {
   return (Dyadic(value) * w - x).size() / w.size();
 }
 
-// One number a statement: compilers evaluate the arguments of a call in different orders.
+// One random number per statement, because compilers evaluate the arguments of a call in different
+// orders.
 glm::vec4 random_point(Random& random, double size) {
   glm::vec4 point(1);
   for (const int k : {2, 1, 0}) point[k] = float(random.between(-size, size));
@@ -129,7 +132,7 @@ struct Ratios {
   int stable = 0, unstable = 0, wrongly_stable = 0;
 };
 
-// One vertex through all spaces, and the same in rationals.
+// Compares a vertex in all spaces with its exact positions.
 void compare(const glm::vec4& object, const ChainMatrices& matrices, const Viewport& viewport,
              Ratios& ratios) {
   const VertexChain chain = walk(object, matrices, api_dialects().front(), viewport);
@@ -153,7 +156,7 @@ void compare(const glm::vec4& object, const ChainMatrices& matrices, const Viewp
   ratios.inverse_w.see(error_of_quotient(double(d.ndc.inverse_w), Dyadic(1), clip[3]),
                        d.bound.inverse_w);
 
-  // Twice the window's coordinate, times w: x (to - from) + w (to + from).
+  // Twice the window coordinate, times w: x (to - from) + w (to + from).
   const auto twice_window = [&](const Dyadic& x, float from, float to) {
     return x * (Dyadic(to) - Dyadic(from)) + clip[3] * (Dyadic(to) + Dyadic(from));
   };
@@ -164,7 +167,7 @@ void compare(const glm::vec4& object, const ChainMatrices& matrices, const Viewp
   ratios.x.see(error_of_quotient(double(s.screen.position.x), exact_x, twice_w), s.bound.x);
   ratios.y.see(error_of_quotient(double(s.screen.position.y), exact_y, twice_w), s.bound.y);
 
-  // floor(256 X + 1/2) / 256: the exact X lies in [snapped - 1/512, snapped + 1/512).
+  // Snapping is floor(256 X + 1/2) / 256: the exact X is in [snapped - 1/512, snapped + 1/512).
   const auto snaps_there = [&](const SnapStability& snap, const Dyadic& exact) {
     const double sign = twice_w.value() > 0 ? 1 : -1;
     const double low = (exact - Dyadic(snap.snapped - 0x1p-9) * twice_w).value() * sign;
@@ -228,7 +231,7 @@ TEST_CASE(
     const glm::dvec4 bound = transform_bound(m, v);
     const glm::dvec4 with_product = transform_bound(m, v, glm::dvec4(0), product_error);
     const Exact exact = exact_product(m, exactly(v));
-    // The factors are floats, so their exact product is what was meant.
+    // The factors are floats, so their exact product is the intended matrix.
     const Exact meant = exact_product(glm::mat4(a), exact_product(glm::mat4(b), exactly(v)));
     for (std::size_t row = 0; row < 4; ++row) {
       const float value = computed[int(row)];
@@ -259,10 +262,10 @@ TEST_CASE("bounds hold for vertices in extreme places: near the eye's plane, tin
     for (int k = 0; k < 4; ++k) {
       v[k] = random_of_any_size(random, -80);
     }
-    // w cancels to a few units of rounding.
+    // The terms of w cancel up to a few units of rounding.
     if (i % 2 == 0) m[3][3] = -(m[0][3] * v.x + m[1][3] * v.y + m[2][3] * v.z) / v.w;
     const Point<Clip> clip(apply(m, v));
-    // Bounds leave overflow out.
+    // The bounds do not cover overflow.
     if (!std::isfinite(m[3][3]) || !std::isfinite(clip.x + clip.y + clip.z + clip.w)) continue;
     const glm::dvec4 bound = transform_bound(m, v);
     const Exact exact = exact_product(m, exactly(v));
@@ -287,7 +290,8 @@ TEST_CASE("bounds hold for vertices in extreme places: near the eye's plane, tin
 }
 
 TEST_CASE("what is exact has the bound 0") {
-  // w of a perspective matrix is -z, w of a parallel one 1; axis-aligned cameras move by sums that may round.
+  // w of a perspective matrix is -z, that of a parallel one is 1; the products with 0 and 1 add no
+  // rounding. z is a sum, which may round.
   const glm::mat4 perspective = [] {
     glm::mat4 m(0);
     m[0][0] = 1, m[1][1] = 1, m[2][2] = -1, m[3][2] = -0.2f, m[2][3] = -1;
@@ -308,14 +312,15 @@ TEST_CASE("what is not known has no finite bound") {
   CHECK(divide_bound({1, 1, 1, 0.5f}, {0, 0, 0, 0.5}).position.x == inf);
   CHECK(divide_bound({1, 1, 1, 0}, glm::dvec4(0)).inverse_w == inf);
   CHECK(divide_condition({1, 1, 1, 0}, glm::dvec4(1)).x == inf);
-  // Unknown input that is multiplied by 0 does no harm.
+  // An unknown input has no effect where it is multiplied by 0.
   CHECK(transform_bound(glm::mat4(1), {1, 2, 3, 1}, {inf, 0, 0, 0}) == glm::dvec4(inf, 0, 0, 0));
   CHECK(!snap_stability(std::numeric_limits<float>::quiet_NaN(), 0).stable);
   CHECK(!snap_stability(1.5f, inf).stable);
 }
 
 TEST_CASE("the divide's condition is what a small relative change of the entries does") {
-  // x/w = (m_x . v)/(m_w . v): scaling every entry of m_x up and of m_w down by (1 +- e) moves it by about condition * e.
+  // x/w = (m_x . v)/(m_w . v): scaling every entry of m_x up and of m_w down by (1 +- e) changes it
+  // by about condition * e.
   const glm::mat4 m = [] {
     glm::mat4 entries(0);
     entries[0][0] = 2, entries[2][0] = 0.5f, entries[3][0] = -1;
@@ -327,7 +332,7 @@ TEST_CASE("the divide's condition is what a small relative change of the entries
   const Point<Clip> clip(apply(m, v));
   const double condition = divide_condition(clip, magnitude(glm::dmat4(m), glm::dvec4(v))).x;
   const double e = 0x1p-30, ndc = double(clip.x) / double(clip.w);
-  // Each entry moved so that its term pushes x/w the same way.
+  // Every entry is changed so that its term changes x/w in the same direction.
   double x = 0, w = 0;
   for (int k = 0; k < 4; ++k) {
     const double in_x = double(m[k][0]) * double(v[k]), in_w = double(m[k][3]) * double(v[k]);
@@ -338,12 +343,12 @@ TEST_CASE("the divide's condition is what a small relative change of the entries
 }
 
 TEST_CASE("snapping is stable exactly when the bound does not reach a boundary") {
-  // Boundaries lie at (k - 1/2)/256.
+  // Cells have their boundaries at (k - 1/2)/256.
   CHECK(snap_stability(10, 0.001).snapped == 10);
   CHECK(snap_stability(10, 0.0019).stable);
   CHECK_FALSE(snap_stability(10, 0.002).stable);
   CHECK(snap_stability(10, 0).to_boundary == 0.5 / 256);
-  // On a boundary: halves go up, and nothing is stable there.
+  // On a boundary a half is rounded up, and the result is not stable.
   const float boundary = 10 + 0.5f / 256;
   CHECK(snap_stability(boundary, 0).snapped == 10 + 1.0 / 256);
   CHECK_FALSE(snap_stability(boundary, 0).stable);

@@ -12,14 +12,15 @@ namespace glassbox::test {
 struct LookAtCase {
   Point<World, double> eye, target;
   Vector<World, double> up;
-  double up_sine = 1;  // of the angle between up and the gaze
+  double up_sine = 1;  // sine of the angle between up and the gaze
 };
 
 inline double length(const Vector<World, double>& v) {
   return std::sqrt(dot(v, v));
 }
 
-// Eyes within 100 of the origin, targets within 10, ups in all directions but the 3 degrees around the gaze.
+// A random camera: the eye is within 100 of the origin and the target within 10 on each axis; up
+// has any direction that is at least 3 degrees from the gaze.
 inline LookAtCase random_look_at(Random& random) {
   LookAtCase c;
   do {

@@ -1,4 +1,4 @@
-// Triangles, views and planes for the tests of clipping.
+// Triangles, views and planes for the clipping tests.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline Point<Clip> random_position(Random& random, double w_low, double w_high) 
           float(random.between(-0.5, 1.5)), float(random.between(w_low, w_high))};
 }
 
-// A float with any finite bit pattern.
+// A random float that has any finite bit pattern.
 inline float random_bits(Random& random) {
   for (;;) {
     const float x = std::bit_cast<float>(std::uint32_t(random.bits()));
@@ -64,8 +64,8 @@ inline std::string in_words(const Triangle3& t) {
   return text;
 }
 
-// near, left, right, bottom, top: without the far plane, which can meet a triangle at any small angle and has then no
-// useful bound on the area.
+// near, left, right, bottom and top. The far plane is left out: it can meet a triangle at any small
+// angle, so it has no useful bound on the area.
 inline std::vector<ClipPlane> planes_without_far() {
   std::vector<ClipPlane> planes;
   for (const ClipPlane& plane : frustum_planes()) {

@@ -1,4 +1,5 @@
-// The planes that clip, what may be left out or rejected because of them, and segments.
+// The clip planes; what need not be clipped or is rejected because of them; and the clipping of
+// segments.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,7 +26,8 @@ TEST_CASE("the planes that rendering clips with stand where their names say") {
 }
 
 TEST_CASE("the guard band keeps what it can hold and cuts the rest at its edge (C-40)") {
-  // 1024 px: pixels to NDC and back are exact. NDC x of a screen position relative to the centre.
+  // The viewport has 1024 px, so the conversion from pixels to NDC and back is exact. A position in
+  // pixels relative to the centre.
   const Viewport viewport{0, 0, 1024, 1024};
   const auto planes = guard_band_planes(viewport);
   const auto at = [](double px, double py) {
@@ -48,7 +50,7 @@ TEST_CASE("the guard band keeps what it can hold and cuts the rest at its edge (
       CHECK(double(p.x) * 512 <= 32768);
       if (p.x == at(-100, 0).x) continue;
       CHECK(p.x == 64.0f * p.w);
-      // On the edge it came from, to half an ulp of a coordinate of less than 300 px.
+      // The point is on its edge, up to half an ulp of a coordinate below 300 px.
       const RationalPoint q = test::rational_of(p);
       const RationalPoint from = test::rational_of(t[p.y > at(0, 100).y ? 2 : 0].position);
       const RationalPoint to = test::rational_of(t[1].position);
@@ -66,23 +68,25 @@ TEST_CASE(
     return Point<Clip>{0, 0, float(z), float(depth)};
   };
   const std::vector<ClipPlane> canonical{frustum_planes()[0]}, opengl{opengl_near_plane()};
-  // Just behind the near plane: seen in both dialects by their own plane.
+  // Just beyond the near plane: each convention's own plane keeps it.
   CHECK(clip_point(at_depth(1.5, false), canonical));
   CHECK(clip_point(at_depth(1.5, true), opengl));
   CHECK_FALSE(clip_point(at_depth(0.75, false), canonical));
   CHECK_FALSE(clip_point(at_depth(0.75, true), opengl));
-  // The wrong plane cuts at 2 f n / (f + n), nearly twice as far, or at f n / (2 f - n), nearly half as far.
+  // The wrong plane cuts at 2 f n / (f + n), nearly twice as far away, or at f n / (2 f - n),
+  // nearly half as far.
   CHECK_FALSE(clip_point(at_depth(1.5, true), canonical));
   CHECK(clip_point(at_depth(2.0, true), canonical));
   CHECK(clip_point(at_depth(0.75, false), opengl));
-  // With large w, z = 0 and z = -w are far apart; on the planes themselves both are exact.
+  // For large w, z = 0 and z = -w are far apart; both tests are exact on the planes themselves.
   CHECK(clip_point({0, 0, 0, 1e30f}, canonical));
   CHECK(clip_point({0, 0, -1e30f, 1e30f}, opengl));
   CHECK_FALSE(clip_point({0, 0, -1e30f, 1e30f}, canonical));
 }
 
 TEST_CASE("a right-handed view times a left-handed projection shows only what is behind (E12)") {
-  // S4.18's T_pers, d = 1, f = 10, h = 1, expects depth to be positive; the view of S4.5 gives -z in front.
+  // T_pers of the slides (S4.18), with d = 1, f = 10, h = 1, expects positive depths; the view of
+  // S4.5 has -z in front of the eye.
   const double d = 1, f = 10;
   Transform<Clip, Eye> t_pers;
   t_pers.columns = glm::dmat4(0.0);
@@ -90,7 +94,7 @@ TEST_CASE("a right-handed view times a left-handed projection shows only what is
   t_pers.at(2, 2) = f / (f - d);
   t_pers.at(2, 3) = -d * f / (f - d);
   t_pers.at(3, 2) = 1;
-  Transform<Eye, Eye> adaptor;  // S = diag(1, 1, -1, 1)
+  Transform<Eye, Eye> adaptor;  // the adaptor S = diag(1, 1, -1, 1)
   adaptor.at(2, 2) = -1;
   const Transform<Clip, Eye, float> wrong = round_to_float(t_pers);
   const Transform<Clip, Eye, float> right = round_to_float(t_pers * adaptor);
@@ -166,7 +170,7 @@ TEST_CASE("a box is accepted or rejected only if every vertex in it is") {
     Box<Object> box;
     const Point<Object> centre{float(random.between(-2, 2)), float(random.between(-2, 2)),
                                float(random.between(-2, 2))};
-    // Some boxes are points, so that rounding alone is at stake.
+    // Some boxes are points, so that only rounding decides.
     const double half = i % 4 == 0 ? 0 : random.between(0, 0.5);
     const auto vertex = [&] {
       return Point<Object>{float(centre.x + random.between(-half, half)),
@@ -176,7 +180,7 @@ TEST_CASE("a box is accepted or rejected only if every vertex in it is") {
     std::array<Point<Object>, 8> vertices;
     for (Point<Object>& v : vertices) box.include(v = vertex());
     if (i % 4 == 0) {
-      // Through a plane exactly, as far as floats go: w = x.
+      // Here the plane w = x passes through the point, as exactly as floats allow.
       const Point<Clip> p = m * centre;
       m.at(3, 3) += p.x - p.w;
     }
@@ -211,7 +215,8 @@ TEST_CASE(
                                         guard_band_planes({0, 0, 640, 480})[1]};
   int rounded = 0, beyond_double = 0;
   for (int i = 0; i < 20000; ++i) {
-    // Every third one small enough that products are subnormal; the last column's share is none, some, or all.
+    // One matrix in three is so small that products are subnormal; its last column has no part in
+    // the sum, a part, or most.
     const double size = i % 3 == 0 ? 0x1p-70 : 1;
     const double last = i / 3 % 3 == 0 ? 0 : i / 3 % 3 == 1 ? 1 : 16;
     Transform<Clip, Object, float> m;
@@ -227,9 +232,9 @@ TEST_CASE(
       const auto [least, greatest] = PlaneOverBoxes(plane, m).over({p.x, p.y, p.z}, {0, 0, 0});
       REQUIRE(least <= distance);
       REQUIRE(distance <= greatest);
-      const double exact = (least + greatest) / 2;  // but for a dozen roundings in double
+      const double exact = (least + greatest) / 2;  // up to a dozen roundings in double
       rounded += distance != exact;
-      // The bound is of the size of what it bounds: within a factor of 100.
+      // Counts the errors that are more than 1/100 of the bound.
       beyond_double += std::abs(distance - exact) > (greatest - least) / 200;
     }
   }
@@ -248,7 +253,7 @@ TEST_CASE("the sign of a distance is exact") {
     ClipPlane plane = frustum_planes()[std::size_t(random.integer(0, 5))];
     if (i % 3 == 0) plane = guard_band_planes({0, 0, 1366, 767})[std::size_t(random.integer(0, 3))];
     if (i % 3 == 1) {
-      // A slanted plane through the point, as far as one more double coefficient allows.
+      // A slanted plane through the point, as exactly as one more double coefficient allows.
       p = {float(random.between(-1, 1)), float(random.between(-1, 1)), float(random.between(-1, 1)),
            float(random.between(0.5, 1))};
       plane = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), 0, 0};
@@ -267,10 +272,10 @@ TEST_CASE("the sign of a distance is exact") {
 TEST_CASE("after an infinite far plane nothing distant is lost, and w is never too small") {
   const View view = perspective_view(1280, 720, 0.001);
   const auto planes = render_planes(view);
-  // z = w - near, rounded: it may come out an ulp beyond w for distant points.
+  // z = w - near is rounded, so it may be an ulp above w for distant points.
   CHECK(clip_point({0, 0, std::nextafter(1e5f, 1e6f), 1e5f}, planes));
   CHECK_FALSE(clip_point({0, 0, std::nextafter(1e5f, 1e6f), 1e5f}, frustum_planes()));
-  // A large offset may round z to above 0 where w has come out negative or zero.
+  // Rounding with a large offset may make z positive where w is negative or zero.
   CHECK_FALSE(clip_point({0, 0, 0.001f, -0.001f}, planes));
   CHECK_FALSE(clip_point({0, 0, 0, 0}, planes));
   CHECK(clip_point({0, 0, 0, 1}, render_planes([] {
@@ -322,7 +327,7 @@ TEST_CASE("a segment is cut like an edge, the same from both ends") {
   CHECK_FALSE(clip_segment({vertex(-2, 1.5f), vertex(2, 1.5f)}, planes).has_value());
   CHECK(clip_segment({vertex(1, -1), vertex(1, 1)}, planes).has_value());  // in the plane
   CHECK(clip_segment({vertex(0.5f, 0), vertex(0.5f, 0)}, planes)
-            .has_value());  // a point that was one
+            .has_value());  // a segment that was a point
 }
 
 TEST_CASE("reversed depth has the same half-spaces under swapped names") {

@@ -1,4 +1,5 @@
-// Clipping in homogeneous clip space, against rational arithmetic and against what goes wrong without it.
+// Clipping in homogeneous clip space, compared with rational arithmetic, and the errors that occur
+// without it.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,7 +18,8 @@ using namespace glassbox;
 using namespace glassbox::test;
 
 TEST_CASE("a triangle through the eye plane is cut to exactly what lies in front (C-32)") {
-  // z - w is -1/2 everywhere, so z = 0 at w = 1/2. All crossings have few bits: nothing is rounded.
+  // z - w is -1/2 everywhere, so z = 0 at w = 1/2. All crossings have few bits, so nothing is
+  // rounded.
   const std::vector<ClipPlane> near{frustum_planes()[0]};
   const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
   const Point<Clip> behind{-1, -1, -1.5f, -1}, behind2{1, -1, -1.5f, -1};
@@ -30,13 +32,13 @@ TEST_CASE("a triangle through the eye plane is cut to exactly what lies in front
     const Rational expected = test::twice_ndc_area(test::clip(test::rational_of(t), near));
     CHECK(test::twice_ndc_area(test::rational_of(polygon)) == expected);
     for (int i = 0; i < count; ++i) CHECK(polygon.vertices[std::size_t(i)].position.w >= 0.5f);
-    // The trap: dividing first maps what is behind the eye to the front.
+    // The trap: dividing first maps points behind the eye to the front.
     CHECK(test::twice_ndc_area(test::rational_of(t)) != expected);
   }
 }
 
 TEST_CASE("objects behind the observer do not come to the front (S3-13)") {
-  // w = -1: x/w, y/w, z/w lie in the middle of the screen, at a legal depth.
+  // With w = -1, x/w, y/w and z/w are in the middle of the screen, at a legal depth.
   const Point<Clip> behind{-0.25f, 0.25f, -0.5f, -1};
   const NdcVertex naive = divide(behind);
   CHECK(std::abs(naive.position.x) < 1);
@@ -51,9 +53,10 @@ TEST_CASE("clipped areas are the rational ones for all eight patterns of signs o
   INFO("seed " << seed);
   Random random(seed);
   const std::vector<ClipPlane> planes = planes_without_far();
-  // Coordinates are below 1.5 and w is at least 1/16 where it counts, so one rounding moves a point of NDC by less than
-  // 1.5 * 2 * 16 u per coordinate; an edge is cut by at most five planes; moving the edges of a polygon inside NDC's
-  // square (perimeter at most 8) by 5 * 48 u * sqrt(2) changes twice its area by less than 16 * 340 u.
+  // Coordinates are below 1.5 and w is at least 1/16 in the cases that are compared, so one
+  // rounding moves a point in NDC by less than 1.5 * 2 * 16 u per coordinate. At most five planes
+  // cut an edge. Moving the edges of a polygon inside the square of NDC (perimeter at most 8) by 5
+  // * 48 u * sqrt(2) changes twice its area by less than 16 * 340 u.
   const double tolerance = 16 * 340 * 0x1p-24;
   for (int signs = 0; signs < 8; ++signs) {
     int drawn = 0;
@@ -69,7 +72,7 @@ TEST_CASE("clipped areas are the rational ones for all eight patterns of signs o
           exact.begin(), exact.end(), [](const RationalPoint& v) { return v.w < Rational(1, 16); });
       const ClipPolygon polygon = clip_triangle(t, planes);
       if (signs == 7) {
-        // Everything behind the eye: -w <= x <= w cannot hold.
+        // Everything is behind the eye, where -w <= x <= w cannot be true.
         REQUIRE(polygon.count == 0);
         REQUIRE(exact.empty());
       }
@@ -134,7 +137,8 @@ TEST_CASE("both triangles at an edge cut it at the same bits, and a + t (b - a) 
     const float t = a.z / (a.z - b.z);
     return Point<Clip>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0, a.w + t * (b.w - a.w)};
   };
-  // Vertices on the edge of corners 0 and 1 have no weight of corner 2.
+  // How many vertices of `from` on the edge of corners 0 and 1 (their weight of corner 2 is 0) are
+  // not in `in`.
   const auto missing = [](const ClipPolygon& from, const ClipPolygon& in) {
     int count = 0;
     for (int i = 0; i < from.count; ++i) {
@@ -155,7 +159,7 @@ TEST_CASE("both triangles at an edge cut it at the same bits, and a + t (b - a) 
   while (cut_edges < 100000) {
     const bool wide = random.integer(0, 1) == 0;
     const auto position = [&] {
-      const double size = wide ? 1e6 : 10;  // leaves the guard band or the frustum
+      const double size = wide ? 1e6 : 10;  // leaves the guard band, or the frustum
       return Point<Clip>{float(random.between(-size, size)), float(random.between(-size, size)),
                          float(random.between(-5, 5)), float(random.between(-2, 10))};
     };
@@ -174,7 +178,7 @@ TEST_CASE("both triangles at an edge cut it at the same bits, and a + t (b - a) 
   }
   CHECK(mismatches == 0);
   CHECK(cut_twice > 1000);
-  CHECK(naive_mismatches * 10 > naive_edges);  // the catalogue measured 46.8 %
+  CHECK(naive_mismatches * 10 > naive_edges);  // 46.8 % were measured before
 }
 
 TEST_CASE("vertices on planes are inside and are not repeated (C-35)") {
@@ -235,7 +239,8 @@ TEST_CASE("vertices on planes are inside and are not repeated (C-35)") {
       REQUIRE_FALSE((polygon.count > 0 && repeats_a_vertex(polygon)));
       for (int k = 0; k < polygon.count; ++k) {
         const Point<Clip>& p = polygon.vertices[std::size_t(k)].position;
-        REQUIRE(outcode(p, planes) == 0);  // monotonic rounding never leaves the frustum again
+        // Rounding is monotonic, so it never leads out of the frustum again.
+        REQUIRE(outcode(p, planes) == 0);
         corners_hit += std::abs(p.x) == p.w && std::abs(p.y) == p.w;
       }
     }
@@ -245,7 +250,8 @@ TEST_CASE("vertices on planes are inside and are not repeated (C-35)") {
 
 TEST_CASE("all six planes cut a triangle to nine vertices, and no triangle to more (C-36)") {
   const auto planes = frustum_planes();
-  // The plane x + y + z' = 0 (z' = 2z - 1) meets the box in a regular hexagon; this triangle cuts three of its corners.
+  // The plane x + y + z' = 0 (z' = 2z - 1) meets the box in a regular hexagon; this triangle cuts
+  // off three of its corners.
   const float r = 1.875f;
   const Triangle3 t = triangle({-r, r, 0.5f, 1}, {0, -r, (r + 1) / 2, 1}, {r, 0, (1 - r) / 2, 1});
   const ClipPolygon polygon = clip_triangle(t, planes);
@@ -269,8 +275,8 @@ TEST_CASE("each plane adds one vertex at most, even where rounding has bent the 
   const std::uint64_t seed = 15;
   INFO("seed " << seed);
   Random random(seed);
-  // All but in the plane 2^16 w = 1366 x, on either side of it, and cut by others first: crossings that are rounded once
-  // more lie now inside, now outside.
+  // The vertices are nearly in the plane 2^16 w = 1366 x, on either side, and other planes cut
+  // first: their crossings are rounded again, and end up inside or outside.
   const auto guard = guard_band_planes({0, 0, 1366, 768});
   const std::array<ClipPlane, 3> planes{frustum_planes()[0], frustum_planes()[1], guard[1]};
   const std::span<const ClipPlane> first_two(planes.data(), 2);
@@ -314,7 +320,8 @@ TEST_CASE("any finite triangle divides to finite pixels (C-33, C-40)") {
       REQUIRE(v.position.w >= float(view.near / 2));
       const NdcVertex ndc = divide(v);
       const ScreenVertex screen = to_screen(ndc, view.viewport);
-      // A rounded crossing, a rounded quotient, and the two roundings of the viewport: 4 u of less than 2^16.
+      // A rounded crossing, a rounded quotient and the two roundings of the viewport: 4 u of a
+      // number below 2^16.
       REQUIRE(std::abs(double(screen.position.x) - 960) <= kGuardBandPx + 0x1p-6);
       REQUIRE(std::abs(double(screen.position.y) - 540) <= kGuardBandPx + 0x1p-6);
       REQUIRE(screen.position.z >= 0);
@@ -325,7 +332,7 @@ TEST_CASE("any finite triangle divides to finite pixels (C-33, C-40)") {
         REQUIRE(weight >= 0);
         sum += weight;
       }
-      // Four roundings for each of up to seven planes, in double.
+      // Four roundings in double for each of up to seven planes.
       REQUIRE(std::abs(sum - 1) <= 64 * 0x1p-53);
     }
     drawn += polygon.count > 0;
@@ -339,7 +346,7 @@ TEST_CASE("any finite triangle divides to finite pixels (C-33, C-40)") {
           const auto position = [&] {
             Point<Clip> p{random_bits(random), random_bits(random), random_bits(random),
                           random_bits(random)};
-            // Some that can be seen: all four of one size.
+            // Some vertices can be seen: all four coordinates are of the same magnitude.
             if (random.integer(0, 3) != 0) {
               const float size = std::abs(p.w);
               p = {size * float(random.between(-1, 1)), size * float(random.between(-1, 1)),

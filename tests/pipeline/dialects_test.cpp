@@ -38,14 +38,16 @@ TEST_CASE(
   REQUIRE(eye_from_world);
   REQUIRE(t);
   const Transform<Clip, World> right = *t * eye_left_from_eye() * *eye_from_world;
-  // S4.5 times S4.18 as printed: the types have to be overruled to make the mistake.
+  // The view of S4.5 times the projection of S4.18, as printed; the types must be circumvented to
+  // make this mistake.
   const Transform<Clip, World> wrong(t->columns * eye_from_world->columns);
 
   Random random(60);
   int right_in_front = 0, wrong_in_front = 0, wrong_behind = 0;
   for (int i = 0; i < 500; ++i) {
     const WorldPoint front{random.between(-1, 1), random.between(-1, 1), random.between(-50, 3.9)};
-    const WorldPoint behind{front.x, front.y, 10 - front.z};  // mirrored in the eye's plane z = 5
+    // Mirrored in the plane z = 5 of the eye.
+    const WorldPoint behind{front.x, front.y, 10 - front.z};
     right_in_front += (right * front).w > 0 ? 1 : 0;
     wrong_in_front += (wrong * front).w > 0 ? 1 : 0;
     wrong_behind += (wrong * behind).w > 0 ? 1 : 0;
@@ -79,7 +81,7 @@ TEST_CASE("E16: the near planes of the two depth conventions are not the same pl
   const auto clip = [](const glm::dmat4& m, double distance) {
     return m * glm::dvec4(0, 0, -distance, 1);
   };
-  // Halfway between the planes' images: visible in both, and each dialect's own test says so.
+  // Between the near plane and the far plane: visible in both conventions, by each one's own test.
   for (double distance : {1.25, 1.5, 50.0}) {
     const glm::dvec4 c = clip(ours->columns, distance), c_gl = clip(gl.columns, distance);
     CHECK(c.z >= 0);
@@ -89,8 +91,8 @@ TEST_CASE("E16: the near planes of the two depth conventions are not the same pl
     CHECK(clip(ours->columns, distance).z < 0);
     CHECK(clip(gl.columns, distance).z < -clip(gl.columns, distance).w);
   }
-  // Mixed: OpenGL vertices against z >= 0 lose the strip from 1 to 2 n f/(f + n), ours against z >= -w keep one in front
-  // of the near plane.
+  // Mixed: OpenGL vertices tested with z >= 0 lose the strip from 1 to 2 n f/(f + n); our vertices
+  // tested with z >= -w keep one in front of the near plane.
   CHECK(clip(gl.columns, 1.25).z < 0);
   CHECK(clip(ours->columns, 0.9).z > -0.9);
   const double edge = 2.0 * 101 / 102;
@@ -108,7 +110,8 @@ TEST_CASE("reversed depth is one minus depth") {
     REQUIRE(standard);
     REQUIRE(reversed);
     const Transform<Clip, Eye> turned = reverse_depth() * *standard;
-    // Entries that cancel lose up to f/(f - n) and n/(f - n); absolute to the size of what is subtracted.
+    // Entries that cancel lose up to f/(f - n) and n/(f - n); the error is relative to the numbers
+    // that are subtracted.
     const double size = c.far / (c.far - c.near);
     for (int row = 0; row < 4; ++row) {
       CHECK(std::abs(turned.at(row, 2) - reversed->at(row, 2)) <= 8 * u * size);
@@ -130,7 +133,7 @@ TEST_CASE("the stereo skew moves points by s (1 - z/f), in either eye space (S0.
   }
   CHECK(stereo_skew(s, f).at(0, 2) == s / f);
   CHECK(stereo_skew_left_handed(s, f).at(0, 2) == -s / f);
-  // The wrong sign: points at the focus move.
+  // With the wrong sign, points at the focus move.
   CHECK((Transform<Eye, Eye>(stereo_skew_left_handed(s, f).columns) * Point<Eye, double>(3, 2, -f))
             .x == 3 + 2 * s);
   CHECK(stereo_skew(s, f) ==
@@ -147,7 +150,8 @@ TEST_CASE("storage and row vectors: the same numbers in the same order are the s
   CHECK(from_column_major<World, Object>(column_major(m)) == m);
   CHECK(from_row_major<World, Object>(row_major(m)) == m);
   CHECK(from_row_major<World, Object>(column_major(m)) != m);
-  // p' = M p for columns is p' = p M^T for rows; stored row after row M^T is M stored column after column.
+  // p' = M p for columns is p' = p M^T for rows. M^T stored row by row is M stored column by
+  // column.
   const Transform<World, Object> transposed(row_vector_matrix(m));
   CHECK(row_major(transposed) == column_major(m));
   const glm::dvec4 p(1, 2, 3, 1);

@@ -21,7 +21,7 @@ TEST_CASE("for w = 1 the divide can be left out: the bits are the same (S4-08)")
   const std::uint64_t seed = 31;
   INFO("seed " << seed);
   Random random(seed);
-  volatile float one = 1;  // a division that the compiler cannot leave out
+  volatile float one = 1;  // a division that the compiler cannot remove
   for (int i = 0; i < 10000; ++i) {
     const float x = std::bit_cast<float>(std::uint32_t(random.bits()));
     if (x != x) continue;
@@ -41,8 +41,8 @@ TEST_CASE("the quotient is the float nearest to the exact one; multiplying by 1/
   for (int i = 0; i < 10000; ++i) {
     const float x = float(random.between(-4, 4)), w = float(random.between(0.5, 100));
     const NdcVertex ndc = divide(Point<Clip>{x, 0, 0, w});
-    // The quotient of two floats never lies so close to the middle of two floats that rounding to double first would
-    // change the result (2 * 24 + 2 <= 53).
+    // The quotient of two floats is never so close to the middle of two floats that rounding to
+    // double first would change the result (2 * 24 + 2 <= 53).
     REQUIRE(ndc.position.x == float(double(x) / double(w)));
     REQUIRE(ndc.inverse_w == float(1 / double(w)));
     product_differs += x * ndc.inverse_w != ndc.position.x;

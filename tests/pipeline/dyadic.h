@@ -1,5 +1,5 @@
-// Exact sums and products of floats and doubles: integers times powers of two. Rationals would do, too, but spend most of
-// their time on common divisors, which are powers of two here.
+// Exact sums and products of floats and doubles, as integers times powers of two. Rationals could
+// do the same, but spend most of their time on common divisors, which are powers of two here.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace glassbox::test {
 class Dyadic {
 public:
   Dyadic() = default;
-  // Any finite number.
+  // `value` is any finite number.
   explicit Dyadic(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);
@@ -21,10 +21,10 @@ public:
   }
 
   bool is_zero() const { return integer_ == 0; }
-  // Rounded; exact in its sign.
+  // The number rounded to double; its sign is exact.
   double value() const {
     if (is_zero()) return 0;
-    // Beyond 2^1023 an integer has no double.
+    // An integer of 2^1024 or more overflows a double.
     const int spare = std::max(0, int(msb(boost::multiprecision::abs(integer_))) - 500);
     const boost::multiprecision::cpp_int kept = integer_ >> spare;
     return std::ldexp(kept.convert_to<double>(), exponent_ + spare);

@@ -1,4 +1,4 @@
-// The slides' formulations make the matrices that the program's own make, but for rounding.
+// The formulations of the slides give the same matrices as the program's own, up to rounding.
 #include <tests/pipeline/cameras.h>
 #include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
@@ -27,7 +27,7 @@ std::uint64_t ulps_apart(const glm::dmat4& a, const glm::dmat4& b) {
   return most;
 }
 
-// A random camera, and the picture it is for: 100 x 100 px stretched.
+// A random camera and the size of its picture; the picture stretches.
 struct Case {
   Camera camera;
   int width = 100, height = 100;
@@ -127,7 +127,7 @@ TEST_CASE("the view is the product of its three factors, bit for bit (S3-16)") {
   Random random(4);
   for (int i = 0; i < 200; ++i) {
     const Case c = random_case(random);
-    // The axes are within 16 u of a rotation's as they are, so that make_view does not touch them.
+    // The axes are within 16 u of a rotation's, so make_view does not repair them.
     CHECK(product(axis_angle_factors(c.camera.world_from_eye)) ==
           made(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world);
   }
@@ -198,7 +198,7 @@ TEST_CASE("a form that cannot express the lens is refused with a reason") {
     CHECK(refusal(straight, DepthRange::kReversed, form).find("reversed") != std::string::npos);
     CHECK(refusal(beside, DepthRange::kStandard, form).find("not centred") != std::string::npos);
   }
-  // The frustum has both.
+  // The frustum supports both a window off the centre and reversed depth.
   CHECK(make_view({"", beside, {}}, 100, 100, DepthRange::kReversed,
                   {ViewForm::kUvn, ProjectionForm::kFrustum})
             .value()

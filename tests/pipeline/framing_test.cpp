@@ -43,7 +43,7 @@ TEST_CASE("the framed box is wholly in the picture, for any shape of box and pic
     for (int corner = 0; corner < 8; ++corner) {
       CHECK(inside(view->clip_from_eye * view->eye_from_world * box.corner(corner)));
     }
-    // In the middle of it, and with planes that leave depth its digits.
+    // The box is in the middle of the picture, and the planes' ratio leaves depth enough digits.
     const Point<Clip, double> centre = view->clip_from_eye * view->eye_from_world * box.center();
     CHECK(std::abs(centre.x / centre.w) < 1e-6);
     CHECK(std::abs(centre.y / centre.w) < 1e-6);
@@ -59,7 +59,7 @@ TEST_CASE("a scene fills the picture up to the margin and no further") {
     REQUIRE(camera);
     const auto view = make_view(*camera, int(std::lround(720 * aspect)), 720);
     REQUIRE(view);
-    double reach = 0;  // of the outermost point, 1 at the edge of the picture
+    double reach = 0;  // of the outermost point; 1 is the edge of the picture
     for_each_drawn_position(scene, [&](const Point<World, double>& p) {
       const Point<Clip, double> c = view->clip_from_eye * view->eye_from_world * p;
       CHECK(inside(c));
@@ -90,7 +90,7 @@ TEST_CASE("the whole scene is in the picture, upright, whatever is up") {
       reach = std::max({reach, std::abs(c.x / c.w), std::abs(c.y / c.w)});
     });
     CHECK(std::abs(reach * options.margin - 1) < 1e-12);
-    // The elevation is above the plane that up is perpendicular to.
+    // The elevation is measured from the plane that is perpendicular to up.
     const Vector<Eye, double> up = view->eye_from_world * options.up;
     const double length = std::sqrt(dot(options.up, options.up));
     CHECK(std::abs(up.x / length) < 1e-14);
@@ -101,7 +101,7 @@ TEST_CASE("the whole scene is in the picture, upright, whatever is up") {
 
 TEST_CASE("a scene turned with what is up is framed the same") {
   const Box<World> upright = box_of({-1, -2, -3}, {4, 5, 7});
-  // y to z, z to -y: exact.
+  // y becomes z, and z becomes -y: exact.
   const Box<World> turned = box_of({-1, -7, -2}, {4, 3, 5});
   FramingOptions options;
   const Camera before = frame(upright, 1.5, options).value();
@@ -112,7 +112,7 @@ TEST_CASE("a scene turned with what is up is framed the same") {
     CHECK(after.world_from_eye.at(1, column) == Approx(-before.world_from_eye.at(2, column)));
     CHECK(after.world_from_eye.at(2, column) == Approx(before.world_from_eye.at(1, column)));
   }
-  // The length of up does not matter, and y is what it is without saying.
+  // The length of up does not matter, and y is the default.
   options.up = {0, 17, 0};
   CHECK(frame(upright, 1.5, options).value().world_from_eye == before.world_from_eye);
   options.up = {0, 0, 0};

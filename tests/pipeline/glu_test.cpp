@@ -1,5 +1,6 @@
-// Against the reference implementation of the functions that S4 names: Mesa's GLU, whose gluLookAt and gluPerspective work on
-// the current OpenGL context. OSMesa gives one without a display.
+// Compares our matrices with those of Mesa's GLU, the reference implementation of the functions
+// that S4 names. gluLookAt and gluPerspective work on the current OpenGL context; OSMesa gives one
+// without a display.
 #include <tests/pipeline/cameras.h>
 #include <tests/pipeline/roundoff.h>
 #include <tests/support/catch.h>
@@ -64,9 +65,10 @@ TEST_CASE(
     });
     const auto ours = look_at(c.eye, c.target, c.up);
     REQUIRE(ours);
-    // In float: the gaze is rounded and normalised (5 u), up rounded (1 u), their cross product rounded and normalised
-    // (8 u over the sine, which divides it), and one cross product more. The translation multiplies that by -eye,
-    // with four roundings of its own.
+    // Mesa computes in float: the gaze is rounded and normalized (5 u), up is rounded (1 u), their
+    // cross product is rounded and normalized (8 u over the sine, by which it is divided), and one
+    // more cross product follows. The translation multiplies these errors by -eye and adds four
+    // roundings of its own.
     const double bound = (16 + 16 / c.up_sine) * uf;
     const double eye_size = std::abs(c.eye.x) + std::abs(c.eye.y) + std::abs(c.eye.z);
     for (int row = 0; row < 3; ++row) {
@@ -81,7 +83,7 @@ TEST_CASE(
     }
   }
   CAPTURE(worst);
-  CHECK(worst > 0.02);  // the tolerance is not idle
+  CHECK(worst > 0.02);  // the tolerance is not far too large
 }
 
 TEST_CASE(
@@ -109,11 +111,12 @@ TEST_CASE(
           const float value = theirs[kind][std::size_t(4 * column + row)];
           CAPTURE(i, kind, row, column, exact, value);
           if (kind == 0) {
-            // Computed in double, stored in float: both round the same number or its neighbour.
+            // Computed in double and stored in float: either both are rounded alike or one is the
+            // neighbour of the other.
             CHECK(ulp_distance(float(exact), value) <= 1);
           } else {
-            // Mesa rounds the arguments to float first: sums and differences err by u of their terms, which `across`
-            // compares with the window's size; a handful of float operations follow.
+            // Mesa first rounds the arguments to float: sums and differences err by u of their
+            // terms, which `across` relates to the window's size; a few float operations follow.
             const double across =
                 row == 0   ? (std::abs(w.left) + std::abs(w.right)) / (w.right - w.left)
                 : row == 1 ? (std::abs(w.bottom) + std::abs(w.top)) / (w.top - w.bottom)
@@ -151,7 +154,8 @@ TEST_CASE(
     GLdouble x = 0, y = 0, z = 0;
     REQUIRE(gluProject(p.x, p.y, p.z, column_major(*view).data(), column_major(gl).data(), viewport,
                        &x, &y, &z) == GL_TRUE);
-    // Both sum products in double: gamma_8 of the absolute terms each, then the divide (bound 2) and the viewport.
+    // Both matrix products in double: gamma_8 of the absolute terms each, then the division (bound
+    // 2) and the viewport.
     const glm::dvec4 eye_terms = [&] {
       glm::dvec4 sum(0);
       for (int column = 0; column < 4; ++column) {

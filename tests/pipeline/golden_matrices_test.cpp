@@ -1,4 +1,5 @@
-// A table of matrices read back from Mesa, and the same by their formulas in double.
+// Compares our matrices with a table of matrices that were read back from Mesa, and with their
+// formulas in double.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -60,10 +61,11 @@ TEST_CASE("the table of gluPerspective, gluLookAt and glFrustum matrices is met 
     for (std::size_t i = 0; i < 16; ++i) {
       const double entry = m[int(i / 4)][int(i % 4)];
       CAPTURE(line, i, entry);
-      // In double: look-at entries are sums of what cancels, up to 40 u of their largest, 18; the others 8 ulps.
+      // Errors in double: look-at entries are sums that cancel, up to 40 u of their largest term,
+      // 18; the others err by 8 ulps.
       const double size = kind == "lookat" ? (i >= 12 ? 18 : 1) : std::abs(formula[i]);
       CHECK(std::abs(entry - formula[i]) <= 40 * unit_roundoff<double> * size);
-      // Mesa's floats, printed with nine digits.
+      // Mesa's matrices are floats, printed with nine digits.
       CHECK(std::abs(entry - mesa[i]) <= 8 * unit_roundoff<float> * size);
     }
     ++rows;

@@ -36,7 +36,7 @@ EyeFromWorld eye_from_world_of(const WorldPoint& eye, const WorldPoint& target,
   return *m;
 }
 
-// Largest difference of the rotations' entries, and of the translations'.
+// The largest differences of the rotations' entries and of the translations'.
 struct Difference {
   double rotation = 0, translation = 0;
 };
@@ -125,7 +125,8 @@ TEST_CASE(
     };
     const WorldPoint eye{double(random.integer(-99, 99)), double(random.integer(-99, 99)),
                          double(random.integer(-99, 99))};
-    // Gaze against the third row, up anywhere in the plane of the second and third: all integers, no rounding.
+    // The gaze is opposite to the third row, up is in the plane of the second and third rows: all
+    // are integers, nothing is rounded.
     const double tilt = double(random.integer(-3, 3));
     const WorldVector up = axis(1, 1) + axis(2, tilt);
     const EyeFromWorld m = eye_from_world_of(eye, eye + axis(2, -double(random.integer(1, 9))), up);
@@ -141,12 +142,12 @@ TEST_CASE(
         worst = std::max(worst, error / (8 + 4 / sine));
         CHECK(error <= 8 + 4 / sine);
       }
-      // |eye| <= 99 sqrt(3), and gamma_3 for the sum.
+      // |eye| <= 99 sqrt(3); gamma_3 is for the sum.
       CHECK(test::error_of(m.at(row, 3), shift) <= (11 + 4 / sine) * u * 172);
     }
   }
   INFO("worst " << worst << " of the bound");
-  CHECK(worst > 0.05);  // the bound is not idle
+  CHECK(worst > 0.05);  // the bound is not far too large
 }
 
 TEST_CASE("both constructions agree within their bounds (S3-16)") {
@@ -184,7 +185,7 @@ TEST_CASE(
 }
 
 TEST_CASE("E8: the slide's cosine a.z in place of v.z turns by the wrong angle") {
-  // The axis a is perpendicular to z, so that a.z is 0 and every camera would turn by 90 degrees.
+  // The axis a is perpendicular to z, so a.z is 0 and every camera would turn by 90 degrees.
   const WorldVector v = *unit(WorldVector{3, 1, -2});
   const WorldVector minus_z{0, 0, -1};
   const WorldVector across = cross(v, minus_z);
@@ -199,7 +200,8 @@ TEST_CASE("E8: the slide's cosine a.z in place of v.z turns by the wrong angle")
   CHECK(std::abs((*right * v).z + 1) <= 16 * u);
 }
 
-// S3.37 to the letter: the gaze goes to +z, then up into the upper half of the yz plane, all by proper rotations.
+// The construction of S3.37 to the letter: rotate the gaze to +z, then up into the upper half of
+// the yz plane, both by proper rotations.
 Transform<EyeLeft, World> slide_37(const WorldPoint& eye, const WorldPoint& target,
                                    const WorldVector& up) {
   const WorldVector v = *unit(target - eye);
@@ -214,7 +216,7 @@ Transform<EyeLeft, World> slide_37(const WorldPoint& eye, const WorldPoint& targ
   return *roll * *turn * translate<World>(WorldPoint(0, 0, 0) - eye);
 }
 
-// Twice the signed area of the image of three points: positive for counter-clockwise with y up.
+// Twice the signed area of the image of three points: positive if counter-clockwise with y up.
 template <class ClipFromWorld>
 double image_turn(const ClipFromWorld& m, const std::array<WorldPoint, 3>& p) {
   std::array<std::array<double, 2>, 3> at{};
@@ -228,7 +230,8 @@ double image_turn(const ClipFromWorld& m, const std::array<WorldPoint, 3>& p) {
 }
 
 TEST_CASE("E7: rotating the gaze to +z mirrors the picture of an F, unless x is flipped (C-06)") {
-  // The F's foot, its top and the end of its upper arm: clockwise for somebody in front of it, who reads it as F.
+  // The foot of the F, its top and the end of its upper arm: clockwise for an observer in front of
+  // it who reads an F.
   const std::array<WorldPoint, 3> glyph{WorldPoint(0, 0, 0), WorldPoint(0, 2, 0),
                                         WorldPoint(1, 2, 0)};
   const WorldPoint eye{1, 2, 6}, target{0.5, 1, 0};
@@ -246,7 +249,7 @@ TEST_CASE("E7: rotating the gaze to +z mirrors the picture of an F, unless x is 
   const Transform<Clip, World> flipped = scale<Clip>(-1, 1, 1) * wrong;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      // Entries up to 7, libm's angle in degrees and back.
+      // Entries up to 7; the angle of the C library goes to degrees and back.
       CHECK(std::abs(flipped.at(row, column) - right.at(row, column)) <= 200 * u);
     }
   }
@@ -261,11 +264,12 @@ TEST_CASE(
   const WorldVector gaze{3, -2, 6};  // |gaze| = 7
   const WorldPoint target = eye + gaze;
   const WorldVector across{
-      6, 3, -2};  // perpendicular to it, also of length 7; the third is their cross product over 7
+      6, 3, -2};  // perpendicular, length 7; the third axis is their cross product over 7
   for (double e : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     const WorldVector up = gaze + across * e;
     const EyeFromWorld m = eye_from_world_of(eye, target, up);
-    // The exact V: up less its part along the gaze, normalised; in long double, whose roundoff is u/2048.
+    // The exact V is up minus its part along the gaze, normalized; in long double, whose unit
+    // roundoff is u/2048.
     const long double k =
         ((long double)(up.x) * 3 - (long double)(up.y) * 2 + (long double)(up.z) * 6) / 49;
     const long double vx = up.x - k * 3, vy = up.y + k * 2, vz = up.z - k * 6;
@@ -346,7 +350,7 @@ TEST_CASE(
 }
 
 #if defined(__SSE2__)
-// The processor's modes in which subnormal numbers are zero, for the length of a scope.
+// While it exists, subnormal numbers are zero: sets the two modes of the processor for that.
 class FlushToZero {
 public:
   FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
@@ -364,7 +368,7 @@ TEST_CASE(
   for (int i = 0; i < 500; ++i) {
     const LookAtCase c = test::random_look_at(random);
     const test::LensCase lens = test::random_lens(random);
-    // From subnormal over tiny to ordinary lengths of up.
+    // The length of up ranges from subnormal to ordinary.
     const WorldVector up = c.up * std::ldexp(1.0, -int(random.integer(0, 1080)));
     const auto plain = look_at(c.eye, c.target, up);
     const auto plain_lens =
@@ -382,8 +386,9 @@ TEST_CASE(
 #endif
 
 TEST_CASE("a camera far from the origin sees near things as exactly as one at the origin (C-13)") {
-  // An object placed at the offset and an eye beside it: composed in double and rounded once, then applied in float.
-  // The naive order, float world positions times a float view matrix, is the wrong variant.
+  // An object at the offset and an eye beside it. The transforms are composed in double, rounded
+  // once and then applied in float. The naive order, world positions in float times a float view
+  // matrix, is the wrong variant.
   Random random(44);
   for (double offset : {1e2, 1e4, 1e6, 1e8}) {
     double worst = 0, naive_worst = 0;
@@ -403,7 +408,7 @@ TEST_CASE("a camera far from the origin sees near things as exactly as one at th
       const Point<World> world = round_to_float(world_from_object) * p;
       const Point<Eye> naive = eye_from_world_float * world;
 
-      // Exact for the rotation as rounded: the offset subtracted first.
+      // Exact for the rotation as it was rounded: the offset is subtracted first.
       const Vector<World, double> relative{double(p.x) - 3, double(p.y) - 4, double(p.z) - 5};
       const Vector<Eye, double> exact = eye_from_world * relative;
       for (auto [value, bad, right] : {std::array<double, 3>{image.x, naive.x, exact.x},
@@ -415,7 +420,7 @@ TEST_CASE("a camera far from the origin sees near things as exactly as one at th
     }
     CAPTURE(offset, worst, naive_worst);
     CHECK(worst <=
-          2e-6);  // C-13; |image| <= 9, so 4 u |M||x| of float is 2e-6, and 1e8 in double adds 1e-7
+          2e-6);  // |image| <= 9, so 4 u |M||x| in float is 2e-6, and 1e8 in double adds 1e-7
     if (offset >= 1e6) CHECK(naive_worst > 1e-2);
   }
 }
@@ -430,7 +435,7 @@ TEST_CASE("a cube of one metre on a planet keeps its shape (C-14)") {
                           (corner & 4) != 0 ? 0.5f : -0.5f};
     CHECK(m * p == Point<Eye>(p.x, p.y, p.z - 2));
   }
-  // In float the planet's grid is half a metre: the same corner through float world space.
+  // In world space floats are half a metre apart on the planet: distinct corners coincide.
   CHECK(float(6.378e6 + 0.4) == float(6.378e6 + 0.5));
 }
 
@@ -440,7 +445,8 @@ TEST_CASE("10 000 random cameras agree with GLM's lookAt (S4-12)") {
     const LookAtCase c = test::random_look_at(random);
     const glm::dmat4 theirs = glm::lookAt(to_glm(c.eye), to_glm(c.target), to_glm(c.up));
     const Difference d = difference(eye_from_world_of(c.eye, c.target, c.up).columns, theirs);
-    // Each is within (8 + 4/sine) u of the exact one, GLM's with an inverse square root more: twice and a half of it.
+    // Each is within (8 + 4/sine) u of the exact matrix, and GLM's has one more inverse square
+    // root: 2.5 times that.
     const double bound = (24 + 12 / c.up_sine) * u;
     CAPTURE(i, c.up_sine);
     CHECK(d.rotation <= bound);

@@ -21,7 +21,7 @@ Vec unit_of(const Vec& v) {
   return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-// The angle between two directions, stable near 0.
+// The angle between two directions, accurate near 0.
 double angle(const Vec& a, const Vec& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
@@ -32,7 +32,7 @@ TEST_CASE(
   const Linear squash = scale<World, Object>(1, 1, 1e-6);
   const Normal<Object> slope{0.6f, 0, 0.8f};
   const Normal<World> right = normalized(normal_transform(squash) * slope);
-  // The surface's tangents (0.8, 0, -0.6) and y go to (0.8, 0, -0.6e-6) and y.
+  // The surface's tangents (0.8, 0, -0.6) and y become (0.8, 0, -0.6e-6) and y.
   const Vec exact = unit_of(Vec(double(slope.x) * 1e-6, 0, double(slope.z)));
   CHECK(angle(Vec(to_glm(right)), exact) <= 10 * uf);
   const Vec wrong = Vec(slope.x, slope.y, double(slope.z) * 1e-6);
@@ -58,7 +58,7 @@ TEST_CASE("normals of random transforms are within 10 u of the exact cofactors' 
         (cofactors[0] * double(n.x) + cofactors[1] * double(n.y) + cofactors[2] * double(n.z)) *
         (det < 0 ? -1.0 : 1.0);
     const Normal<World> value = normalized(normal_transform(m) * n);
-    // Rounding is relative to the terms, so what cancels among them is magnified.
+    // Rounding is relative to the terms, so cancellation magnifies the error.
     double terms = 0, size = glm::length(exact);
     for (int k = 0; k < 3; ++k) terms += glm::length(cofactors[k]);
     if (size == 0) continue;
@@ -73,15 +73,16 @@ TEST_CASE("mirrored objects keep their normals outward (C-17)") {
   const Normal<World> up = normalized(normal_transform(mirror) * Normal<Object>(0, 1, 0));
   CHECK(right == Normal<World>(-1, 0, 0));
   CHECK(up == Normal<World>(0, 1, 0));
-  // Without the determinant's sign the cofactors turn them inward.
+  // Without the sign of the determinant the cofactors point inward.
   const glm::dmat3 m(mirror.columns);
   CHECK(glm::cross(m[1], m[2]) == Vec(1, 0, 0));
-  // A closed shape: every face's outward normal has positive product with the way out, for any mirrored map.
+  // On a closed shape, the outward normal of every face has a positive dot product with the
+  // direction out, for any mirrored map.
   const Linear map = *rotate_degrees<World, Object>({1, 2, 3}, 77) * scale<Object>(-2, 3, 0.5);
   for (const Vec& n :
        {Vec(1, 0, 0), Vec(-1, 0, 0), Vec(0, 1, 0), Vec(0, -1, 0), Vec(0, 0, 1), Vec(0, 0, -1)}) {
     const Normal<World> outward = normal_transform(map) * Normal<Object>(glm::vec3(n));
-    // Centre of the cube's face.
+    // The centre of the cube's face, which is also the direction out.
     const Vector<World, double> way_out = map * Vector<Object, double>(n);
     CHECK(outward.x * way_out.x + outward.y * way_out.y + outward.z * way_out.z > 0);
   }
@@ -95,7 +96,8 @@ TEST_CASE("a flattened object has the right normals where it has any, and no NaN
   CHECK(normalized(normal_transform(flat) * Normal<Object>(1, 0, 0)) == Normal<World>(0, 0, 0));
   const Linear nothing = scale<World, Object>(0, 0, 0);
   CHECK(normalized(normal_transform(nothing) * Normal<Object>(1, 2, 3)) == Normal<World>(0, 0, 0));
-  CHECK(!inverse_affine(flat));  // what the textbook's inverse transpose would have divided by
+  // The textbook's inverse transpose would divide by this determinant.
+  CHECK(!inverse_affine(flat));
 }
 
 TEST_CASE("sizes that overflow or vanish in float and double do not matter") {

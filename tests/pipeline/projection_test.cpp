@@ -35,7 +35,7 @@ double depth_of(const Projection& m, double distance) {
   return c.z / c.w;
 }
 
-// Largest distance in ulps of corresponding entries, which must be zero together.
+// The largest distance in ulps between corresponding entries; they must be zero in the same places.
 std::uint64_t largest_distance(const glm::dmat4& a, const glm::dmat4& b) {
   std::uint64_t largest = 0;
   for (int column = 0; column < 4; ++column) {
@@ -91,7 +91,8 @@ TEST_CASE(
     CAPTURE(i, c.near, c.far);
     CHECK(depth_of(standard, c.near) == 0);
     CHECK(depth_of(reversed, c.far) == 0);
-    // z is the difference of two numbers of about f^2/(f - n), each within 3 u, over w = f; 4 u for the rest.
+    // z is the difference of two numbers of about f^2/(f - n), each within 3 u, divided by w = f; 4
+    // u for the rest.
     const double magnified = c.far / (c.far - c.near);
     CHECK(std::abs(depth_of(standard, c.far) - 1) <= (4 + 6 * magnified) * u);
     CHECK(std::abs(depth_of(reversed, c.near) - 1) <= (4 + 6 * magnified) * u);
@@ -173,9 +174,11 @@ TEST_CASE(
                                                      minus_one_to_one[kind]));
     }
   }
-  // Ours is within 4 ulps; GLM divides by a tangent of libm's (1 ulp) with two roundings more, and multiplies n by f.
+  // Our entries are within 4 ulps. GLM divides by a tangent of the C library (1 ulp), with two more
+  // roundings, and multiplies n by f.
   CHECK(worst <= 8);
-  // 2 z - w cancels at most one bit of entries near 2 against 1, and parallel offsets -(f + n)/(f - n) likewise.
+  // In 2 z - w, entries near 2 minus 1 lose at most one bit, and so do parallel offsets -(f + n)/(f
+  // - n).
   CHECK(worst_gl <= 12);
   const glm::dmat4 infinite = glm::infinitePerspective(1.0, 1.5, 0.25);
   CHECK(largest_distance((clip_gl_from_clip() * must(perspective(1.0, 1.5, {0.25}))).columns,
@@ -215,8 +218,9 @@ TEST_CASE("T_pers is the slide's product, determinant and inverse (S4-10)") {
   inverse[3][2] = 1;
   inverse[2][3] = -(f - d) / (d * f);
   inverse[3][3] = 1 / d;
-  CHECK(inverse * m.columns == glm::dmat4(1));  // powers of two and 5/4 * 4/5 = 1 exactly
-  // With our eye: rows [0 0 -f/(f-d) -df/(f-d)] and [0 0 -1 0] (SPEC 0.2).
+  CHECK(inverse * m.columns == glm::dmat4(1));  // exact: powers of two, and 5/4 * 4/5 = 1
+  // With our eye space, which looks along -z, the last rows are [0 0 -f/(f-d) -df/(f-d)] and [0 0
+  // -1 0].
   const Projection ours = m * eye_left_from_eye();
   CHECK(ours.at(2, 2) == -1.25);
   CHECK(ours.at(2, 3) == -1.25);
@@ -224,7 +228,7 @@ TEST_CASE("T_pers is the slide's product, determinant and inverse (S4-10)") {
 }
 
 TEST_CASE("E13: the half-angle goes with the window's half-width") {
-  // A window of ResX = 4 at distance d = 2 and its right edge, x = 2.
+  // A window of width ResX = 4 at distance d = 2, whose right edge is at x = 2.
   const double res_x = 4, d = 2;
   const Point<EyeLeft, double> edge{res_x / 2, 0, d};
   const auto ndc_x = [&](double s) {
@@ -234,7 +238,7 @@ TEST_CASE("E13: the half-angle goes with the window's half-width") {
   };
   CHECK(std::abs(ndc_x(res_x / 2) - 1) <= 8 * u);
   CHECK(std::abs(ndc_x(res_x) - 0.5) <=
-        8 * u);  // the slide's s = ResX: the picture at half its size
+        8 * u);  // the slide's s = ResX gives a picture of half the size
 }
 
 TEST_CASE("AR = ResX/ResY makes squares square (S3-14, E13)") {
@@ -250,7 +254,7 @@ TEST_CASE("simple perspective scales by d/z, and T_ort drops depth (S3-08, S4-06
   CHECK(c.y / c.w == -1.25);
   CHECK(c.z / c.w == 2);
   CHECK(drop_depth() * Point<EyeLeft, double>(3, -5, 8) == Point<Clip, double>(3, -5, 0, 1));
-  // The direction of the gaze, a point at infinity, has its image in the middle (S4-06).
+  // The direction of the gaze, a point at infinity, is mapped to the middle of the picture (S4-06).
   const glm::dvec4 gaze = simple_perspective(2).columns * glm::dvec4(0, 0, 1, 0);
   CHECK(glm::dvec2(gaze) / gaze.w == glm::dvec2(0, 0));
 }
@@ -354,7 +358,7 @@ TEST_CASE("depth is continuous as the far plane goes to infinity (C-10)") {
       const Projection finite = must(perspective_degrees(60, 1, {n, n * ratio, range}));
       for (double z = n; z < n * 1e3; z *= 3) {
         CAPTURE(ratio, z);
-        // f/(f - n) (1 - n/z) against 1 - n/z: apart by less than 1/(ratio - 1).
+        // The two depths f/(f - n) (1 - n/z) and 1 - n/z differ by less than 1/(ratio - 1).
         CHECK(std::abs(depth_of(finite, z) - depth_of(infinite, z)) <= 1.01 / ratio + 4 * u);
       }
     }

@@ -1,4 +1,4 @@
-// The exact oracle (study/oracle) over Boost's own rationals: headers of tests may show the library.
+// The exact oracle (exact/matrix.h) with Boost's own rationals; headers of tests may include Boost.
 #pragma once
 
 #include <glassbox/base/random.h>
@@ -15,7 +15,7 @@ using RationalVector = exact::Vector4<Rational>;
 using exact::pythagorean_rotation;
 using exact::PythagoreanRotation;
 
-// The very numbers of a matrix.
+// The exact values of a matrix's entries.
 template <class Matrix>
 RationalMatrix exactly(const Matrix& m) {
   return exact::exactly<Rational>(m);

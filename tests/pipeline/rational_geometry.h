@@ -1,4 +1,4 @@
-// Clip space in rational arithmetic (exact/clip.h), over Boost's own rationals.
+// Clip space in rational arithmetic (exact/clip.h), with Boost's own rationals.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,6 +1,6 @@
-// Object to screen against exact rationals: cameras by Pythagorean rotations, windows and planes of integers, so that the
-// oracle needs no square root (SPEC C.9, oracle 2). The stages' own order of operations is in float; the bounds are the
-// generic ones of SPEC C.
+// Object space to screen space, compared with exact rationals. Cameras are Pythagorean rotations,
+// windows and planes are integers, so the oracle needs no square root. The stages compute in float
+// in their own order; the bounds are the generic ones: transform (1), divide (2), screen (3).
 #include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
 #include <tests/pipeline/roundoff.h>
@@ -52,7 +52,7 @@ TEST_CASE(
   double worst_clip = 0, worst_screen = 0;
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
-    // The world: a rational rotation given to us as doubles, scaled and moved.
+    // The world: a rational rotation, rounded to doubles, then scaled and moved.
     const test::PythagoreanRotation turn = test::pythagorean_rotation(random),
                                     camera = test::pythagorean_rotation(random);
     const Point<World, double> place{double(random.integer(-50, 50)),
@@ -73,7 +73,7 @@ TEST_CASE(
     }
     exact_world = rational_translation(place, 1) * exact_world;
 
-    // The camera: gaze against the third row, up the second.
+    // The camera: the gaze is opposite to the third row, up is the second row.
     const Point<World, double> eye{double(random.integer(-50, 50)), double(random.integer(-50, 50)),
                                    double(random.integer(-50, 50))};
     const auto row = [&](std::size_t r, double s) {
@@ -98,7 +98,7 @@ TEST_CASE(
     const Transform<Clip, Object, float> stage = round_to_float(clip_from_object);
     const RationalMatrix exact = exact_clip * exact_eye * exact_world;
 
-    // |M_clip| |M_eye| |M_world|: what the roundings of the products are relative to.
+    // |M_clip| |M_eye| |M_world|: the roundings of the products are relative to this.
     glm::dmat4 sizes(1);
     for (const glm::dmat4& m :
          {clip_from_eye->columns, eye_from_world->columns, world_from_object.columns}) {
@@ -123,8 +123,8 @@ TEST_CASE(
           entry_terms += std::abs(clip_from_object.columns[column][c]) * magnitude[column];
           double_terms += sizes[column][c] * magnitude[column];
         }
-        // Bound 1: gamma_4 |M||x| for the stage, u |M||x| for the one rounding; in double 12 u for each camera entry
-        // and gamma_8 for two products.
+        // Bound 1: gamma_4 |M||x| for the transform, u |M||x| for rounding the matrix to float; in
+        // double, 12 u for each camera entry and gamma_8 for the two products.
         bounds[c] =
             (gamma<float>(4) + uf) * entry_terms + (12 * 3 * ud + gamma<double>(8)) * double_terms;
         const double error = test::error_of(values[c], exact_position[std::size_t(c)]);
@@ -140,7 +140,7 @@ TEST_CASE(
       const Rational exact_ndc_x = exact_position[0] / exact_position[3],
                      exact_ndc_y = exact_position[1] / exact_position[3];
       const Rational exact_x = exact_ndc_x * 640 + 640, exact_y = exact_ndc_y * -360 + 360;
-      // Bounds 2 and 3, with 1 % for what is of second order.
+      // Bounds 2 and 3, with 1 % for the terms of second order.
       const double nx = std::abs(double(exact_ndc_x)), ny = std::abs(double(exact_ndc_y)),
                    w = double(exact_position[3]);
       const double ndc_x_bound = (bounds[0] + nx * bounds[3]) / w * 1.01 + uf * nx;
@@ -148,7 +148,7 @@ TEST_CASE(
       const double x_bound = 640 * ndc_x_bound + 2.02 * uf * (640 * nx + 640);
       const double y_bound = 360 * ndc_y_bound + 2.02 * uf * (360 * ny + 360);
       if (bounds[3] > 0.005 * w)
-        continue;  // the divide's first order does not hold next to the eye's plane
+        continue;  // close to the eye's plane a first-order bound of the division does not hold
       CAPTURE(i, k, nx, ny, w);
       CHECK(test::error_of(screen.position.x, exact_x) <= x_bound);
       CHECK(test::error_of(screen.position.y, exact_y) <= y_bound);
@@ -157,7 +157,7 @@ TEST_CASE(
   }
   CAPTURE(compared, worst_clip, worst_screen);
   CHECK(compared > 500);
-  CHECK(worst_clip > 0.05);  // the bounds are not idle
+  CHECK(worst_clip > 0.05);  // the bounds are not far too large
   CHECK(worst_screen > 0.05);
 }
 

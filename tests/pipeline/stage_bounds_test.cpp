@@ -1,5 +1,5 @@
-// The error bounds that the inspector prints beside numbers (SPEC C, generic bounds 1 to 3), held against rationals on
-// random vertices through random matrices.
+// The error bounds that the inspector prints beside numbers (generic bounds 1 to 3: transform,
+// divide, screen), compared with rationals on random vertices and random matrices.
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +43,7 @@ Rational exact_row(const Transform<Clip, Object, T>& m, int row, const Point<Obj
          Rational(double(m.at(row, 2))) * Rational(p.z) + Rational(double(m.at(row, 3)));
 }
 
-// |M||x| for one row, rounded up by less than 2^-50 of it.
+// |M||x| for one row, rounded up by less than 2^-50 of its value.
 template <class Target, class T>
 double row_size(const Transform<Target, Object, T>& m, int row, const Point<Object>& p) {
   return (std::abs(double(m.at(row, 0)) * p.x) + std::abs(double(m.at(row, 1)) * p.y) +
@@ -76,7 +76,8 @@ TEST_CASE("bounds 1 to 3 hold for every vertex, and stable vertices snap where t
     REQUIRE(w_error <= w_bound);
     transform_ratio = std::max(transform_ratio, x_error / x_bound);
 
-    // 2. Divide: x^/w^ - x/w = (dx - (x/w) dw) / w^ and one rounding. Beyond the guard band nothing is divided.
+    // 2. Divide: x^/w^ - x/w = (dx - (x/w) dw) / w^, and one rounding. Vertices beyond the guard
+    // band are not divided.
     if (w == 0 || clip.w == 0 || std::abs(clip.x) > 100 * std::abs(clip.w)) continue;
     const NdcVertex ndc = divide(clip);
     const Rational exact_ndc = x / w;
@@ -99,8 +100,8 @@ TEST_CASE("bounds 1 to 3 hold for every vertex, and stable vertices snap where t
     REQUIRE(screen_error <= screen_bound);
     screen_ratio = std::max(screen_ratio, screen_error / screen_bound);
 
-    // Snap: floor(256 X + 1/2). The boundaries are where 256 X + 1/2 is an integer.
-    // Exact: 24 bits and one below them.
+    // Snap: floor(256 X + 1/2). The boundaries are where 256 X + 1/2 is an integer. This sum is
+    // exact in double: 24 bits and one below them.
     const double scaled = double(screen.position.x) * 256 + 0.5;
     const double to_boundary =
         std::min(scaled - std::floor(scaled), std::floor(scaled) + 1 - scaled) / 256;
@@ -113,7 +114,8 @@ TEST_CASE("bounds 1 to 3 hold for every vertex, and stable vertices snap where t
       ++unstable;
     }
   }
-  // The bounds are not much larger than what happens, and both kinds of vertices were met.
+  // The bounds are not much larger than the errors that occur, and there were vertices of both
+  // kinds.
   CAPTURE(transform_ratio, divide_ratio, screen_ratio, stable, unstable);
   CHECK(transform_ratio > 0.25);
   CHECK(divide_ratio > 0.1);
@@ -128,7 +130,7 @@ TEST_CASE("a product formed in double adds u |M||x|; formed in float it breaks t
   Random random(seed);
   int float_product_breaks_it = 0;
   for (int i = 0; i < 5000; ++i) {
-    // Two translations that cancel: a scene far from the origin and a camera beside it.
+    // Two translations that cancel: a scene far from the origin with a camera beside it.
     auto clip_from_world = random_matrix<Clip, World>(random, 1);
     auto world_from_object = random_matrix<World, Object>(random, 1e5);
     world_from_object.at(3, 0) = world_from_object.at(3, 1) = world_from_object.at(3, 2) = 0;
@@ -149,7 +151,8 @@ TEST_CASE("a product formed in double adds u |M||x|; formed in float it breaks t
         test::exactly(clip_from_world) * test::exactly(world_from_object);
     const test::RationalVector q =
         exact * test::RationalVector{Rational(p.x), Rational(p.y), Rational(p.z), Rational(1)};
-    // gamma_4 for the transform and u for the entries make gamma_5; the product in double errs by gamma_4 of its own.
+    // gamma_4 for the transform and u for the entries give gamma_5; the product in double adds an
+    // error of gamma_4 in double.
     double product_size = 0;
     for (int k = 0; k < 4; ++k) {
       const double coordinate = k == 0 ? p.x : k == 1 ? p.y : k == 2 ? p.z : 1;

@@ -24,7 +24,7 @@ View view_by(const Lens& lens, DepthRange range = DepthRange::kStandard) {
   return *view;
 }
 
-// World to screen in double; the stages do it in float.
+// World space to screen space in double; the stages compute this in float.
 Point<Screen, double> screen_of(const View& view, const WorldPoint& p) {
   const Point<Clip, double> c = view.clip_from_eye * (view.eye_from_world * p);
   const Viewport& v = view.viewport;
@@ -45,7 +45,8 @@ TEST_CASE("world to screen to world returns every kind of camera's points (S3-03
       const WorldPoint p{random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
       const auto back = unproject(view, screen_of(view, p));
       REQUIRE(back);
-      // The depth's few roundings times d(distance)/d(depth) <= 17^2/0.5, and the pose's times 30.
+      // The few roundings of depth times d(distance)/d(depth) <= 17^2/0.5, and those of the pose
+      // times 30.
       const double bound = 16 * unit_roundoff<double> * (17 * 17 / 0.5 + 30);
       CHECK(test::length(*back - p) <= bound);
     }
@@ -57,7 +58,8 @@ TEST_CASE("pixel corners at the near plane are the window's (S3-17)") {
   const auto corner = unproject(view, {0, 0, 0});
   REQUIRE(corner);
   const Point<Eye, double> eye = view.eye_from_world * *corner;
-  CHECK(std::abs(eye.x + 0.25) <= 1e-14);  // 13 world units from the origin: 60 u of them
+  // 13 world units from the origin, with an error of 60 u of that.
+  CHECK(std::abs(eye.x + 0.25) <= 1e-14);
   CHECK(std::abs(eye.y - 0.25) <= 1e-14);
   CHECK(std::abs(eye.z + 0.5) <= 1e-14);
 }
@@ -78,21 +80,21 @@ TEST_CASE("an error in depth is magnified by z^2 (f - n)/(f n) (C-20, bound 8)")
     const double exact = f / (f - n) * (1 - n / z);
     const double stored = float(exact), error = std::abs(stored - exact);
     const double moved = std::abs(distance_of(view, stored) - z);
-    // First order, with the neighbourhood's curvature and double's own roundings.
+    // First order, with an allowance for the curvature nearby and for the roundings of double.
     CHECK(moved <= distance_per_depth(view, z) * error * 1.1 + 1e-6 * z);
     worst = std::max(worst, moved / z);
     const double exact_reversed = n / (f - n) * (f / z - 1);
     worst_reversed = std::max(
         worst_reversed, std::abs(distance_of(reversed, double(float(exact_reversed))) / z - 1));
   }
-  CHECK(worst > 1e-4);                   // five digits of distance are gone
-  CHECK(worst_reversed <= 2 * 0x1p-24);  // and kept
+  CHECK(worst > 1e-4);                   // standard depth has lost five digits of the distance
+  CHECK(worst_reversed <= 2 * 0x1p-24);  // reversed depth has kept them
 }
 
 TEST_CASE("depths that no point in front of the eye has are refused") {
   const View endless = view_by(PerspectiveLens{1, 0.5, {}});
   CHECK(!unproject(endless, {0, 0, 1}));    // infinity itself
-  CHECK(!unproject(endless, {0, 0, 1.5}));  // beyond
+  CHECK(!unproject(endless, {0, 0, 1.5}));  // beyond infinity
   CHECK(!unproject(endless, {0, 0, std::nan("")}));
   const View reversed = view_by(PerspectiveLens{1, 0.5, {}}, DepthRange::kReversed);
   CHECK(!unproject(reversed, {0, 0, 0}));

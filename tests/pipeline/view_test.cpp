@@ -52,7 +52,8 @@ TEST_CASE(
   const auto view = make_view(camera_with(OrthographicLens{128, 0, 16}), 512, 256);
   REQUIRE(view);
   CHECK(!view->perspective);
-  // 256 world units are 256 pixels: world (x, y) is at pixel (x + 256, 128 - y), fractions of 1/256 included.
+  // 256 world units are 256 pixels: world (x, y) is at pixel (x + 256, 128 - y), with fractions of
+  // 1/256.
   for (double x : {-256.0, -3.00390625, 0.0, 0.5, 17.25, 255.99609375}) {
     const Point<Screen> p = screen_point(*view, {x, x / 2, 0});
     CHECK(p.x == x + 256);
@@ -87,7 +88,7 @@ TEST_CASE("E14: screen coordinates are reals, negative ones too, until they are 
   const Point<Screen> outside = screen_point(*view, {-8, 8, 0});  // left of and above the picture
   CHECK(outside.x < 0);
   CHECK(outside.y < 0);
-  // What an unsigned pixel index would make of it.
+  // As an unsigned pixel index it would be far outside.
   CHECK(unsigned(int(std::floor(outside.x))) > 64u);
 }
 
@@ -96,7 +97,8 @@ TEST_CASE("the y flip of the screen turns counter-clockwise fronts clockwise (SP
   REQUIRE(view);
   const Point<Screen> a = screen_point(*view, {0, 0, 0}), b = screen_point(*view, {1, 0, 0}),
                       c = screen_point(*view, {0, 1, 0});
-  // Counter-clockwise in the world, seen from +z. In y-down coordinates its doubled area is negative.
+  // The triangle is counter-clockwise in the world, seen from +z. With y down its doubled area is
+  // negative.
   CHECK((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0);
 }
 
@@ -105,11 +107,12 @@ TEST_CASE("reversed depth is accepted where standard depth is: near 1e-30, far 1
   CHECK(make_view(camera_with(lens), 64, 64, DepthRange::kStandard));
   const auto view = make_view(camera_with(lens), 64, 64, DepthRange::kReversed);
   REQUIRE(view);
-  // The slope n/(f - n) = 1e-40 is no normal float, and neither is it 0, the matrix of an infinite far plane.
+  // The slope n/(f - n) = 1e-40 is a subnormal float, but not 0, which belongs to the matrix of an
+  // infinite far plane.
   const float slope = round_to_float(view->clip_from_eye).at(2, 2);
   CHECK(slope > 0);
   CHECK(std::abs(double(slope) - 1e-40) <= 0x1p-150);
-  // One that float would make 0 is refused: what lies beyond the far plane would be drawn.
+  // A slope that float rounds to 0 is refused: points beyond the far plane would be drawn.
   CHECK_FALSE(
       make_view(camera_with(PerspectiveLens{1, 1e-30, 1e30}), 64, 64, DepthRange::kReversed));
 }
@@ -188,7 +191,7 @@ TEST_CASE("poses that scale, shear, mirror or are not finite are refused") {
 }
 
 TEST_CASE("a pose with few digits is repaired to the nearest rotation (C-12)") {
-  // A rotation printed with six digits, as in data files.
+  // A rotation printed with six digits, as data files have them.
   Camera camera = camera_with(PerspectiveLens{});
   camera.world_from_eye = rotate_degrees<World, Eye>({1, 2, 3}, 40).value();
   for (int column = 0; column < 3; ++column) {
@@ -202,7 +205,7 @@ TEST_CASE("a pose with few digits is repaired to the nearest rotation (C-12)") {
   REQUIRE(view);
   CHECK(orthogonality_error(glm::dmat3(view->eye_from_world.columns)) <=
         16 * unit_roundoff<double>);
-  // What that moves in a picture 1280 pixels wide: less than 1e-3 px.
+  // The repair moves points by less than 1e-3 px in a picture of 1280 pixels width.
   const Transform<Eye, World> unrepaired(glm::transpose(camera.world_from_eye.columns));
   const Point<World, double> p = camera.world_from_eye * Point<Eye, double>(1, 0.5, -4);
   View other = *view;

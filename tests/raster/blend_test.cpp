@@ -1,4 +1,4 @@
-// Encoding, masks and blending.
+// Colour encoding, write masks and blending.
 #include <cmath>
 
 #include <glassbox/base/random.h>
@@ -57,8 +57,9 @@ TEST_CASE("blending with alpha 0 keeps every byte, and with alpha 1 replaces it"
 }
 
 TEST_CASE("blending is the weighted mean in linear light") {
-  // c and keep and their products and sum are rounded: 4 roundings of numbers up to 1, so 4 u = 2.4e-7 beside the exact
-  // value, and 6.1e-5 of a byte; then the byte is the nearest one.
+  // The products of c and of keep and their sum are rounded: 4 roundings of numbers up to 1, so at
+  // most 4 u = 2.4e-7 from the exact value, which is 6.1e-5 of a byte; then the byte is the nearest
+  // one.
   Random random(2);
   for (int i = 0; i < 5000; ++i) {
     const Rgba8 stored = random_texel(random), drawn = random_texel(random);
@@ -71,7 +72,7 @@ TEST_CASE("blending is the weighted mean in linear light") {
     CHECK(near(found.b, drawn.b * a + stored.b * (1 - a)));
     CHECK(near(found.a, drawn.a + stored.a * (1 - a)));
   }
-  // White over black at one half is half the light, sRGB 188, not byte 128.
+  // White that half covers black gives half the light, which is 188 in sRGB, not 128.
   CHECK(blend_over(Transfer::kSrgb, {1, 1, 1, 0.5f}, {0, 0, 0, 255}) == Rgba8{188, 188, 188, 255});
   CHECK(blend_over(Transfer::kNone, {1, 1, 1, 0.5f}, {0, 0, 0, 255}) == Rgba8{128, 128, 128, 255});
 }

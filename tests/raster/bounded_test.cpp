@@ -1,4 +1,5 @@
-// Numbers with bounds against arithmetic of 320 bits: sums, products, quotients and roots of every size, conditions, and the light.
+// Numbers with error bounds, compared with arithmetic of 320 bits: sums, products, quotients and
+// roots of all magnitudes, comparisons, and lighting.
 #include <glassbox/raster/bounded_formulas.h>
 
 #include <bit>
@@ -15,13 +16,14 @@ namespace {
 using bounded::Bounded;
 using in_full::Big;
 
-// A number, and the exact one that it stands for: `off` of it in units of the bound, at most 1.
+// A computed number with its error bound, and the exact number; they differ by at most the bound.
 struct Pair {
   Bounded computed;
   Big exact;
 };
 
-// Of every size, now and then without error, as good as unknown, or an end of the range.
+// Numbers of all magnitudes. Some have no error, some an error larger than themselves, and for some
+// the exact number is at an end of the range.
 Pair random_pair(Random& random) {
   const float sizes[] = {1.0f, 1e-3f, 1e3f, 1e-20f, 1e20f, 0x1p-140f};
   const float share = float(random.between(-1, 1));
@@ -76,7 +78,7 @@ TEST_CASE("what rounds nothing costs nothing") {
   CHECK((Bounded(3.0f) * 0.5f).bound == 0);
   CHECK((Bounded(3.0f) / 4.0f).bound == 0);
   CHECK(bounded::sqrt(Bounded(9.0f)).bound == 0);
-  CHECK((third - third).bound > 0);  // it does not know that they are the same
+  CHECK((third - third).bound > 0);  // the two operands are not known to be the same number
 }
 
 TEST_CASE("a choice that is not sure stands for both") {
@@ -85,7 +87,7 @@ TEST_CASE("a choice that is not sure stands for both") {
   CHECK(chosen.value == 2);
   CHECK(chosen.bound >= 5);
   CHECK(bounded::select(a < Bounded(3.0f), Bounded(2.0f), Bounded(7.0f)).bound == 0);
-  CHECK_FALSE(bounded::none(b < a));  // it does not hold, but might
+  CHECK_FALSE(bounded::none(b < a));  // it is false, but may be true within the bounds
   CHECK(bounded::none(Bounded(3.0f) < a));
 }
 
@@ -146,7 +148,7 @@ TEST_CASE("light with a bound is the run's light, and within its bound of the ex
     }
   }
   CAPTURE(largest_ratio, unbounded);
-  CHECK(largest_ratio > 0.1);  // the bounds say something
+  CHECK(largest_ratio > 0.1);  // the bounds are not far too large
   CHECK(unbounded < 4500 / 50);
 }
 

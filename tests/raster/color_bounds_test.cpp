@@ -1,4 +1,5 @@
-// The bounds of texture samples and stored bytes against real weights, real means and the transfer function as it is defined.
+// The error bounds of texture samples and stored bytes, compared with exact weights, exact means
+// and the transfer function by its definition.
 #include <glassbox/raster/color_bounds.h>
 
 #include <cmath>
@@ -17,7 +18,7 @@ using in_full::Big;
 
 Image<Rgba8> random_image(Random& random) {
   Image<Rgba8> image{int(random.integer(1, 17)), int(random.integer(1, 17))};
-  const bool harsh = random.unit() < 0.3;  // black beside white
+  const bool harsh = random.unit() < 0.3;  // harsh: black texels beside white ones
   for (Rgba8& c : image.pixels) {
     const auto byte = [&] {
       return harsh ? std::uint8_t(255 * random.integer(0, 1))
@@ -33,7 +34,7 @@ Sampler random_sampler(Random& random) {
           Filter(random.integer(0, 1)), MipFilter(random.integer(0, 2))};
 }
 
-// In and around the picture, on texel borders and centres, and far away.
+// A coordinate in or near the picture, on a border or centre of a texel, or far away.
 double random_coordinate(Random& random, int size) {
   switch (random.integer(0, 4)) {
     case 0:
@@ -84,7 +85,7 @@ TEST_CASE("a texture sample is within its bound of real weights on real means") 
               int(sampler.wrap_v));
       for (std::size_t c = 0; c < 4; ++c) {
         const double error = std::abs(double(values[c]) - exact[c]);
-        // The oracle's own: doubles around coordinates of 10^4.
+        // 1e-9 for the oracle's own rounding: doubles at coordinates of 10^4.
         REQUIRE(error <= bound + 1e-9);
         largest_ratio = std::max(largest_ratio, error / bound);
       }

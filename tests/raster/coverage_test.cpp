@@ -1,4 +1,4 @@
-// Coverage against brute force in 128-bit integers.
+// Coverage, compared with brute force in 128-bit integers.
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -16,7 +16,7 @@ using namespace glassbox::test;
 
 using Pixels = std::vector<std::array<int, 2>>;  // x, y
 
-// What for_each_covered visits, in its order.
+// The pixels that for_each_covered visits, in its order.
 Pixels covered(const SnappedTriangle& triangle, const PixelRect& window) {
   Pixels pixels;
   if (const auto setup = setup_triangle(screen_triangle(triangle))) {
@@ -67,7 +67,7 @@ SnappedTriangle random_triangle(Random& random, Kind kind, const PixelRect& wind
       t[1] = {t[0].x + nudge(4), t[0].y + nudge(4)};
       t[2] = {t[0].x + nudge(1024000), t[0].y + nudge(1024000)};
       break;
-    case kHuge:  // out to the guard band; one vertex near
+    case kHuge:  // out to the guard band, with one vertex near
       for (std::size_t k : {1u, 2u}) t[k] = {nudge(1 << 23), nudge(1 << 23)};
       break;
     case kCentres:
@@ -76,7 +76,7 @@ SnappedTriangle random_triangle(Random& random, Kind kind, const PixelRect& wind
     case kCorners:
       for (SnappedVertex& v : t) v = on_lattice(v, random.integer(0, 1) == 0 ? 256 : 64, 0);
       break;
-    case kFlat: {  // the third vertex at most 1/256 px beside the line through the others
+    case kFlat: {  // the third vertex is at most 1/256 px from the line through the others
       const std::int32_t n = std::int32_t(random.integer(-3, 3));
       t[2] = {t[0].x + n * (t[1].x - t[0].x), t[0].y + n * (t[1].y - t[0].y) + nudge(1)};
       break;
@@ -142,7 +142,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Microsoft's published pair of triangles covers 15 and 10 pixels (C-43)") {
-  // The document (Direct3D 9) has pixel centres at integers; ours are at halves.
+  // The document (about Direct3D 9) has pixel centres at integers; here they are at halves.
   const auto at = [](int x, int y) { return SnappedVertex{x * 256 + 128, y * 256 + 128}; };
   const PixelRect window{-2, -2, 9, 9};
   const Pixels upper = covered({at(0, 0), at(5, 0), at(5, 5)}, window);
@@ -166,7 +166,7 @@ TEST_CASE("Microsoft's rectangle (1,1)-(3,5) covers 2 by 4 pixels (C-43)") {
 }
 
 TEST_CASE("a triangle that snapping flattens covers nothing and is not set up (C-49)") {
-  // Three points that are not collinear, but are once rounded to 1/256 px.
+  // Three points that are not collinear until they are rounded to 1/256 px.
   const std::array<ScreenVertex, 3> thin{ScreenVertex{{10.0f, 10.0f, 0.5f}, 1},
                                          ScreenVertex{{20.0f, 10.001f, 0.5f}, 1},
                                          ScreenVertex{{30.0f, 9.999f, 0.5f}, 1}};

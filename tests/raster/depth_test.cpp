@@ -1,4 +1,4 @@
-// Depth codes: end points, order, and the resolution that table B.3 of the specification promises.
+// Depth codes: their end points, their order, and the resolution of each depth format (B.3).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +26,8 @@ constexpr std::array<DepthFormat, 4> kFormats{DepthFormat::kFloat32, DepthFormat
 
 constexpr double kNear = 0.1, kFar = 1e4;
 
-// The depth of a quad facing the eye at distance z, through projection, divide, setup and interpolation.
+// The depth of a quad that faces the eye at distance z, after projection, divide, setup and
+// interpolation.
 float depth_of_quad(float z, const Transform<Clip, Eye, float>& clip_from_eye) {
   std::array<ScreenVertex, 3> t;
   const float xy[3][2] = {{-z, -z}, {z, -z}, {-z, z}};
@@ -43,14 +44,16 @@ float depth_of_quad(float z, const Transform<Clip, Eye, float>& clip_from_eye) {
   return depth;
 }
 
-// Depth as OpenGL's default clip control has it: z' = 2 z - 1 on the way in, (z' + 1) / 2 on the way out (C-63).
+// The depth after OpenGL's default clip control: z' = 2 z - 1 on the way in, (z' + 1) / 2 on the
+// way out (C-63).
 float through_gl(float depth) {
   const float gl = 2.0f * depth - 1.0f;
   return (gl + 1.0f) * 0.5f;
 }
 
-// For one quad: the smallest relative step, on a ladder of factor 1.1, from which on a quad that much further away is
-// behind it. Infinity if not even the far plane is.
+// For one quad, the smallest relative distance, on a ladder of factor 1.1, from which on a second
+// quad that is farther by this much is behind the first one. Infinity if not even the far plane is
+// behind it.
 template <class CodeOf>
 double resolved_step(float near, const CodeOf& code_of) {
   double resolved = INFINITY;
@@ -62,7 +65,7 @@ double resolved_step(float near, const CodeOf& code_of) {
   return resolved;
 }
 
-// The largest such step over many quads around distance z.
+// The largest resolved_step of many quads around distance z.
 template <class CodeOf>
 double worst_step(double z, const CodeOf& code_of) {
   Random random(56);
@@ -82,10 +85,10 @@ TEST_CASE("fixed-point depth rounds half up and reaches its end points (C-61)") 
   CHECK(depth_code(DepthFormat::kUnorm24, 1.0f - 0x1p-24f) == 0xfffffe);
   CHECK(depth_code(DepthFormat::kUnorm16, 1.0f) == 0xffff);
   CHECK(depth_code(DepthFormat::kUnorm16, 1.0f - 0x1p-24f) == 0xffff);
-  CHECK(depth_code(DepthFormat::kUnorm16, 0.5f) == 0x8000);  // 32767.5 goes up
+  CHECK(depth_code(DepthFormat::kUnorm16, 0.5f) == 0x8000);  // 32767.5 is rounded up
   CHECK(depth_code(DepthFormat::kUnorm24, 0.5f) == 0x800000);
   CHECK(depth_code(DepthFormat::kUnorm24, 0x1p-149f) == 0);
-  // Naively 2^24 z, which overflows into the next field.
+  // The naive code 2^24 z overflows into the next field.
   CHECK(std::uint32_t(1.0f * 0x1p24f) > 0xffffffu);
 }
 
@@ -169,8 +172,10 @@ TEST_CASE(
     std::array<double, 6> table;
   };
   constexpr double kNone = INFINITY;
-  // The table, but for two cells in which it has less than half of its own law z 2^-bits/n, which holds for every quad and
-  // not for a lucky one: unorm16 at 100 (5.8e-3) and float32 at 9000 (2.3e-3). The law stands there.
+  // The smallest relative distance that each format resolves, at each distance. The values are
+  // those of a table (B.3), except two that are less than half of the table's own law z 2^-bits/n,
+  // which holds for every quad and not only for a lucky one: unorm16 at 100 (5.8e-3 in the table)
+  // and float32 at 9000 (2.3e-3). There the law's value is used.
   const std::array<Row, 6> rows{Row{"unorm16",
                                     DepthFormat::kUnorm16,
                                     standard,
@@ -208,7 +213,7 @@ TEST_CASE(
         return depth_code(row.format, row.gl ? through_gl(depth) : depth);
       });
       CAPTURE(row.name, distances[i], row.table[i], step);
-      // A factor of 2, and one rung of the ladder.
+      // A factor of 2, and one step of the ladder.
       CHECK(step <= 2.2 * row.table[i]);
       CHECK(step >= row.table[i] / 2.2);
     }

@@ -1,4 +1,4 @@
-// Exact arithmetic and plain builders for the raster tests.
+// Exact arithmetic for the raster tests, and functions that build their inputs.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ inline Rational abs_of(const Rational& x) {
   return x < 0 ? Rational(-x) : x;
 }
 
-// k roundings of relative size u = 2^-24, to all orders: k u / (1 - k u).
+// The bound of k roundings of relative size u = 2^-24, to all orders: k u / (1 - k u).
 inline Rational gamma(int k) {
   const Rational ku = Rational(k) / (1 << 24);
   return ku / (1 - ku);
 }
 
-// A screen vertex at (x, y) / 256 pixels; exact for |x|, |y| <= 2^24, so snapping gives back x and y.
+// A screen vertex at (x, y) / 256 pixels; exact for |x|, |y| <= 2^24, so snapping returns x and y.
 inline ScreenVertex screen_vertex(std::int64_t x, std::int64_t y, float depth = 0.5f,
                                   float inverse_w = 1.0f) {
   return {{float(x) / float(kSubpixels), float(y) / float(kSubpixels), depth}, inverse_w};
@@ -45,7 +45,8 @@ inline std::ostream& operator<<(std::ostream& out, const SnappedTriangle& t) {
   return out;
 }
 
-// The oracle's coverage, in the compiler's own wide integers: tests ask it millions of times.
+// The edge function of the coverage oracle, in the compiler's own wide integers, because tests
+// evaluate it millions of times.
 inline Int128 cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x,
                        std::int64_t y) {
   return exact::cross_at<Int128>(a, b, x, y);

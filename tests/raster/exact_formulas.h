@@ -1,4 +1,5 @@
-// The formulas of the stages once more, in arithmetic of 320 bits; and a sample of a texture by real weights from real means.
+// The formulas of the stages in arithmetic of 320 bits, and texture samples by exact weights from
+// exact means.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +41,7 @@ inline bool none(bool condition) {
 
 // ---- textures ----
 
-// IEC 61966-2-1.
+// The sRGB transfer function of IEC 61966-2-1.
 inline double encoded(Transfer transfer, double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   if (transfer == Transfer::kNone) return x;
@@ -51,7 +52,7 @@ inline double decoded(Transfer transfer, double stored) {
   return stored <= 0.04045 ? stored / 12.92 : std::pow((stored + 0.055) / 1.055, 2.4);
 }
 
-// Light and alpha in double, right to 2^-40.
+// Light and alpha in double, correct to 2^-40.
 using Light = std::array<double, 4>;
 
 struct Level {
@@ -69,7 +70,8 @@ inline Level level_of(const Image<Rgba8>& image, Transfer transfer) {
   return level;
 }
 
-// How much of texel `i` of the longer row lies under texel `k` of the shorter one, as shares of the latter.
+// The part of texel `k` of the shorter row, as a share of it, that texel `i` of the longer row
+// covers.
 inline double covered(int k, int short_side, int i, int long_side) {
   const double low = double(k) * long_side / short_side,
                high = double(k + 1) * long_side / short_side;

@@ -10,7 +10,7 @@
 namespace glassbox {
 namespace {
 
-// How many triangles of the fan from `apex` run clockwise, and how many the other way.
+// How many triangles of the fan from `apex` are clockwise, and how many are counter-clockwise.
 std::array<int, 2> turns(const std::vector<SnappedVertex>& polygon, int apex) {
   std::array<int, 2> count{};
   const int n = int(polygon.size());
@@ -31,7 +31,7 @@ bool folds(const std::vector<SnappedVertex>& polygon, int apex) {
 
 TEST_CASE(
     "a quad that the snap bent inwards is cut from the bent corner, and 0 would fold (C-39)") {
-  // Corner 1 lies one step inside the diagonal from 0 to 2.
+  // Corner 1 is one step inside the diagonal from 0 to 2.
   const std::vector<SnappedVertex> quad{{0, 0}, {511, 513}, {1024, 1024}, {0, 1024}};
   CHECK(folds(quad, 0));
   CHECK(fan_apex(quad) == 1);
@@ -51,7 +51,8 @@ TEST_CASE("every quad without a crossing has an apex whose fan does not fold (C-
     const auto coordinate = [&] { return std::int32_t(random.integer(-6, 6)); };
     std::vector<SnappedVertex> quad(4);
     for (SnappedVertex& vertex : quad) vertex = {coordinate(), coordinate()};
-    // Three corners on one side of the outline's turns make it simple: a crossing has two and two.
+    // An outline with three corners that turn the same way is simple: one that crosses itself has
+    // two of each.
     int clockwise = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       clockwise += double_area(quad[k], quad[(k + 1) % 4], quad[(k + 2) % 4]) > 0;
@@ -61,7 +62,7 @@ TEST_CASE("every quad without a crossing has an apex whose fan does not fold (C-
     bent += folds(quad, 0);
     CHECK_FALSE(folds(quad, fan_apex(quad)));
   }
-  CHECK(bent > 1000);  // the case is met
+  CHECK(bent > 1000);  // the test meets the case that it is about
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Weights, depth and attributes against exact rationals: the bounds that interpolate.h states, and the cases in which
-// other formulas fail.
+// Weights, depth and attributes, compared with exact rationals: the bounds that interpolate.h
+// states, and the cases in which other formulas fail.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,8 @@ namespace {
 using namespace glassbox;
 using namespace glassbox::test;
 
-// What interpolate.h computes, without rounding, for the setup's vertices and the fragment's edge values.
+// The results of interpolate.h without rounding, for the setup's vertices and the fragment's edge
+// values.
 struct ExactFragment {
   std::array<Rational, 3> lambda, weights;
   Rational depth, inverse_w;
@@ -35,7 +36,7 @@ ExactFragment exact_fragment(const TriangleSetup& setup, const Coverage& pixel) 
   return exact;
 }
 
-// How often `count` the bound gamma(1) the error is, as a number to print and compare.
+// The error in units of u and of the scale, as a number to print and compare.
 double in_u(const Rational& error, const Rational& scale) {
   return scale == 0 ? (error == 0 ? 0.0 : INFINITY)
                     : double(Rational(abs_of(error) / scale)) * 0x1p24;
@@ -60,18 +61,18 @@ void compare(const TriangleSetup& setup, const Coverage& pixel, Worst& worst) {
   keep(worst.inverse_w, Rational(fragment.inverse_w), exact.inverse_w);
   REQUIRE(fragment.depth >= setup.depth[0]);
 
-  // An attribute of mixed signs, the same at every call.
+  // An attribute with values of either sign, the same for each fragment.
   const std::array<float, 1> a0{3.7f}, a1{-1000.3f}, a2{0.1f};
   const Rational r0(a0[0]), r1(a1[0]), r2(a2[0]);
   const float computed = interpolate(a0, a1, a2, fragment.weights)[0];
   const Rational truth = exact.weights[0] * r0 + exact.weights[1] * r1 + exact.weights[2] * r2;
-  // Its bound is absolute: 13 u spread + u |a|. In units of spread + |a| / 13 it is 13 u.
+  // Its bound is absolute, 13 u spread + u |a|: 13 u in units of spread + |a| / 13.
   const Rational scale =
       exact.weights[1] * abs_of(r1 - r0) + exact.weights[2] * abs_of(r2 - r0) + abs_of(truth) / 13;
   worst.attribute = std::max(worst.attribute, in_u(Rational(computed) - truth, scale));
 }
 
-// One tenth of a u is more than all terms of higher order: (13 u)^2 is 1e-5 u.
+// One tenth of u exceeds all terms of higher order: (13 u)^2 is 1e-5 u.
 constexpr double kHigherOrder = 0.1;
 
 void require_within_bounds(const Worst& worst) {
@@ -83,7 +84,7 @@ void require_within_bounds(const Worst& worst) {
   CHECK(worst.inverse_w <= 7 + kHigherOrder);
   CHECK(worst.weight <= 10 + kHigherOrder);
   CHECK(worst.attribute <= 13 + kHigherOrder);
-  CHECK(worst.lambda > 0.5);  // the comparison sees something
+  CHECK(worst.lambda > 0.5);  // the errors do not all vanish
 }
 
 float random_depth(Random& random) {
@@ -108,7 +109,7 @@ TEST_CASE(
   int pixels = 0;
   for (int i = 0; pixels < 6000; ++i) {
     std::array<ScreenVertex, 3> t;
-    // Small ones, ones out to the guard band, and slivers.
+    // Small triangles, triangles out to the guard band, and slivers.
     const int kind = i % 3;
     const std::int64_t reach = kind == 1 ? 1 << 23 : 4000;
     const std::int64_t x = random.integer(-reach, reach), y = random.integer(-reach, reach);
@@ -177,7 +178,7 @@ TEST_CASE("two w equal are not three: the weights are those in space") {
        {std::array{1.0f, 1.0f, 0.5f}, std::array{0.5f, 1.0f, 1.0f}, std::array{1.0f, 0.5f, 1.0f}}) {
     const WeightsInSpace<float> weights = weights_in_space(lambda, inverse_w);
     const float q = lambda[0] * inverse_w[0] + lambda[1] * inverse_w[1] + lambda[2] * inverse_w[2];
-    CHECK(weights.inverse_w == q);  // powers of two: exact
+    CHECK(weights.inverse_w == q);  // exact: powers of two
     CHECK(std::abs(weights.weight2 - lambda[2] * inverse_w[2] / q) <= 2 * 0x1p-24);
     CHECK(weights.weight2 != lambda[2]);
   }
@@ -200,7 +201,7 @@ TEST_CASE("a fragment does not depend on winding or on where the vertices start 
   Random random(58);
   for (int i = 0; i < 2000; ++i) {
     std::array<ScreenVertex, 3> t;
-    for (std::size_t k = 0; k < 3; ++k) {  // no two depths equal: the nearest vertex is one
+    for (std::size_t k = 0; k < 3; ++k) {  // no two depths are equal, so one vertex is the nearest
       const std::int64_t x = random.integer(-2000, 4000), y = random.integer(-2000, 4000);
       const float z = float(k) * 0.25f + float(random.between(0.01, 0.2));
       t[k] = screen_vertex(x, y, z, float(random.between(0.1, 10)));
@@ -221,7 +222,7 @@ TEST_CASE("a fragment does not depend on winding or on where the vertices start 
         const Fragment other = interpolate(*again, same);
         REQUIRE(other.depth == fragment.depth);
         REQUIRE(other.weights == fragment.weights);
-        // Drawn twice, the first stays.
+        // The same triangle drawn again is not in front of the first.
         const DepthFormat format = DepthFormat::kFloat32;
         REQUIRE(!in_front(depth_code(format, other.depth), depth_code(format, fragment.depth)));
       });
@@ -233,8 +234,8 @@ TEST_CASE("a sliver's depth at its tip stays between those of its vertices (C-60
   Random random(60);
   int pixels = 0;
   for (int i = 0; i < 600; ++i) {
-    // Nearly edge-on: 4000 px long, at most 6/256 px wide, its tip at or just before a pixel centre, and on either side of
-    // a line through pixel centres.
+    // Nearly edge-on: 4000 px long and at most 6/256 px wide, with the tip at a pixel centre or
+    // just before it, on either side of a line through pixel centres.
     const std::int32_t dx = std::int32_t(random.integer(900000, 1024000));
     const std::int32_t dy = i % 3 == 0 ? dx : 0;
     const std::int32_t tip = 128 - std::int32_t(random.integer(0, 1));
@@ -270,7 +271,7 @@ TEST_CASE("a floor to the horizon is exact; affine interpolation errs by the spa
     const PixelRect column{0, 0, 1, 1024};
     for_each_covered(*setup, column, [&](const Coverage& pixel) {
       const Fragment fragment = interpolate(*setup, pixel);
-      // v: 0 at the far edge, 1 at the near vertex, whichever the setup's order.
+      // v is 0 at the far edge and 1 at the near vertex, in any order of the setup.
       std::array<float, 3> v{};
       for (std::size_t k = 0; k < 3; ++k) v[k] = setup->order[k] == 2 ? 1.0f : 0.0f;
       const ExactFragment exact = exact_fragment(*setup, pixel);
@@ -283,8 +284,9 @@ TEST_CASE("a floor to the horizon is exact; affine interpolation errs by the spa
       exact_error = std::max(exact_error, error(fragment.weights));
       affine_error = std::max(affine_error, error(fragment.lambda));
     });
-    // Brute force over 1024 samples finds the maximum at t = sqrt(r)/(1 + sqrt(r)) to within half a step of its flat top;
-    // near the far end, for large r, the curve bends within r/1024^2 of it.
+    // The maximum is at t = sqrt(r)/(1 + sqrt(r)). The 1024 samples find it to within half a step
+    // of its flat top; near the far end, for large r, the curve bends by less than r/1024^2 in a
+    // step.
     const double law = (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
     CAPTURE(r, exact_error * 0x1p24, affine_error, law);
     CHECK(exact_error <= 6 * 0x1p-24);
@@ -295,7 +297,8 @@ TEST_CASE("a floor to the horizon is exact; affine interpolation errs by the spa
 TEST_CASE(
     "coplanar triangles of different shape differ by at most 16 u, and the first drawn wins alike "
     "twice (C-57)") {
-  // z = (3x + 5y + 700) / 2^14 in 1/256 px: exact in float at every vertex, so exactly one plane.
+  // z = (3x + 5y + 700) / 2^19 with x and y in 1/256 px: exact in float at every vertex, so the
+  // vertices are on exactly one plane.
   const auto on_plane = [](std::int64_t x, std::int64_t y) {
     return screen_vertex(x, y, float(3 * x + 5 * y + 700) * 0x1p-19f);
   };
@@ -330,8 +333,8 @@ TEST_CASE(
   CAPTURE(samples, different, worst);
   REQUIRE(samples > 1000);
   REQUIRE(different >
-          0);  // equality is not to be had: hence the rule that the first drawn wins a tie only
-  REQUIRE(worst <= 16.1);  // 8 u of each
+          0);  // coplanar triangles need not tie, and only in a tie does the first one drawn win
+  REQUIRE(worst <= 16.1);  // 8 u for each of the two depths
 }
 
 TEST_CASE(

@@ -1,4 +1,4 @@
-// The levels of a texture as images of texels, and textures made of them.
+// Converts between textures and images of their levels.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ inline std::vector<Image<Texel>> levels_of(const MipChain& chain) {
   return levels;
 }
 
-// Each level has half the sides of the one before.
+// A texture of these levels; each has half the width and height of the one before.
 inline MipChain chain_of(const std::vector<Image<Texel>>& levels) {
   MipChain chain{levels.front().width, levels.front().height, {}, {}};
   for (const Image<Texel>& level : levels) {

@@ -1,4 +1,4 @@
-// Lines and points against brute force.
+// The rasterization of lines and points, compared with brute force.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -31,10 +31,11 @@ Pixels drawn(const SnappedVertex& a, const SnappedVertex& b, const PixelRect& wi
 
 // ---- the diamond-exit rule as it is written ----
 //
-// The line is really moved, by (-e, +e^2) with e = 2^-20 of 1/256 px, in units of 2^-40 of 1/256 px. For lines shorter
-// than 2^12 / 256 px that decides as an infinitely small e does: what is compared are multiples of 1/d, where d is dx or dy,
-// so that they are equal or at least 1/d apart, and the move changes them by at most e (1 + 2^12 / d), far less; where they
-// are equal, the slope m that enters by m e + e^2 is 0 or at least 2^-12, so that m e is 2^8 times e^2.
+// The line is moved by (-e, +e^2) with e = 2^-20 of 1/256 px, in units of 2^-40 of 1/256 px. For
+// lines shorter than 2^12 / 256 px this decides as an infinitely small e does. The compared numbers
+// are multiples of 1/d, where d is dx or dy, so they are equal or at least 1/d apart, and the move
+// changes them by at most e (1 + 2^12 / d), which is far less. If they are equal, the slope m
+// enters by m e + e^2; m is 0 or at least 2^-12, so m e is at least 2^8 times e^2.
 struct Moved {
   Int128 x, y;
 };
@@ -48,8 +49,8 @@ Int128 size_of(Int128 n) {
   return n < 0 ? -n : n;
 }
 
-// |x| + |y| < 1/2 px somewhere between p and q, which are relative to the diamond's centre. The sum is convex and
-// piecewise linear: it is smallest at an end or where x or y is 0.
+// Whether |x| + |y| < 1/2 px somewhere between p and q, which are relative to the diamond's centre.
+// The sum is convex and piecewise linear: it is smallest at an end or where x or y is 0.
 bool meets_diamond(const Moved& p, const Moved& q) {
   const Int128 half = Int128(128) << 40;
   if (size_of(p.x) + size_of(p.y) < half || size_of(q.x) + size_of(q.y) < half) return true;
@@ -91,7 +92,8 @@ TEST_CASE(
   for (int i = 0; i < 100000; ++i) {
     const int x = int(random.integer(-3, 3)), y = int(random.integer(-3, 3));
     const PixelRect window{x - 1, y - 1, x + 5, y + 5};
-    // Anywhere; on centres, corners and the middles of edges; also on the borders of diamonds; on centres of one axis.
+    // Points anywhere; on centres, corners and middles of edges; on borders of diamonds; with one
+    // coordinate of a centre.
     const std::int32_t grids[] = {1, 128, 64, 32};
     const std::int32_t grid = grids[i % 4];
     const int length = i % 8 < 4 ? 1024 : 300;
@@ -119,7 +121,7 @@ TEST_CASE("a line from centre to centre draws its first pixel and not its last (
   CHECK(drawn(at_centre(0, 0), at_centre(3, 3), window) == Pixels{{0, 0}, {1, 1}, {2, 2}});
   CHECK(drawn(at_centre(3, 0), at_centre(0, 3), window) == Pixels{{1, 2}, {2, 1}, {3, 0}});
   CHECK(drawn(at_centre(2, 2), at_centre(2, 2), window).empty());
-  // Within one diamond nothing is left.
+  // Nothing is drawn inside one diamond.
   CHECK(drawn({128, 128}, {180, 140}, window).empty());
 }
 
@@ -137,7 +139,7 @@ TEST_CASE(
   Random random(12);
   const PixelRect window{0, 0, 64, 64};
   for (int i = 0; i < 4000; ++i) {
-    // To the right or to the left, or down or up, at less than 45 degrees to the axis.
+    // Mostly to the right, left, down or up: at less than 45 degrees to that axis.
     const bool x_major = i % 2 == 0;
     const std::int32_t sign = i % 4 < 2 ? 1 : -1;
     const std::int32_t grid = i % 3 == 0 ? 64 : 1;
@@ -152,7 +154,7 @@ TEST_CASE(
     for (int part = 0; part < 12; ++part) {
       const auto run = std::int32_t(random.integer(0, 900)) / grid * grid;
       const auto rise = std::int32_t(random.integer(-run, run)) / grid * grid;
-      if (std::abs(rise) == run) continue;  // at 45 degrees a line belongs to both directions
+      if (std::abs(rise) == run) continue;  // a line at 45 degrees belongs to both directions
       major += sign * run;
       minor += rise;
       for (const auto& pixel : drawn(last, vertex(), window)) {
@@ -164,7 +166,7 @@ TEST_CASE(
     }
     CAPTURE(i);
     REQUIRE(count == pixels.size());
-    REQUIRE(majors.size() == pixels.size());  // one pixel to a column or row
+    REQUIRE(majors.size() == pixels.size());  // one pixel in each column or row
     if (!majors.empty()) REQUIRE(*majors.rbegin() - *majors.begin() + 1 == int(majors.size()));
   }
 }
@@ -176,7 +178,7 @@ TEST_CASE(
   const PixelRect window{100, 200, 164, 264};
   int pixels = 0;
   for (int i = 0; i < 3000; ++i) {
-    // Through a point of the window, far out to both sides.
+    // Through a point of the window, and far out on both sides.
     const std::int32_t px = std::int32_t(random.integer(100 * 256, 164 * 256));
     const std::int32_t py = std::int32_t(random.integer(200 * 256, 264 * 256));
     const std::int32_t dx = std::int32_t(random.integer(-(1 << 23), 1 << 23));
@@ -187,11 +189,11 @@ TEST_CASE(
     for (const auto& pixel : drawn(a, b, window)) {
       ++pixels;
       REQUIRE(seen.insert(pixel[x_major ? 0 : 1]).second);
-      // |distance of the centre across the line's major axis| <= 1/2 px.
+      // The centre's distance from the line, across its major axis, is at most 1/2 px.
       const Int128 across = x_major ? b.x - a.x : b.y - a.y;
       REQUIRE(size_of(cross_at(a, b, pixel[0], pixel[1])) <= 128 * size_of(across));
     }
-    for (int k = 0; k < 64; ++k) {  // where the line passes inside the window, there is a pixel
+    for (int k = 0; k < 64; ++k) {  // there is a pixel wherever the line passes inside the window
       const int major = x_major ? 100 + k : 200 + k;
       const double centre = major * 256 + 128;
       const double minor = x_major ? a.y + (centre - a.x) / double(b.x - a.x) * double(b.y - a.y)
@@ -229,7 +231,8 @@ TEST_CASE("steps along a line follow the pixel's centre, from the first end to t
     CHECK(p.steps == 8 * 256);
     CHECK(p.step == (9 - p.y) * 256);
   });
-  // A pixel that is left beyond its centre only: the centre is before the line, and the step is clamped.
+  // The line only leaves the pixel, from a start beyond its centre: the centre is before the line,
+  // and the step is clamped.
   for_each_line_pixel({140, 128}, {900, 128}, {0, 0, 1, 1},
                       [](const LinePixel& p) { CHECK(p.step == 0); });
 }

@@ -14,14 +14,14 @@ constexpr std::array kCounts{1, 2, 4, 8, 16};
 
 std::vector<Rgba8> any_colors(Random& random, int count) {
   std::vector<Rgba8> colors;
-  const int range = random.integer(0, 1) == 0 ? 255 : 3;  // neighbours, too, where ties are
+  const int range = random.integer(0, 1) == 0 ? 255 : 3;  // also similar bytes, where ties occur
   const int first = int(random.integer(0, 255 - range));
   const auto byte = [&] { return std::uint8_t(first + random.integer(0, range)); };
   for (int i = 0; i < count; ++i) colors.push_back({byte(), byte(), byte(), byte()});
   return colors;
 }
 
-// IEC 61966-2-1.
+// The inverse of the sRGB transfer function of IEC 61966-2-1.
 long double light_of(std::uint8_t byte) {
   const long double v = byte / 255.0L;
   return v <= 0.04045L ? v / 12.92L : std::pow((v + 0.055L) / 1.055L, 2.4L);
@@ -53,7 +53,7 @@ TEST_CASE("the mean is that of light, to half a byte, whatever the order") {
     const Rgba8 mean = mean_color(Transfer::kSrgb, colors);
     long double light = 0;
     for (const Rgba8& c : colors) light += light_of(c.r);
-    // The table and the rounding to float move the mean by 2^-23 of itself, which is below 2e-5 bytes.
+    // The table and the rounding to float change the mean by 2^-23 of itself, less than 2e-5 bytes.
     const long double exact = bytes_of(light / (long double)colors.size());
     CHECK(std::abs(exact - mean.r) < 0.5L + 2e-5L);
     std::reverse(colors.begin(), colors.end());
@@ -68,7 +68,8 @@ TEST_CASE("without a transfer, and for alpha, the mean is that of bytes, halves 
     const Rgba8 mean = mean_color(Transfer::kNone, colors);
     double g = 0, a = 0;
     for (const Rgba8& c : colors) g += c.g, a += c.a;
-    CHECK(mean.g == std::floor(g / double(colors.size()) + 0.5));  // exact: a power of two
+    // Exact: the count is a power of two.
+    CHECK(mean.g == std::floor(g / double(colors.size()) + 0.5));
     CHECK(mean.a == std::floor(a / double(colors.size()) + 0.5));
     CHECK(mean_color(Transfer::kSrgb, colors).a == mean.a);
   }

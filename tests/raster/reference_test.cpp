@@ -1,4 +1,5 @@
-// Exact tables computed by another program: masks of coverage, and depth and weights at pixel centres.
+// Coverage masks, and depths and weights at pixel centres, compared with exact tables that another
+// program computed.
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -22,7 +23,7 @@ using namespace glassbox::test;
 
 const std::string kTables = GLASSBOX_ASSETS_DIR "/golden/mesa-ref/share";
 
-// Rows of tab-separated cells, without comments and the line of column names.
+// The rows of tab-separated cells, without comments and without the row of column names.
 std::vector<std::vector<std::string>> read_table(const std::string& name) {
   std::ifstream file(kTables + "/" + name);
   REQUIRE(file);
@@ -72,7 +73,8 @@ TEST_CASE(
   if (!std::filesystem::exists(kTables)) SKIP_TEST("no assets at " << kTables);
   const auto triangles = read_table("interpolation_triangles.tsv");
   const auto rows = read_table("interpolation.tsv");
-  // Positions are multiples of 1/256 px and the w are powers of two, so that nothing is rounded before the setup.
+  // Positions are multiples of 1/256 px and all w are powers of two, so nothing is rounded before
+  // the setup.
   std::map<std::string, TriangleSetup> setups;
   for (const auto& row : triangles) {
     std::array<ScreenVertex, 3> t;
@@ -95,7 +97,7 @@ TEST_CASE(
       REQUIRE(pixel.edges[k] > 0);
     }
     const Fragment fragment = interpolate(setup, pixel);
-    // The table's doubles are rounded themselves, by 2^-53: far below the terms of higher order.
+    // The table's doubles are rounded by 2^-53, which is far below the terms of higher order.
     const double u = 0x1p-24;
     const double depth = std::stod(row[3]);
     CAPTURE(row[0], pixel.x, pixel.y, fragment.depth, depth);

@@ -1,4 +1,5 @@
-// Samples of a pixel: where they lie, which of them a triangle covers, where it is shaded.
+// The samples of a pixel: their positions, which of them a triangle covers, and where the triangle
+// is shaded.
 #include <bit>
 #include <cmath>
 #include <map>
@@ -19,7 +20,7 @@ using namespace glassbox::test;
 
 constexpr std::array kCounts{1, 2, 4, 8, 16};
 
-// By pixel: its samples, and 2^16 where the centre is covered.
+// For each pixel the bits of its covered samples, and 2^16 if the centre is covered.
 using Covered = std::map<std::array<int, 2>, std::uint32_t>;
 constexpr std::uint32_t kCentre = 1u << 16;
 
@@ -34,7 +35,7 @@ Covered covered(const SnappedTriangle& triangle, int count, const PixelRect& win
   return found;
 }
 
-// The triangle moved so that what was at the offset from pixel centres is at the centres.
+// The triangle moved so that the point at this offset from each pixel centre moves to the centre.
 SnappedTriangle seen_from(const SnappedTriangle& triangle, const SampleOffset& offset) {
   SnappedTriangle moved = triangle;
   for (SnappedVertex& v : moved) v = {v.x - offset.x, v.y - offset.y};
@@ -56,7 +57,8 @@ Covered exactly_covered(const SnappedTriangle& triangle, int count, const PixelR
   return found;
 }
 
-// In and around the window; every third one on the grid of sample positions, so that ties come often.
+// A triangle in and around the window; one in three is on the grid of sample positions, so that
+// ties occur often.
 SnappedTriangle random_triangle(Random& random, const PixelRect& w, int kind) {
   SnappedTriangle t;
   for (SnappedVertex& v : t) {
@@ -64,7 +66,7 @@ SnappedTriangle random_triangle(Random& random, const PixelRect& w, int kind) {
          std::int32_t(random.integer((w.y0 - 2) * 256, (w.y1 + 2) * 256))};
     if (kind % 3 == 0) v = {v.x & ~15, v.y & ~15};
   }
-  if (kind % 3 == 1) {  // below a pixel
+  if (kind % 3 == 1) {  // smaller than a pixel
     for (std::size_t k : {1u, 2u}) {
       t[k] = {t[0].x + std::int32_t(random.integer(-150, 150)),
               t[0].y + std::int32_t(random.integer(-150, 150))};
@@ -117,7 +119,7 @@ TEST_CASE("samples lie where the Vulkan specification, too, has the standard loc
       columns.insert(offsets[s].x);
       rows.insert(offsets[s].y);
     }
-    // No two share a column or a row: an upright edge passes them one at a time.
+    // No two samples share a column or a row, so an upright edge passes them one by one.
     CHECK(columns.size() == places.size());
     CHECK(rows.size() == places.size());
   }
@@ -144,7 +146,7 @@ TEST_CASE("every sample around a vertex belongs to exactly one triangle of its f
   Random random(51);
   const PixelRect window{0, 0, 8, 8};
   for (int i = 0; i < 600; ++i) {
-    // Eight corners around the window; the middle anywhere in it, often on a sample.
+    // Eight corners around the window; the middle is anywhere in it, often on a sample.
     SnappedVertex middle{std::int32_t(random.integer(0, 2048)),
                          std::int32_t(random.integer(0, 2048))};
     if (i % 2 == 0) middle = {middle.x & ~15, middle.y & ~15};
@@ -207,7 +209,7 @@ TEST_CASE("a pixel is shaded at its centre if that is covered, else at its first
         const std::int64_t there = setup->edges[k].at(pixel.centre.x * 256 + 128 + expected.x,
                                                       pixel.centre.y * 256 + 128 + expected.y);
         REQUIRE(place.edges[k] == there);
-        REQUIRE(there >= 0);  // within the triangle: nothing is extrapolated
+        REQUIRE(there >= 0);  // inside the triangle: nothing is extrapolated
         sum += there;
       }
       REQUIRE(sum == setup->double_area);
@@ -221,8 +223,9 @@ TEST_CASE("a pixel is shaded at its centre if that is covered, else at its first
 }
 
 TEST_CASE("the share of covered samples comes closer to the area the more samples there are") {
-  // An edge leaves the error of S stratified samples in each pixel that it crosses: S^-3/4 of a pixel (SPEC D-31), up to a
-  // factor that the pattern and the direction decide. Random triangles, so that the mean over directions is seen.
+  // An edge leaves the error of S stratified samples in each pixel that it crosses: S^-3/4 of a
+  // pixel (D-31), up to a factor that depends on the pattern and the direction. Random triangles
+  // show the mean over directions.
   std::map<int, double> rms;
   for (const int count : kCounts) {
     Random random(77);

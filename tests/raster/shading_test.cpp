@@ -1,4 +1,4 @@
-// Light on surfaces.
+// Lighting of surfaces.
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -49,8 +49,8 @@ TEST_CASE(
   const Lighting lighting = lighting_of(directional(kPi));
   const Reflection light = illuminate(lighting, kBelow, kFacing, 16);
   CHECK(light.diffuse == Float3{1.0f + 0.1f, 1.0f + 0.1f, 1.0f + 0.1f});
-  CHECK(light.specular == Float3{1, 1, 1});  // the viewer is where the light is
-  // The normal's length means nothing.
+  CHECK(light.specular == Float3{1, 1, 1});  // the viewer is where the light comes from
+  // The length of the normal has no effect.
   CHECK(illuminate(lighting, kBelow, {0, 0, 8}, 16).diffuse == light.diffuse);
 }
 
@@ -62,7 +62,8 @@ TEST_CASE(
     const Reflection light =
         illuminate(lighting, kBelow, {float(angle.sin), 0, float(angle.cos)}, 16);
     CAPTURE(degrees);
-    // The normal's components, its length, reciprocal and product, the dot product and the sum: 8 roundings of at most 1.1.
+    // The normal's components, its length, its reciprocal and their product, the dot product and
+    // the sum: 8 roundings of numbers up to 1.1.
     CHECK(std::abs(light.diffuse[0] - (0.1 + std::max(0.0, angle.cos))) <= 9 * 0x1p-24);
     if (degrees > 90) CHECK(light.diffuse == Float3{0.1f, 0.1f, 0.1f});
     if (degrees > 90) CHECK(light.specular == Float3{0, 0, 0});
@@ -119,22 +120,23 @@ TEST_CASE(
   plain.lights[0].kind = LightKind::kPoint;
   const double inner = std::cos(spot.inner_cone_radians), outer = std::cos(spot.outer_cone_radians);
   for (int degrees = 0; degrees < 80; ++degrees) {
-    // A point on the plane z = 0 seen from the light at this angle off its axis.
+    // A point on the plane z = 0, seen from the light at this angle to the light's axis.
     const Float3 at{float(std::tan(radians_from_degrees(degrees))), 0, 0};
     const double whole = double(illuminate(plain, at, kFacing, 1).diffuse[0]) - double(0.1f);
     const double part = double(illuminate(lighting, at, kFacing, 1).diffuse[0]) - double(0.1f);
     const double cosine = std::cos(radians_from_degrees(degrees));
     const double cone = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
     CAPTURE(degrees, part, whole);
-    // The cosine has a few roundings, which the cone magnifies by 2 / (inner - outer) = 12; the sum with the ambient light
-    // is an ulp of 1.
+    // The cosine has a few roundings, which the cone multiplies by 2 / (inner - outer) = 12; the
+    // sum with the ambient light has an error of an ulp of 1.
     CHECK(std::abs(part - cone * cone * whole) <= 12 * 8 * 0x1p-24 + 0x1p-23);
     if (degrees > 40) CHECK(part == 0);
   }
 }
 
 TEST_CASE("the highlight is the cosine to the power of the shininess, within n - 1 roundings") {
-  // A parallel view along the light: h is (0, 0, 1) exactly, and without ambient light the diffuse part is the cosine.
+  // A parallel view along the light: the half vector h is exactly (0, 0, 1), and without ambient
+  // light the diffuse part is the cosine.
   Lighting lighting = lighting_of(directional(kPi));
   lighting.perspective = false;
   lighting.ambient = 0;
@@ -144,11 +146,12 @@ TEST_CASE("the highlight is the cosine to the power of the shininess, within n -
     const float tilt = float(random.between(0, 4.0 / std::sqrt(double(n))));
     const Reflection light = illuminate(lighting, kBelow, {tilt, 0, 1}, n);
     const float cosine = light.diffuse[0];
-    // Squaring doubles the relative error and adds u: (2^k - 1) u for the power 2^k, (n - 1) u for their product.
-    Decimal exact = 1;  // to 50 digits, less three for the 1024 products
+    // Squaring doubles the relative error and adds u, so the power 2^k has an error of (2^k - 1) u,
+    // and the product of the powers one of (n - 1) u.
+    Decimal exact = 1;  // 50 digits, less three for the 1024 products
     for (int k = 0; k < n; ++k) exact *= cosine;
     CAPTURE(n, tilt, cosine, light.specular[0]);
-    if (exact < 1e-18) continue;                         // below, squares underflow
+    if (exact < 1e-18) continue;                         // smaller squares underflow
     const Decimal bound = Decimal(n) / ((1 << 24) - n);  // n u / (1 - n u)
     REQUIRE(abs(Decimal(light.specular[0]) - exact) <= bound * exact);
     if (n == 1) REQUIRE(light.specular[0] == cosine);
@@ -159,12 +162,13 @@ TEST_CASE("no highlight is brighter than the light: a cosine that rounding leave
   const Lighting lighting = lighting_of(directional(kPi));
   Random random(6);
   for (int i = 0; i < 2000; ++i) {
-    // The viewer stands where the light comes from, and the surface faces both, whatever the length of its normal.
+    // The viewer is where the light comes from, and the surface faces both; its normal has any
+    // length.
     const float length = float(random.between(1, 2));
     const Float3 normal{0, 0, length};
     const Reflection light = illuminate(lighting, {0, 0, -length}, normal, 1 << 20);
     REQUIRE(light.specular[0] <= 1);
-    // And seen from aside, along h.
+    // Then seen from the side, with a normal along the half vector h.
     const float x = float(random.between(-1, 1)), y = float(random.between(-1, 1));
     const Float3 viewer = unit<float>({x, y, 1});
     const Float3 half = unit<float>({viewer[0], viewer[1], viewer[2] + 1});
@@ -196,7 +200,8 @@ TEST_CASE("light is finite however strong and near the source: bright is never b
     for (const double distance : {1e-30, 1e-21, 1e-10, 1.0}) {
       Light light = point(candela, distance);
       light.color = {1, 0, 1e-30f};
-      // Shining along the surface's normal, and at a grazing angle so that the highlight is 0.
+      // The surface's normal points to the light, or is nearly perpendicular to its direction, so
+      // that the highlight is 0.
       for (const Float3& normal : {kFacing, Float3{1, 0, 1e-3f}}) {
         const Reflection reflection = illuminate(lighting_of(light), kOrigin, normal, 1024);
         CAPTURE(candela, distance);
@@ -208,13 +213,13 @@ TEST_CASE("light is finite however strong and near the source: bright is never b
       }
     }
   }
-  // Exactly at the light there is no direction to it.
+  // At the position of the light there is no direction to it.
   const Reflection at = illuminate(lighting_of(point(1, 0)), kOrigin, kFacing, 16);
   CHECK(at.diffuse == Float3{0.1f, 0.1f, 0.1f});
 }
 
 TEST_CASE("lights are carried into eye space, and add up") {
-  // The eye looks along the world's +x from (10, 0, 0): eye z is world -x, eye x is world z.
+  // The eye is at (10, 0, 0) and looks along the world's +x: eye z is world -x, eye x is world z.
   View view;
   view.eye_from_world =
       Transform<Eye, World>(glm::dmat4(0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 10, 1));
@@ -222,7 +227,7 @@ TEST_CASE("lights are carried into eye space, and add up") {
   Light sun = directional(kPi);
   sun.direction = {1, 0, 0};  // along the gaze
   Light lamp = point(kPi, 0);
-  lamp.position = {9, 0, 0};  // a unit behind the eye
+  lamp.position = {9, 0, 0};  // one unit behind the eye
   scene.lights = {sun, lamp};
   const Lighting lighting = light_scene(scene, view);
   CHECK(lighting.lights[0].towards == Vector<Eye>{0, 0, 1});

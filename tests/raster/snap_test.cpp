@@ -1,4 +1,4 @@
-// Snapping to 1/256 pixel against exact rationals.
+// Snapping to 1/256 px, compared with exact rationals.
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
@@ -25,7 +25,7 @@ std::int64_t exactly_snapped(float pixels) {
   return std::int64_t(q);
 }
 
-// The obvious way, which C-52 warns of.
+// The obvious way to round, which fails (C-52).
 std::int64_t carelessly_snapped(float pixels) {
   return std::int64_t(std::floor(pixels * 256.0f + 0.5f));
 }
@@ -70,7 +70,7 @@ TEST_CASE("snapping is floor(256 v + 1/2) exactly, up to 49152 px each way (C-52
     CAPTURE(pixels);
     REQUIRE(snap(pixels) == exactly_snapped(pixels));
   }
-  // Beyond 2^15 px floats are multiples of 1/256, and the sum with a half rounds to even.
+  // Floats of 2^15 px or more are multiples of 1/256, and their sum with a half is rounded to even.
   REQUIRE(carelessly_snapped(32768.00390625f) != exactly_snapped(32768.00390625f));
   REQUIRE(snap(32768.00390625f) == 8388609);
 }

@@ -1,4 +1,4 @@
-// Wrapping, filtering, mip chains and levels of detail.
+// Texture wrapping, filtering, mip chains and levels of detail.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +43,7 @@ Rgba sample_at(const MipChain& texture, const Sampler& sampler, float u, float v
   return sample(texture, sampler, {u, v}, detail);
 }
 
-// The texel of an endless row.
+// The index of the texel at place `i` of an endless row.
 std::int64_t wrapped(Wrap wrap, std::int64_t i, int size) {
   const auto modulo = [](std::int64_t n, std::int64_t d) { return (n % d + d) % d; };
   switch (wrap) {
@@ -63,7 +63,7 @@ const Rgba8& texel_at(const Image<Rgba8>& image, Wrap wrap, std::int64_t x, std:
   return image.at(int(wrapped(wrap, x, image.width)), int(wrapped(wrap, y, image.height)));
 }
 
-// Of a linear image.
+// The texel of a colour that is stored linearly.
 Texel texel_of(const Rgba8& c) {
   const auto whole = [](int byte) { return std::int16_t(128 * byte); };
   return {whole(c.r), whole(c.g), whole(c.b), whole(c.a)};
@@ -72,7 +72,7 @@ Rgba decoded(const Rgba8& c) {
   return light_of(texel_of(c));
 }
 
-// The red channel by bilinear filtering, in double, at coordinates as given.
+// The red channel by bilinear filtering in double, at exactly these coordinates.
 double bilinear_red(const Image<Rgba8>& image, Wrap wrap, double u, double v) {
   const double x = u * image.width - 0.5, y = v * image.height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y), s = x - x0, t = y - y0;
@@ -94,7 +94,7 @@ TEST_CASE(
     const MipChain texture = single_level(image);
     for (const Wrap wrap : kWraps) {
       for (int i = -70; i <= 70; ++i) {
-        // Sixteenths: exact, and edges of texels, among them -1, 0 and 1.
+        // Sixteenths are exact; some are edges of texels, among them -1, 0 and 1.
         const float u = float(i) / 16, v = float(i * 3) / 16;
         const auto x = std::int64_t(std::floor(double(u) * width)),
                    y = std::int64_t(std::floor(double(v) * height));
@@ -132,7 +132,7 @@ TEST_CASE("far from the origin a texture looks as it does near it: u = 1e6 (C-67
     for (const Filter filter : {Filter::kNearest, Filter::kLinear}) {
       for (int i = 0; i < 16; ++i) {
         const float near = float(i) / 16;
-        const float far = 1e6f + near;  // 1e6 is even, and floats are multiples of 1/16 there
+        const float far = 1e6f + near;  // 1e6 is even, and floats near it are multiples of 1/16
         const Sampler sampler = sampler_of(wrap, filter);
         CHECK(sample_at(texture, sampler, far, 0.3f) == sample_at(texture, sampler, near, 0.3f));
         CHECK(sample_at(texture, sampler, -1e6f + near, 0.3f) ==
@@ -193,9 +193,10 @@ TEST_CASE("bilinear filtering of any size agrees with double arithmetic") {
     const double found =
         double(sample_at(single_level(image), sampler_of(wrap, Filter::kLinear), u, v).r);
     CAPTURE(width, height, int(wrap), u, v);
-    // Wrapping a negative coordinate, scaling and the half texel are three roundings of the position, of at most `side`
-    // (twice that, mirrored); the colour changes by at most 1 per texel. Two mixes, one after the other, of 1.5 units each; the
-    // float that stands for the result is 2 u off.
+    // Wrapping a negative coordinate, scaling it and subtracting half a texel round the position
+    // three times, by u of at most `side` (of twice that if mirrored); the colour changes by at
+    // most 1 per texel. Two linear interpolations, one after the other, err by 1.5 units of a texel
+    // each; the conversion of the result to float errs by 2 u.
     REQUIRE(std::abs(found - bilinear_red(image, wrap, double(u), double(v))) <=
             3.0 / kFullTexel + (6.0 * (width + height) + 2) * kU);
   }
@@ -208,7 +209,7 @@ TEST_CASE("a mip chain halves down to one texel, whatever the size") {
     const MipChain chain =
         make_mip_chain(random_image(random, width, height), Transfer::kSrgb, false);
     CHECK((chain.width == width && chain.height == height));
-    // Level after level without a gap, the last of one texel.
+    // The levels follow one another without a gap, and the last one has one texel.
     std::int32_t texels = 0;
     for (int k = 0; k <= chain.last_level(); ++k) {
       CHECK(chain.first[std::size_t(k)] == texels);
@@ -230,7 +231,7 @@ TEST_CASE("a texel stands for its byte: the colour comes back, and alpha is the 
       CAPTURE(int(transfer), byte);
       CHECK(stored_texel(texel, transfer) == color);
       CHECK(light_of(texel).a == decode_unorm8(b));
-      // Half a unit, and the two roundings of a float.
+      // Half a unit of a texel, and the two roundings of a float.
       CHECK(std::abs(double(light_of(texel).r) - double(decode(transfer, b))) <=
             0.5 / kFullTexel + 2 * kU);
     }
@@ -273,7 +274,8 @@ TEST_CASE("a texel of a level is the mean of exactly the area it covers in the l
       const Image<Texel>& small = levels[k];
       for (int y = 0; y < small.height; ++y) {
         for (int x = 0; x < small.width; ++x) {
-          // Areas in units of 1 / (small.width small.height) of the larger texels.
+          // The overlaps of texels as areas, in units of 1 / (small.width small.height) of a larger
+          // texel.
           const auto overlap = [](int n, int texel, int short_side, int long_side) {
             return std::max(0, std::min((n + 1) * long_side, (texel + 1) * short_side) -
                                    std::max(n * long_side, texel * short_side));
@@ -290,7 +292,8 @@ TEST_CASE("a texel of a level is the mean of exactly the area it covers in the l
           }
           CAPTURE(image.width, image.height, k, x, y);
           REQUIRE(area == std::int64_t(large.width) * large.height);
-          // Rounded to nearest. Of nine texels, each weighed with three roundings: 12 u of a full texel.
+          // Rounded to nearest. The sum of nine texels, each weighted with three roundings, errs by
+          // 12 u of a full texel.
           constexpr double kBound = 0.5 + 12 * kU * kFullTexel;
           REQUIRE(std::abs(small.at(x, y).r - double(red) / double(area)) <= kBound);
           REQUIRE(std::abs(small.at(x, y).a - double(alpha) / double(area)) <= kBound);
@@ -325,9 +328,10 @@ TEST_CASE("trilinear filtering is continuous in the level of detail and exact at
       const MipChain alone = chain_of({levels[std::size_t(level)]});
       const double exact = double(sample_at(alone, trilinear, u, v, 0).r);
       CHECK(at(level) == exact);
-      // One mix, whose fractions are exact here: half a unit; and 2 u for each float that stands for whole numbers.
+      // One linear interpolation, whose fractions are exact here: half a unit of a texel; and 2 u
+      // for the conversion of each texel to float.
       constexpr double kOneMix = 0.5 / kFullTexel + 4 * kU;
-      // 2^-10 of a level away from it: at most 2^-10 of a change of 1.
+      // 2^-10 of a level away, the sample differs by at most 2^-10 of a change of 1.
       CHECK(std::abs(at(level + 0x1p-10f) - exact) <= 0x1p-10 + kOneMix);
       CHECK(std::abs(at(level - 0x1p-10f) - exact) <= 0x1p-10 + kOneMix);
       if (level < last) CHECK(std::abs(at(level + 0.5f) - (exact + at(level + 1)) / 2) <= kOneMix);
@@ -370,7 +374,8 @@ TEST_CASE("trilinear filtering is within 4.5 units of exact weights") {
              t * ((1 - s) * red(0, 1) + s * red(1, 1));
     };
     const std::vector<Image<Texel>> levels = levels_of(chain);
-    // The places as floats have them: their roundings are not the mixes'.
+    // The positions as they are rounded in float, so that only the errors of the interpolation are
+    // compared.
     const auto red_of = [&](std::size_t k) {
       const Image<Texel>& level = levels[std::min(k, levels.size() - 1)];
       return red_at(level, double(u * float(level.width) - 0.5f),
@@ -385,11 +390,11 @@ TEST_CASE("trilinear filtering is within 4.5 units of exact weights") {
   }
   CAPTURE(worst);
   CHECK(worst <= 4.5 + 2 * kU * kFullTexel);
-  CHECK(worst >= 1);  // or nothing was mixed
+  CHECK(worst >= 1);  // otherwise nothing was interpolated
 }
 
 TEST_CASE("the level of detail chooses filter and level as the sampler says") {
-  // Level k is all of one byte: 10 k.
+  // All texels of level k have the byte 10 k.
   std::vector<Image<Texel>> levels;
   for (int k = 0; k < 4; ++k) {
     const auto byte = std::uint8_t(10 * k);
@@ -412,7 +417,7 @@ TEST_CASE("the level of detail chooses filter and level as the sampler says") {
   CHECK(is(level(MipFilter::kLinear, 1.25f), 1.25));
   CHECK(is(level(MipFilter::kLinear, 99), 3));
 
-  // Magnified by one filter, minified by the other.
+  // Magnified with one filter, minified with the other.
   Image<Rgba8> image(2, 1, {0, 0, 0, 255});
   image.at(1, 0) = {255, 255, 255, 255};
   const Sampler sampler{Wrap::kClampToEdge, Wrap::kClampToEdge, Filter::kNearest, Filter::kLinear,
@@ -431,15 +436,15 @@ TEST_CASE("the level of detail is log2 of the longer side of the footprint") {
     const double exact = std::log2(std::max(x, y));
     const double found = double(level_of_detail(g, 640, 480));
     CAPTURE(g.along_x, g.along_y, exact, found);
-    // Half the error of log2 of the square: 4 u / ln 2 from the square, 5e-8 from the series, 8 u of its roundings, and u of
-    // the sum, which is twice the result.
+    // Half the error of the logarithm of the square: 4 u / ln 2 from the square, 5e-8 from the
+    // series, 8 u from its roundings, and u of the sum, which is twice the result.
     REQUIRE(std::abs(found - exact) <= 10 * kU + kU * std::abs(exact));
   }
   for (int k = -20; k <= 20; ++k) {
     const TextureGradient g{{std::ldexp(1.0f, k), 0}, {0, 0}};
-    CHECK(level_of_detail(g, 4, 64) == float(k + 2));  // powers of two exactly
+    CHECK(level_of_detail(g, 4, 64) == float(k + 2));  // exact for powers of two
   }
-  // Squares below the smallest normal float, which are powers of two all the same.
+  // Squares below the smallest normal float, which are still powers of two.
   for (int k = -74; k <= -63; ++k) {
     CHECK(level_of_detail({{std::ldexp(1.0f, k), 0}, {0, 0}}, 1, 1) == float(k));
   }
@@ -486,7 +491,7 @@ TEST_CASE("texture gradients are the exact derivatives, at the silhouette as ins
           }
           const Rational u = n / d;
           const Rational exact = (dn - u * dd) / d;
-          // The sizes of the terms that are added and may cancel.
+          // The magnitudes of the terms that are added and may cancel.
           for (std::size_t k = 0; k < 3; ++k) {
             const Rational slope =
                 abs_of(Rational(256 * (axis == 0 ? setup->edges[k].a : setup->edges[k].b))) *
@@ -508,7 +513,8 @@ TEST_CASE("texture gradients are the exact derivatives, at the silhouette as ins
     });
   }
   CAPTURE(worst);
-  // A slope has 5 roundings (step, area, reciprocal, two products), then a difference, a product, a sum, the product with
-  // u - u0, a difference, 8 u of w and a product; u itself is 13 u of its spread off.
+  // A slope has 5 roundings (step, area, reciprocal, two products). Then follow a difference, a
+  // product, a sum, the product with u - u0, a difference, 8 u of w, and a product. The coordinate
+  // u itself errs by 13 unit roundoffs of its spread.
   CHECK(worst <= 19);
 }

@@ -1,6 +1,7 @@
-// Surfaces without gaps and without doubles: every sample belongs to exactly one of the triangles that meet there.
+// Surfaces have no gaps, and no sample is drawn twice: every sample belongs to exactly one of the
+// triangles that meet there.
 //
-// The same checks run on rasterisers with planted faults and must catch them.
+// The same checks must find the faults of rasterizers that are wrong on purpose.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,7 +18,7 @@ namespace {
 using namespace glassbox;
 using namespace glassbox::test;
 
-// ---- rasterisers: the real one, and wrong ones ----
+// ---- the real rasterizer, and wrong ones ----
 
 struct Real {
   template <class Visit>
@@ -27,7 +28,7 @@ struct Real {
   }
 };
 
-// Integer edge functions as they should be, but every edge owns its samples, or none does.
+// Correct integer edge functions, but every edge owns the samples on it, or no edge does.
 template <bool kOwn>
 struct WithoutTieRule {
   template <class Visit>
@@ -39,7 +40,8 @@ struct WithoutTieRule {
   }
 };
 
-// The top-left rule on edge functions that are differences in float, (b - a) x (p - a) from each edge's first vertex.
+// The top-left rule with edge functions of float differences, (b - a) x (p - a) from the first
+// vertex of each edge.
 struct FloatDifferences {
   template <class Visit>
   void operator()(const SnappedTriangle& t, const PixelRect& window, const Visit& visit) const {
@@ -69,7 +71,8 @@ struct Faults {
 
 // ---- shared edges ----
 
-// (b - a) x (p - a) for the centre of pixel (x, y); 64 bits hold it, and there are millions to do.
+// (b - a) x (p - a) for the centre of pixel (x, y), in 64 bits, which suffice and are faster: the
+// test computes millions of them.
 std::int64_t cross_of(const SnappedVertex& a, const SnappedVertex& b, int x, int y) {
   return std::int64_t(b.x - a.x) * (y * 256 + 128 - a.y) -
          std::int64_t(b.y - a.y) * (x * 256 + 128 - a.x);
@@ -94,8 +97,8 @@ bool strictly_between(const SnappedVertex& a, const SnappedVertex& b, int x, int
   return (px - a.x) * (px - b.x) + (py - a.y) * (py - b.y) < 0;
 }
 
-// Draws both triangles beside the edge a-b and counts the samples of the window that lie inside either or on the open
-// edge and are not covered once, and those that are covered twice.
+// Draws the two triangles that share the edge a-b. Counts the samples of the window that are
+// covered twice, and those inside either triangle or on the open edge that are not covered.
 template <class Rasteriser>
 void check_edge(const Rasteriser& rasterise, const SnappedTriangle& left,
                 const SnappedTriangle& right, const PixelRect& window, Faults& faults) {
@@ -117,13 +120,14 @@ void check_edge(const Rasteriser& rasterise, const SnappedTriangle& left,
   }
 }
 
-// Small triangles, half of them with all vertices on a coarse lattice so that many samples lie exactly on edges.
+// Checks small triangles; half of them have all vertices on a coarse lattice, so that many samples
+// are exactly on edges.
 template <class Rasteriser>
 Faults check_random_edges(const Rasteriser& rasterise, int edges, std::uint64_t seed) {
   Random random(seed);
   Faults faults;
   for (int i = 0; i < edges;) {
-    // Two bits of random numbers for each coordinate are plenty on the lattice; 9 bits otherwise.
+    // Two bits of random numbers for each coordinate on the lattice, 9 bits otherwise.
     const bool lattice = (i & 1) != 0;
     const auto vertex = [&](std::uint64_t bits) {
       return lattice
@@ -141,15 +145,16 @@ Faults check_random_edges(const Rasteriser& rasterise, int edges, std::uint64_t 
   return faults;
 }
 
-// x a + y b = gcd(a, b).
+// Returns x and y with x a + y b = gcd(a, b).
 std::array<std::int64_t, 2> bezout(std::int64_t a, std::int64_t b) {
   if (b == 0) return {a < 0 ? -1 : 1, 0};
   const auto [x, y] = bezout(b, a % b);
   return {y, x - (a / b) * y};
 }
 
-// Long edges that pass a sample of a viewport `width` px wide at the smallest distance there is, or through it: the
-// sample is p, the ends p - r and p + k r + s (s.x, s.y) with r x s = gcd and s in {-1, 0, 1}.
+// Checks long edges that pass a sample of a viewport `width` px wide at the smallest possible
+// distance, or through it. The sample is p, the ends are p - r and p + k r + s (s.x, s.y) with r x
+// s = gcd and s in {-1, 0, 1}.
 template <class Rasteriser>
 Faults check_long_edges(const Rasteriser& rasterise, int edges, int width, std::uint64_t seed) {
   Random random(seed);
@@ -179,8 +184,9 @@ Faults check_long_edges(const Rasteriser& rasterise, int edges, int width, std::
 
 // ---- grids ----
 
-// A grid of n by n cells of about `cell` 1/256 px, inner vertices jittered by less than half a cell, each cell cut by
-// the diagonal that lies inside (either, by chance). Counts the samples inside the square that are not covered once.
+// Draws a grid of n by n cells of about `cell` 1/256 px, whose inner vertices are moved by less
+// than half a cell, and whose cells are cut by a diagonal inside them (either, by chance). Counts
+// the samples inside the square that are not covered exactly once.
 template <class Rasteriser>
 Faults check_grid(const Rasteriser& rasterise, int n, int cell, int lattice, std::uint64_t seed) {
   Random random(seed);
@@ -197,7 +203,7 @@ Faults check_grid(const Rasteriser& rasterise, int n, int cell, int lattice, std
     }
   }
   const int pixels = (n * cell / lattice * lattice + 255) /
-                     256;  // centres 0.5 .. are inside or on the left border
+                     256;  // centres from 0.5 on are inside or on the left border
   const PixelRect window{0, 0, pixels, pixels};
   std::vector<std::uint8_t> count(std::size_t(pixels) * std::size_t(pixels));
   const auto draw = [&](int x, int y) {
@@ -229,7 +235,8 @@ Faults check_grid(const Rasteriser& rasterise, int n, int cell, int lattice, std
 
 // ---- fans ----
 
-// N triangles around the centre of pixel (10, 10), to points along a square around it in order.
+// Draws N triangles around the centre of pixel (10, 10), to points in order along a square around
+// it.
 template <class Rasteriser>
 Faults check_fan(const Rasteriser& rasterise, int n, Random& random) {
   constexpr int kSide = 1800;  // 1/256 px
@@ -239,7 +246,8 @@ Faults check_fan(const Rasteriser& rasterise, int n, Random& random) {
     const int y = edge == 0 ? -half : edge == 1 ? along : edge == 2 ? half : -along;
     return SnappedVertex{10 * 256 + 128 + x, 10 * 256 + 128 + y};
   };
-  // Evenly spaced, moved by less than a quarter of the distance: consecutive ones are less than half a turn apart.
+  // Evenly spaced, then moved by less than a quarter of their distance, so that consecutive points
+  // are less than half a turn apart.
   std::vector<SnappedVertex> rim;
   for (int i = 0; i < n; ++i) {
     const double at = (i + random.between(-0.12, 0.12)) * 4 * kSide / n;
@@ -339,15 +347,15 @@ TEST_CASE(
     const auto coordinate = [&](double low, double high) {
       return std::int32_t(random.between(low, high) * 256);
     };
-    // The edge a-b from left to right, the big triangle above it, two below that meet at m, which snapping put beside the
-    // edge: on the edge at first, then rounded.
+    // The edge a-b runs from left to right. The big triangle is above it, two are below it and meet
+    // at m, which is a point of the edge until snapping moves it off the edge.
     const SnappedVertex a{coordinate(0, 10), coordinate(40, 60)},
         b{coordinate(90, 100), coordinate(40, 60)};
     const SnappedVertex top{coordinate(30, 70), 0}, bottom{coordinate(30, 70), 100 * 256};
     const double t = random.between(0.3, 0.7);
     const SnappedVertex m{std::int32_t(std::lround(a.x + t * (b.x - a.x))),
                           std::int32_t(std::lround(a.y + t * (b.y - a.y)))};
-    const int side = side_of(a, b, m);  // > 0: below the edge, a gap; < 0: doubles
+    const int side = side_of(a, b, m);  // > 0: below the edge, a gap; < 0: covered twice
 
     std::vector<int> count(10000);
     const auto draw = [&](int x, int y) { ++count[std::size_t(y * 100 + x)]; };

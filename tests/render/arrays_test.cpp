@@ -1,5 +1,5 @@
-// A run as arrays: the numbers are the records' own, the triangle's rows lead to its vertices and pieces, and the size is
-// known before.
+// A run as arrays: the numbers are those of the trace, the rows of a triangle lead to its vertices
+// and pieces, and the size is known in advance.
 #include <glassbox/render/trace/arrays.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Sample {
   TraceFilter filter;
 };
 
-// From near, so that something is cut.
+// The cube seen from nearby, so that the near plane cuts it.
 Sample near_cube() {
   const auto scene = make_builtin("cube");
   REQUIRE(scene);

@@ -1,6 +1,6 @@
-// The bounds of a trace against arithmetic of 320 bits: every error within its bound, and no bound more than 100 times the
-// worst error that was seen. 10^6 vertices altogether, from object space to the screen, and the fragments of their triangles;
-// the ratios are printed.
+// The error bounds of a trace, compared with arithmetic of 320 bits: every error is within its
+// bound, and no bound is more than 100 times the largest error seen. 10^6 vertices altogether, from
+// object space to the screen, and the fragments of their triangles. The ratios are printed.
 #include <glassbox/render/trace/bounds.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 namespace mp = boost::multiprecision;
 using namespace test;
 
-// The largest error in units of its bound. A bound of 0 admits no error.
+// The largest error in units of its bound; where the bound is 0, the error must be 0.
 class Worst {
 public:
   explicit Worst(const char* name) : name_(name) {}
@@ -35,11 +35,13 @@ public:
       return;
     }
     const double size = double(mp::abs(error));
-    // The error itself is rounded to double, by 2^-53 of its size; and the oracle, to 2^-320 of numbers below 2^40.
+    // The error is rounded to double, by 2^-53 of its size, and the oracle rounds numbers below
+    // 2^40 by 2^-320 of them.
     if (!(size <= bound * (1 + 0x1p-50) + 0x1p-250)) ++broken_;
     if (bound > 0) ratio_ = std::max(ratio_, size / bound);
   }
-  // Bounds that are never met by a hundredth say nothing.
+  // Fails if an error exceeded its bound, or if the largest error was below a hundredth of the
+  // bound.
   void check() const {
     std::printf("  %-36s %8d numbers, %5d without bound, largest error / bound = %.3f\n", name_,
                 count_, unbounded_, ratio_);
@@ -75,7 +77,7 @@ struct Ratios {
   }
 };
 
-// ---- the exact way ----
+// ---- the same, computed exactly ----
 
 struct ExactMatrices {
   BigMatrix world, eye, clip;  // from object space
@@ -149,7 +151,8 @@ struct ExactFragment {
   Big depth, inverse_w;
 };
 
-// Of the snapped triangle, which is exact, with the exact depth and w of its vertices.
+// A fragment of the snapped triangle, whose corners are exact, with the exact depth and w of its
+// vertices.
 ExactFragment exact_fragment(const TracedFragment& traced, const TriangleSetup& setup,
                              const std::array<const ExactVertex*, 3>& vertices) {
   ExactFragment exact;
@@ -215,11 +218,13 @@ void compare_fragment(const TracedFragment& traced, const TracedTriangle& triang
 
 constexpr int kWidth = 80, kHeight = 60;
 
-// Triangles all around the eye, a tenth of them much larger than what is seen, so that all planes have to cut.
+// Triangles all around the eye, a tenth of them much larger than the view, so that every plane cuts
+// some.
 Scene soup(int triangles, Random& random) {
   Mesh mesh;
   mesh.name = "soup";
-  const double offset = random.unit() < 0.3 ? 1e4 : 0;  // far from its origin: an anchor is chosen
+  // Far from the mesh's origin, so that an anchor is used.
+  const double offset = random.unit() < 0.3 ? 1e4 : 0;
   for (int i = 0; i < triangles; ++i) {
     const double size = random.unit() < 0.1 ? 20 : 0.4;
     const std::array<double, 3> centre{random.between(-4, 4), random.between(-4, 4),
@@ -299,9 +304,10 @@ void compare_scene(const Scene& scene, const View& view, Ratios& ratios) {
 #ifdef __OPTIMIZE__
 constexpr int kScenes = 170;
 #else
-constexpr int kScenes = 12;  // where it takes ten times as long: to check the code, not the bounds
+// An unoptimized build takes ten times as long: this checks the code, not the bounds.
+constexpr int kScenes = 12;
 #endif
-constexpr int kTriangles = 1961;  // 170 times three times that: 1,000,110 corners
+constexpr int kTriangles = 1961;  // in 170 scenes, with three corners each: 1,000,110 corners
 
 TEST_CASE("every number of a trace lies within its bound, and no bound is idle: 10^6 vertices") {
   Random random(20260407);

@@ -1,5 +1,6 @@
-// The bounds of colours of whole runs against arithmetic of 320 bits: every attribute, texture sample, light and byte of random
-// textured scenes, from the matrices and tables on; cut by planes, too.
+// The colour bounds of whole runs, compared with arithmetic of 320 bits that starts from the
+// matrices and tables: every attribute, texture sample, light and byte of random textured scenes,
+// which planes cut, too.
 #include <glassbox/render/trace/color_bounds.h>
 
 #include <cmath>
@@ -27,7 +28,7 @@ using test::face_normal_of;
 using test::negated;
 using test::operator*;
 
-// The largest share of a bound that an error takes.
+// The largest error in units of its bound.
 struct Kept {
   const char* name;
   double ratio = 0;
@@ -41,7 +42,7 @@ struct Kept {
     }
     const double error = double(abs(value - exact));
     CAPTURE(name, double(value), double(exact), bound);
-    // The oracle's textures are doubles.
+    // The oracle's textures are computed in double.
     REQUIRE(error <= bound + 1e-12);
     if (bound > 0) ratio = std::max(ratio, error / bound);
   }
@@ -114,7 +115,7 @@ Scene random_scene(Random& random) {
   return scene;
 }
 
-// ---- the exact way ----
+// ---- the same, computed exactly ----
 
 struct ExactCorner {
   Big inverse_w{};
@@ -239,7 +240,7 @@ private:
     return exact;
   }
 
-  // At a vertex of what clipping left.
+  // The attributes at a vertex that clipping has left, as a weighted sum of those at the corners.
   static ExactCorner weighed(const std::array<ExactCorner, 3>& corners,
                              const test::ExactVertex& vertex) {
     ExactCorner sum{};
@@ -276,7 +277,8 @@ private:
     return 0.5 * double(log(squared) / log(Big(2)));
   }
 
-  // The surface is the sample where nothing else colours it; else what its bound is of is computed again.
+  // Compares the texture sample with its bound. The surface's colour equals the sample only where
+  // nothing tints it; other fragments are skipped.
   void see_samples(const TracedFragment& traced, const ColorBounds& found,
                    const in_full::Light& texel, All& all) const {
     const float tint = traced.at.color[1] * draw_.material->base_color.g;
@@ -328,7 +330,7 @@ TEST_CASE("every colour of a run is within its bound") {
                      colors.at(fragment, bounds_of(triangle, fragment)), all);
     }
   }
-  CHECK(cut > 300);  // by the near plane
+  CHECK(cut > 300);  // cut by the near plane
   for (const Kept* kept :
        {&all.texcoord, &all.normal, &all.sample, &all.surface, &all.light, &all.stored}) {
     kept->check();

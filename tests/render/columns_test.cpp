@@ -1,4 +1,5 @@
-// The columns of a run: they hold what the trace holds, in a form that other programs read back.
+// The columns of a run contain what the trace contains, in a form that other programs can read
+// back.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -23,7 +24,7 @@ struct ColumnCase {
   View view;
 };
 
-// All built-in scenes, framed, and the room from among its furniture, where triangles are cut.
+// All built-in scenes, framed; the room is seen from among its furniture, where triangles are cut.
 std::vector<ColumnCase> column_cases() {
   std::vector<ColumnCase> all;
   for (const BuiltinScene& builtin : builtin_scenes()) {
@@ -39,7 +40,7 @@ std::vector<ColumnCase> column_cases() {
   return all;
 }
 
-// ---- the pack, read back without the library ----
+// ---- the pack file, read back without the library ----
 
 template <class T>
 std::vector<T> unpacked(const ColumnPack& pack, const std::string& name) {

@@ -1,4 +1,5 @@
-// Light that surfaces emit: one sum after lighting, the same bytes in both engines, nothing where no material emits.
+// Emission of surfaces: added once after lighting, with the same bytes in both engines, and no
+// effect where no material emits.
 #include <glassbox/images/srgb.h>
 #include <glassbox/render/trace/tracer.h>
 #include "app/trace/json.h"
@@ -23,7 +24,8 @@ Material lamp(const std::array<float, 3>& emission) {
   return material;
 }
 
-// A quad across the view, with texture coordinates; textures 0 (base colour) and 1 (emission).
+// A quad across the view, with texture coordinates; texture 0 is the base colour, texture 1 the
+// emission.
 Scene textured_quad(bool base_texture, bool emission_texture, const Sampler& sampler = {}) {
   Mesh mesh;
   mesh.positions = {{-1, -1, -3}, {1, -1, -3}, {1, 1, -5}, {-1, 1, -5}};
@@ -48,7 +50,7 @@ Scene textured_quad(bool base_texture, bool emission_texture, const Sampler& sam
 }
 
 TEST_CASE("what a surface emits is added to its light, in linear light") {
-  // Black but for what it emits: only ambient light on black, which is 0.
+  // Black except for its emission: on black the ambient light gives 0.
   Material black = lamp({0.25f, 0.5f, 4.0f});
   black.base_color = {0, 0, 0, 1};
   black.specular = {0, 0, 0};
@@ -63,7 +65,7 @@ TEST_CASE("what a surface emits is added to its light, in linear light") {
   CHECK(middle() == Rgba8{encode_srgb(0.25f), encode_srgb(0.5f), 255, 255});
   settings.transfer = Transfer::kNone;
   CHECK(middle() == Rgba8{64, 128, 255, 255});
-  // A picture of surfaces without light has none of their own either.
+  // Unlit surfaces show no emission either.
   settings.shading = Shading::kUnlit;
   CHECK(middle() == Rgba8{0, 0, 0, 255});
 }

@@ -1,4 +1,5 @@
-// An engine that is neither of the two: whoever writes one has pairs, anaglyphs and all settings with it.
+// An engine that is neither of the two built-in ones: pairs, anaglyphs and all settings work with
+// it.
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace glassbox::test {
 namespace {
 
-// What a job asked for, drawn by the reference.
+// The properties of a job that an engine was given.
 struct Asked {
   std::size_t eyes = 0;
   bool is_pair = false, draws_over = false;

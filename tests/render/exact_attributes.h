@@ -1,4 +1,4 @@
-// Positions and normals in eye space, by arithmetic of 320 bits from the matrices on.
+// Positions and normals in eye space, computed in arithmetic of 320 bits from the matrices.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ inline Big3 unit_of(const Big3& v) {
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-// By the cofactors of the matrix.
+// The normal in eye space, by the cofactors of the matrix.
 inline Big3 eye_normal(const BigMatrix& eye, const Big3& n) {
   Big3 normal;
   Big determinant = 0;

@@ -1,4 +1,5 @@
-// What clipping leaves of a triangle, by arithmetic of 320 bits from the matrices on.
+// The polygon that clipping leaves of a triangle, computed in arithmetic of 320 bits from the
+// matrices.
 #pragma once
 
 #include <array>
@@ -10,7 +11,8 @@
 
 namespace glassbox::test {
 
-// Products of four doubles and sums of some are exact in it, or as good as that: what it rounds is 2^-250 of any bound.
+// Products of four doubles and some sums are exact in this type, or nearly so: its rounding is
+// 2^-250 of any bound.
 using Big = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<320, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
@@ -66,7 +68,8 @@ inline ExactVertex exact_crossing(const ClipPlane& plane, const ExactVertex& p,
   return cut;
 }
 
-// The polygon that is left, cut exactly along the edges that the run cut; in the order of TracedTriangle::polygon.
+// The polygon that is left, cut exactly along the edges that the run has cut; in the order of
+// TracedTriangle::polygon.
 inline std::vector<ExactVertex> exact_polygon(const Trace& trace, const TracedTriangle& triangle,
                                               const std::array<BigVector, 3>& corners) {
   std::vector<ExactVertex> polygon;

@@ -1,4 +1,5 @@
-// A pixel's history is what happened there: it ends in the picture's bytes, and leaves no fragment out.
+// A pixel's history lists all that happened in the pixel: it ends with the bytes of the picture,
+// and no fragment is missing.
 #include <glassbox/render/trace/history.h>
 
 #include <cmath>
@@ -39,7 +40,7 @@ Scene squares_of(const std::vector<Square>& all) {
     mesh.name = "square " + std::to_string(scene.meshes.size());
     const float s = float(square.size), x = float(square.x), z = float(square.z);
     mesh.positions = {{x - s, -s, z}, {x + s, -s, z}, {x + s, s, z}, {x - s, s, z}};
-    // Alpha from 0 on the left to 1 on the right, times the material's.
+    // Alpha rises from 0 on the left to 1 on the right, and is multiplied by the material's.
     mesh.colors = {{1, 1, 1, 0}, {1, 1, 1, 1}};
     mesh.corners = {
         {0, kNone, kNone, 0}, {1, kNone, kNone, 1}, {2, kNone, kNone, 1}, {3, kNone, kNone, 0}};
@@ -170,9 +171,9 @@ TEST_CASE("a run that is traced for one pixel tells the history that a full trac
   }
 }
 
-// ---- what left no fragment ----
+// ---- triangles that left no fragment ----
 
-// Screen x = 32 + 32 x/w, y = 32 - 32 y/w on 64 x 64 px, w = -z, near 1, far 2.
+// A view of 64 x 64 px with screen x = 32 + 32 x/w, y = 32 - 32 y/w, w = -z, near 1, far 2.
 View exact_view() {
   const auto view = make_view({"", FrustumLens{-1, 1, -1, 1, 1, 2.0}, {}}, 64, 64);
   REQUIRE(view);
@@ -211,7 +212,8 @@ TEST_CASE(
 }
 
 TEST_CASE("what a plane cut off is in the history of the pixels that it would have covered") {
-  // A wall from w = 0.5 at the top to 1.5 at the bottom of the picture: the near plane keeps its lower part.
+  // A wall from w = 0.5 at the top of the picture to 1.5 at the bottom: the near plane keeps its
+  // lower part.
   const std::vector<Point<Object>> wall{{-1, 0.5f, -0.5f}, {-3, -1.5f, -1.5f}, {3, -1.5f, -1.5f}};
   const Scene scene = triangles(wall);
   int kept = 0, cut = 0;
@@ -220,7 +222,8 @@ TEST_CASE("what a plane cut off is in the history of the pixels that it would ha
     if (history.events.empty()) continue;
     REQUIRE(history.events.size() == 1);
     const PixelEvent& event = history.events[0];
-    // In the plane of the wall y = 1.5 - 2 w, and the pixel's centre looks along y = (31.5 - row)/32 w.
+    // The wall's plane is y = 1.5 - 2 w, and the line of sight through the pixel's centre is y =
+    // (31.5 - row)/32 w.
     const double w = 1.5 / (2 + (31.5 - y) / 32);
     CHECK(double(event.distance) == Approx(w).epsilon(1e-6));
     if (event.touch == Touch::kClipped) {
@@ -238,7 +241,7 @@ TEST_CASE("what a plane cut off is in the history of the pixels that it would ha
   CHECK(kept == 16);  // w >= 1 from row 48 on
   CHECK(cut == 28);   // the wall begins at w = 3/4.734, in row 20
 
-  // Wholly nearer than the near plane, and wholly further than the far one.
+  // One triangle is wholly nearer than the near plane, the other wholly farther than the far plane.
   const Scene gone = triangles(
       {at(8, 8, 0.5), at(8, 24, 0.5), at(24, 8, 0.5), at(8, 8, 3), at(8, 24, 3), at(24, 8, 3)});
   const PixelHistory history = history_at(gone, 10, 10);
@@ -253,7 +256,8 @@ TEST_CASE("what a plane cut off is in the history of the pixels that it would ha
 }
 
 TEST_CASE("triangles that miss a pixel's centre are told by how much, the nearest first") {
-  // Edges 26 and 52 steps right of the centre of pixel (10, 10), and one through it that ends there.
+  // Edges 26 and 52 steps to the right of the centre of pixel (10, 10), and one through it, at
+  // which its triangle ends.
   const double near = 10.5 + 26.0 / 256, far = 10.5 + 52.0 / 256;
   const Scene scene = triangles({at(far, 4, 1), at(far, 20, 1), at(40, 4, 1),    //
                                  at(near, 4, 1), at(near, 20, 1), at(40, 4, 1),  //

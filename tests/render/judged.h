@@ -1,4 +1,4 @@
-// Triangles in a view whose every step is exact, and the verdict on them.
+// Triangles in a view in which every step is exact, and the verdicts on them.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace glassbox::test {
 
-// 64 x 64 pixels from the origin down -z, 90 degrees wide: screen x = 32 + 32 x/w, y = 32 - 32 y/w with w = -z, and with
-// near 1 and far 2 clip z = 2 w - 2.
+// A picture of 64 x 64 pixels, seen from the origin along -z, 90 degrees wide: screen x = 32 + 32
+// x/w, y = 32 - 32 y/w with w = -z. With near 1 and far 2, clip z = 2 w - 2.
 inline constexpr int kSide = 64;
 
 inline View plain_view(double near = 1, double far = 2) {
@@ -27,7 +27,8 @@ inline View plain_view(double near = 1, double far = 2) {
   return *view;
 }
 
-// The point at the distance w that is drawn at (x, y) pixels. Exact for multiples of 1/256 px and powers of two.
+// The point at distance w that is drawn at (x, y) pixels; exact for multiples of 1/256 px and
+// powers of two.
 inline Point<Object> at(double x, double y, double w = 1) {
   return {float((x - 32) / 32 * w), float((32 - y) / 32 * w), float(-w)};
 }
@@ -47,7 +48,7 @@ struct Part {
   Transform<World, Object> world_from_object;
 };
 
-// Parts are instances in this order, each with a mesh of its own.
+// A scene whose instances are the parts, in this order, each with its own mesh.
 inline Scene scene_of_parts(const std::vector<Part>& parts) {
   Scene scene;
   for (const Part& part : parts) {
@@ -67,7 +68,8 @@ inline Scene scene_of_parts(const std::vector<Part>& parts) {
   return scene;
 }
 
-// Counter-clockwise as seen: front. Half a square of `side` px with its right angle at (x, y).
+// Half a square of `side` px whose right angle is at (x, y); counter-clockwise as seen, so its
+// front.
 inline std::vector<Point<Object>> half_square(double x, double y, double side, double w = 1) {
   return {at(x, y, w), at(x, y + side, w), at(x + side, y, w)};
 }
@@ -81,7 +83,7 @@ inline TriangleVerdict judged(const Scene& scene, std::uint64_t number = 0,
                               const RenderSettings& settings = {}) {
   const auto verdict = triangle_verdict(scene, view, settings, number);
   REQUIRE(verdict);
-  // What is said holds in every form, and the summary agrees.
+  // The verdict can be explained and written as JSON, and the summary agrees with it.
   CHECK(!explain(view, *verdict).empty());
   CHECK(to_json(*verdict)["end"] == name_of(verdict->end));
   const SceneVerdict whole = scene_verdict(scene, view, settings);

@@ -1,4 +1,4 @@
-// The levels of textures that nobody sees are not made.
+// The mip levels of textures that are not visible are not made.
 #include <glassbox/render/renderer.h>
 
 #include "tests/render/plan/planned.h"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-// A quad `z` in front of the camera that covers the whole picture, with a texture of its own.
+// A quad at depth z that covers the whole picture, with its own texture.
 void add_textured_wall(Scene& scene, float z, std::uint32_t texture) {
   Mesh mesh;
   mesh.positions = {{-99, -99, z}, {99, -99, z}, {99, 99, z}, {-99, 99, z}};
@@ -61,7 +61,7 @@ TEST_CASE("what a hidden draw would ask for its alpha is not made either") {
       add_textured_wall(scene, -9, 1);
       add_textured_wall(scene, -2, 2);  // in front of both
       scene.materials[1].alpha_mode = scene.materials[2].alpha_mode = mode;
-      scene.materials[2].base_color.a = 0.25f;  // masked: all of it is cut away
+      scene.materials[2].base_color.a = 0.25f;  // with a mask it is discarded everywhere
       for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
         INFO(name_of(kind) << ", alpha mode " << int(mode) << ", " << samples << " samples");
         const PreparedScene prepared = prepare(scene, settings.transfer);

@@ -1,5 +1,5 @@
-// The bounds of lines, points and edges of triangles against arithmetic of 320 bits, from the matrices on: places, normals, textures,
-// light and bytes; cut by planes, too.
+// The bounds of lines, points and edges of triangles, compared with arithmetic of 320 bits that
+// starts from the matrices: positions, normals, textures, light and bytes; planes cut some of them.
 #include <glassbox/render/trace/line_bounds.h>
 
 #include <algorithm>
@@ -31,9 +31,9 @@ using test::exactly;
 using test::ExactVertex;
 using test::operator*;
 
-// The largest share of a bound that an error takes.
+// The largest error in units of its bound.
 struct KeptBound {
-  // What the oracle rounds in 320 bits; its textures and bytes are doubles.
+  // Rounding errors of the oracle: in 320 bits, and in double for its textures and bytes.
   static constexpr double kInFull = 0x1p-250, kInDouble = 1e-12;
 
   const char* name;
@@ -56,7 +56,8 @@ struct KeptBound {
     CHECK(count > 1000);
     CHECK(ratio > least_ratio);
   }
-  // A bound of another number stands for the run's all the same, but is as large as they differ.
+  // Fails if the median bound is not below the limit. A bound derived for a slightly different
+  // number would be valid, but larger by their difference.
   void check_half_below(double limit) {
     const auto middle = bounds.begin() + std::ptrdiff_t(bounds.size() / 2);
     std::nth_element(bounds.begin(), middle, bounds.end());
@@ -65,7 +66,8 @@ struct KeptBound {
   }
 };
 
-// Triangles, lines and points, with colours, and normals at some of their corners. `textured`: of a few texels, with all levels.
+// Triangles, lines and points with colours; some of their corners have normals. `textured`: with a
+// texture of a few texels and all its levels.
 Scene scene_of_lines(Random& random, bool textured) {
   Mesh mesh;
   const auto corner = [&] {
@@ -111,7 +113,7 @@ Scene scene_of_lines(Random& random, bool textured) {
   return scene;
 }
 
-// What is left of a line between two corners, cut where the run has cut it.
+// The ends of a line after clipping, cut exactly where the run has cut it.
 std::array<ExactVertex, 2> exact_ends(const Trace& trace, std::array<ClipVertex, 2> run,
                                       std::array<ExactVertex, 2> exact) {
   for (const ClipPlane& plane : trace.planes) {
@@ -136,7 +138,7 @@ struct AllKept {
   int cut = 0, without_normal = 0;
 };
 
-// What a corner has, and what a line has at its ends and between.
+// The attributes of a corner, or of a point of a line.
 struct ExactAttributes {
   Big3 position, normal, color;
   std::array<Big, 2> texcoord;
@@ -222,7 +224,8 @@ private:
     return {corner(source.edge), corner(source.edge + std::size_t(1))};
   }
 
-  // Of an edge, the normal of its triangle's face where the corner has none, on the side that is seen.
+  // The corner's attributes. For an edge whose corner has no normal, the normal is that of the
+  // triangle's face; normals point to the visible side.
   ExactAttributes attributes_of(const Corner& corner, const TracedTriangle* triangle) const {
     ExactAttributes at;
     at.position = test::affine(eye_, mesh_.positions[corner.position]);
@@ -251,8 +254,7 @@ private:
     const Material& material = *draw_.material;
     in_full::Light texel{1, 1, 1, 1};
     if (!levels_.empty()) {
-      constexpr double kLevel =
-          0;  // a line has no second direction in which its texture could grow
+      constexpr double kLevel = 0;  // along a line there is no second direction, so level 0 is used
       texel = in_full::sample(levels_, scene_.textures[0].sampler, double(at.texcoord[0]),
                               double(at.texcoord[1]), kLevel);
       for (std::size_t i = 0; i < 2; ++i) {
@@ -296,7 +298,7 @@ private:
     }
   }
 
-  // Of the snapped line, where its longer axis passes the pixel's centre.
+  // The share of the snapped line up to where its major axis passes the pixel's centre.
   static Big share_of_way(const LineBounds& line, const Fragment& fragment) {
     const LineSetup setup =
         setup_line(line.ends()[0].vertex.snapped, line.ends()[1].vertex.snapped);
@@ -356,7 +358,8 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
        {&all.surface, &all.texcoord, &all.normal, &all.light, &all.stored}) {
     kept->check(0.02);
   }
-  // Some dozens of roundings of numbers up to 1, 2^-24 each, and of light up to 12 times as much.
+  // Bounds of some dozens of roundings of 2^-24, of numbers up to 1, and of light up to 12 times as
+  // much.
   all.normal.check_half_below(32 * 0x1p-24);
   all.texcoord.check_half_below(64 * 0x1p-24);
   all.light.check_half_below(12 * 64 * 0x1p-24);
@@ -429,7 +432,7 @@ TEST_CASE("a report's bounds name lines and points where these are worst") {
   const PictureErrors of_edges = picture_errors(scene, *view, edges);
   CHECK(of_edges.pixels_unbounded == 0);
   CHECK(of_edges.fragments_of_lines_and_points > errors.fragments_of_lines_and_points);
-  CHECK(of_edges.snapped.count() == 6);  // no corner twice
+  CHECK(of_edges.snapped.count() == 6);  // each corner once
 }
 
 TEST_CASE("a line without normals that a plane cuts is as exact as one that none cuts") {
@@ -440,7 +443,7 @@ TEST_CASE("a line without normals that a plane cuts is as exact as one that none
   Camera camera = test::camera_for(scene, 4.0 / 3);
   const auto whole = make_view(camera, 80, 60);
   REQUIRE(whole);
-  // Half of the line is nearer than its middle.
+  // Half of the line is nearer than its middle, and is cut off.
   const Point<Eye, double> middle = whole->eye_from_world * Point<World, double>(0, 0.15, 0);
   std::get<PerspectiveLens>(camera.lens).near = -middle.z;
   const auto cutting = make_view(camera, 80, 60);

@@ -1,4 +1,4 @@
-// Changes that must not change the picture (SPEC C.9, oracle 4).
+// Changes of a scene that must not change its picture.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ Rendering render(const Scene& scene, const Camera& camera, const RenderSettings&
   return render_staged(scene, *view, settings);
 }
 
-// The scene and everything measured in its units, 2^k times as large.
+// The scene scaled by a power of two, with all that is measured in its units.
 Scene scaled(Scene scene, double scale) {
   for (Mesh& mesh : scene.meshes) {
     for (auto& p : mesh.positions) {
@@ -48,8 +48,8 @@ Camera scaled(Camera camera, double scale) {
   return camera;
 }
 
-// S4.37 skips "about half" of the faces: half for the cube seen over a corner, and for a sphere of radius 1 seen from
-// distance d all but the cap of height 1 - 1/d.
+// The share of the faces that is culled, "about half" in S4.37: half for the cube seen over a
+// corner; for a sphere of radius 1 seen from distance d all but the cap of height 1 - 1/d.
 double culled_share(const std::string& name, const Camera& camera) {
   if (name == "cube") return 0.5;
   const auto& m = camera.world_from_eye;
@@ -101,7 +101,7 @@ TEST_CASE("a closed convex solid looks the same with and without back-face culli
     CHECK(a.buffers.depth == b.buffers.depth);
     const double share =
         double(a.statistics.culled) / double(a.statistics.after_clipping - a.statistics.zero_area);
-    // Of 64 bands of faces round the sphere the silhouette may fall within two.
+    // The sphere has 64 bands of faces; the silhouette may be within two of them.
     CHECK(std::abs(share - culled_share(name, camera)) < 2.0 / 64);
   }
 }

@@ -1,4 +1,5 @@
-// Culling before clipping, in object space (S4-01): no byte changes, in either engine, for one eye and for two.
+// Back-face culling before clipping, in object space (S4-01): no byte changes, in either engine,
+// for one eye and for two.
 #include <algorithm>
 
 #include <glassbox/mesh/builtin/scenes.h>
@@ -27,7 +28,8 @@ View view_of_size(const Scene& scene, int width, int height) {
   return make_view(test::camera_for(scene, double(width) / height), width, height).value();
 }
 
-// Where the picture with early culling differs from the one without, in either engine.
+// Where the picture with early culling differs from the one without, in either engine; empty if it
+// does not.
 std::string early_difference(const AnyCase& c) {
   RenderSettings late = c.settings;
   late.cull_stage = CullStage::kScreen;
@@ -113,7 +115,7 @@ TEST_CASE("each eye of a pair culls for itself, and has the bytes of late cullin
   }
 }
 
-// Triangles that `cull` removes although their snapped area shows their front.
+// How many triangles `cull` removes although their snapped area shows their front.
 int removed_fronts(const Draw& draw, const View& view, const ObjectCull& cull) {
   const ClipTable table = project_vertices(draw, view);
   int count = 0;
@@ -138,7 +140,7 @@ TEST_CASE("without the margin of the snap fronts are thrown away, and with it no
   Random random(3);
   int with_margin = 0, without = 0;
   for (int i = 0; i < 40 / kShare + 4; ++i) {
-    // Triangles of about a pixel.
+    // Triangles of about one pixel.
     const Scene scene = test::scene_of(test::star_shaped_surface(30, 0.02, random));
     const Camera camera =
         frame(scene, 1, {random.between(0, 360), random.between(-80, 80), {0, 1, 0}, 45, 1.1})
@@ -181,7 +183,7 @@ TEST_CASE("where the test cannot be made, the reason is given") {
     CHECK_FALSE(culling.test);
     return std::string(culling.because);
   };
-  CHECK(because(view, {}) == "nobody asked for it");
+  CHECK(because(view, {}) == "not requested");
   RenderSettings none = early();
   none.cull = Cull::kNone;
   CHECK(because(view, none) == "both sides of its faces are drawn");

@@ -1,4 +1,4 @@
-// Observers that take part in a run: what they put in the place of a stage is what goes on.
+// Observers that replace a stage of a run: the next stages use their results.
 #include <vector>
 
 #include "tests/support/catch.h"
@@ -23,7 +23,7 @@ struct Shown {
   }
 };
 
-// Finds the pixels itself, but for one row.
+// Finds the covered pixels itself, except for those of one row.
 class WithoutRow : public Observer {
 public:
   explicit WithoutRow(int row) : row_(row) {}
@@ -42,7 +42,7 @@ private:
   std::vector<Coverage> pixels_;
 };
 
-// Moves what is snapped one pixel to the right.
+// Moves the snapped vertices one pixel to the right.
 class Moved : public Observer {
 public:
   void fanned(std::span<SnappedVertex> polygon, int&) override {

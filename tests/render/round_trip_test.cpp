@@ -1,5 +1,6 @@
-// Object space to the screen in float and back (S3-03): every coordinate comes back within its bound, however near, far,
-// large, small or skewed; and what cannot come back is said to be so.
+// Object space to the screen in float and back (S3-03): every coordinate comes back within its
+// bound, however near, far, large, small or skewed it is; a coordinate that cannot come back is
+// reported as such.
 #include <glassbox/render/trace/bounds.h>
 
 #include <cmath>
@@ -20,8 +21,8 @@ namespace {
 
 constexpr int kSide = 256;  // px
 
-// Triangles in front of a camera at the origin that looks down -z, at distances that are spread evenly over the decades
-// between two exponents of ten.
+// Triangles in front of a camera at the origin that looks along -z. Their distances are spread
+// evenly over the decades between two powers of ten, given by their exponents.
 struct Depths {
   double from = 0, to = 0;
 };
@@ -51,7 +52,7 @@ Transform<World, Object> skewed(double size, double away, Random& random) {
   return m;
 }
 
-// The same places in the world, seen from an object space of another size.
+// The same positions in the world, modelled in another object space.
 void model_in(Scene& scene, const Transform<World, Object>& world_from_object) {
   const glm::dmat4 back = glm::inverse(world_from_object.columns);
   for (Point<Object>& p : scene.meshes[0].positions) {
@@ -66,7 +67,7 @@ View view_of(const Lens& lens, DepthRange range) {
   return *view;
 }
 
-// Every coordinate of every corner within its bound; the run's figures.
+// Checks that every coordinate of every corner is within its bound. Returns the figures of the run.
 RoundTrips come_back(const Scene& scene, const View& view) {
   TraceFilter filter;
   filter.fragments = false;

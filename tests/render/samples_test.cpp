@@ -1,4 +1,4 @@
-// Pictures of several samples to a pixel, by both engines.
+// Pictures with several samples per pixel, by both engines.
 #include <array>
 #include <vector>
 
@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array kCounts{2, 4, 8, 16};
 
-// White and unlit, in a parallel view in which a unit is a pixel, the middle of the picture at 0.
+// White and unlit, in a parallel view in which a unit is a pixel and 0 is the middle of the
+// picture.
 constexpr int kSamplesSide = 16;
 
 View pixel_view() {
@@ -60,7 +61,7 @@ Image<Rgba8> picture_of(const Scene& scene, const RenderSettings& settings) {
   return render_staged(scene, pixel_view(), settings).buffers.color;
 }
 
-// (2 n 255 + S) / (2 S): the byte of n white samples among S.
+// The byte of n white samples among S: (2 n 255 + S) / (2 S).
 int share(int n, int samples) {
   return (2 * n * 255 + samples) / (2 * samples);
 }
@@ -88,7 +89,7 @@ TEST_CASE("a pixel's colour is the mean of light, unless bytes are no light") {
   CHECK(picture_of(scene, settings).at(5, 4) == Rgba8{128, 128, 128, 255});
   settings.transfer = Transfer::kSrgb;
   CHECK(picture_of(scene, settings).at(5, 4) == Rgba8{188, 188, 188, 255});
-  settings.show = Show::kUv;  // (0, 0) over black
+  settings.show = Show::kUv;  // (0, 0), blended over black
   settings.background = {200, 200, 200, 255};
   CHECK(picture_of(scene, settings).at(5, 4) == Rgba8{100, 100, 100, 255});
 }
@@ -101,7 +102,7 @@ TEST_CASE("what lies over some samples is blended with those alone") {
 }
 
 TEST_CASE("of two surfaces, each sample shows the nearer one") {
-  // A white rectangle behind, and a black one in front that covers half of pixel 5.
+  // A white rectangle, and in front of it a black one that covers half of pixel 5.
   Scene scene = test::scene_of(rectangle(2, 2, 9, 9), white());
   Mesh front = rectangle(5.5f, 2, 9, 9);
   for (auto& p : front.positions) p.z = -0.5f;
@@ -121,7 +122,7 @@ TEST_CASE("of two surfaces, each sample shows the nearer one") {
 }
 
 TEST_CASE("where two surfaces cross within a pixel, each sample has its own depth") {
-  // White at distance 1; black at distance 1 where x = 5.5 + 1/32 px, nearer to the right of it.
+  // White at distance 1; black crosses it at x = 5.5 + 1/32 px and is nearer to the right of that.
   constexpr float kCrossing = 5.5f + 1.0f / 32;
   Scene scene = test::scene_of(rectangle(2, 2, 9, 9), white());
   Mesh black;
@@ -171,7 +172,7 @@ TEST_CASE("a line is a pixel wide, and a point is a pixel, wherever they lie") {
 }
 
 TEST_CASE("colours at a triangle's rim are its own: nothing is extrapolated") {
-  // Slivers whose colours run from 1/4 to 3/4 over a fraction of a pixel: 64 and 191 as bytes.
+  // Slivers whose colours rise from 1/4 to 3/4 within a fraction of a pixel: 64 and 191 as bytes.
   Mesh mesh;
   Random random(6);
   for (int i = 0; i < 400; ++i) {
@@ -204,7 +205,7 @@ TEST_CASE("colours at a triangle's rim are its own: nothing is extrapolated") {
 }
 
 TEST_CASE("pixels wholly inside a triangle look as with one sample") {
-  // One triangle over the whole picture, textured and lit.
+  // One textured and lit triangle over the whole picture.
   const Scene checker = *make_builtin("checker");
   Mesh mesh;
   mesh.positions = {{-40, -30, -9}, {45, -35, -12}, {2, 70, -20}};
@@ -262,7 +263,7 @@ TEST_CASE("both engines draw the same samples, for threads, targets, tiles and r
                                              staged.statistics.discarded +
                                              staged.statistics.written);
       std::vector<TileOptions> ways{{1, 64}, {3, 16}, {2, 256}, {2, 32, best_target(), false}};
-      ways.push_back({2, 64, best_target(), true, 300});  // several rounds
+      ways.push_back({2, 64, best_target(), true, 300});  // drawn in several rounds
       for (const Target target : available_targets()) ways.push_back({2, 64, target});
       for (const TileOptions& way : ways) {
         CAPTURE(name, samples, way.threads, way.tile_side, way.round_size);

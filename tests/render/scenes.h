@@ -46,8 +46,9 @@ inline void add_face(Mesh& mesh, const std::vector<std::uint32_t>& positions) {
   for (const std::uint32_t position : positions) mesh.corners.push_back({position});
 }
 
-// A closed surface around the origin that every ray from there meets exactly once: a cube of side 2 whose faces are
-// grids of n x n quads, its vertices moved to random distances in [1, 1 + roughness] along their rays.
+// A closed surface around the origin that every ray from there meets exactly once: a cube of side 2
+// whose faces are grids of n x n quads, with vertices moved to random distances in [1, 1 +
+// roughness] along their rays.
 inline Mesh star_shaped_surface(int n, double roughness, Random& random) {
   Mesh mesh;
   std::vector<std::vector<std::vector<std::uint32_t>>> index(

@@ -1,4 +1,4 @@
-// What goes into a stage comes out of it or is accounted for.
+// All that enters a stage leaves it or is counted as lost there.
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/render/staged/staged.h>
 

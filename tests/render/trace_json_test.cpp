@@ -1,4 +1,4 @@
-// Traces as JSON: the numbers are the records' own, and every key is documented.
+// Traces as JSON: the numbers are those of the trace, and every key is documented.
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -104,7 +104,7 @@ TEST_CASE("docs/trace.md names every key of the JSON") {
   REQUIRE(scene);
   std::set<std::string> keys;
   collect_keys(to_json(*scene, room_pixel(*scene).trace), keys);
-  // From near, so that something is cut; and a scene with blending.
+  // The cube from nearby, so that the near plane cuts it, and a scene with blending.
   const auto cube = make_builtin("cube");
   REQUIRE(cube);
   Camera near = test::camera_for(*cube, 1.5);

@@ -1,4 +1,5 @@
-// A trace is what the run did: each recorded step, applied to its recorded input, gives its recorded output.
+// A trace records what the run did: each recorded step, applied to its recorded input, gives its
+// recorded output.
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -35,7 +36,7 @@ struct TraceCase {
   View view;
 };
 
-// Nothing where the scene's camera sees it in no way that can be rendered.
+// The view of the scene's camera, or nothing if that camera cannot be rendered.
 std::optional<View> framed(const Scene& scene) {
   const auto automatic = frame(scene, double(kTraceWidth) / kTraceHeight);
   REQUIRE(automatic);
@@ -56,8 +57,9 @@ View inside_cube() {
   return *view;
 }
 
-// The glTF files among the real assets, up to a size that keeps this short: strips, fans, sparse and interleaved accessors,
-// mirrored nodes, skins, morphs, masks, blending. Those that are refused are the loader's business.
+// The glTF files among the real assets, up to a size that keeps this short: strips, fans, sparse
+// and interleaved accessors, mirrored nodes, skins, morph targets, masks, blending. Files that the
+// loader refuses are skipped.
 void add_real_files(std::vector<TraceCase>& all) {
   namespace fs = std::filesystem;
   for (const char* folder : {"meshes/gltf", "meshes/asset-generator"}) {
@@ -74,7 +76,8 @@ void add_real_files(std::vector<TraceCase>& all) {
   }
 }
 
-// All built-in scenes, the cube from so near that its faces are cut, and real files where they are.
+// All built-in scenes, the cube from so near that its faces are cut, and real files if they are
+// present.
 std::vector<TraceCase> trace_cases() {
   std::vector<TraceCase> all;
   for (const BuiltinScene& builtin : builtin_scenes()) {
@@ -105,7 +108,7 @@ const TracedDraw& draw_of(const Trace& trace, std::uint32_t instance) {
   return trace.draws.front();
 }
 
-// Each plane alone, applied to the polygon that the plane before it left.
+// Applies each plane by itself to the polygon that the plane before it has left.
 void replay_clipping(const Trace& recorded, const TracedTriangle& triangle) {
   const std::array<ClipVertex, 3> corners = clip_vertices(triangle);
   std::vector<ClipVertex> polygon(corners.begin(), corners.end());
@@ -113,7 +116,8 @@ void replay_clipping(const Trace& recorded, const TracedTriangle& triangle) {
     const ClipStep& step = triangle.clipping[i];
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const double distance = signed_distance(recorded.planes[i], polygon[k].position);
-      // A dip of no more than rounding may count as on the plane (clip.cpp, keep_deepest_dip).
+      // A vertex that is below the plane only by rounding may count as on it (clip.cpp,
+      // keep_deepest_dip).
       REQUIRE((step.distances[k] == distance || (step.distances[k] == 0 && distance < 0)));
     }
     std::vector<ClipVertex> after;
@@ -123,7 +127,8 @@ void replay_clipping(const Trace& recorded, const TracedTriangle& triangle) {
       if (from == to) REQUIRE(same(vertex, polygon[std::size_t(from)]));
       if (from != to) {
         REQUIRE(step.distances[std::size_t(from)] * step.distances[std::size_t(to)] < 0);
-        // The plane's own coordinate is rounded once: half an ulp of it, times its coefficient.
+        // The coordinate that the plane determines is rounded once, by half an ulp, times its
+        // coefficient.
         const ClipPlane& p = recorded.planes[i];
         const double off = std::abs(p.a) * ulp(vertex.position.x) +
                            std::abs(p.b) * ulp(vertex.position.y) +
@@ -299,7 +304,7 @@ TEST_CASE("filters keep what they name and nothing else") {
   CHECK(cut.triangles.size() * sizeof(TracedTriangle) <= filter.max_bytes);
 }
 
-// Turns every triangle over: nothing of a closed body is left but its inside.
+// Culls the fronts and keeps the backs: only the inside of a closed body is left.
 class TurnedOver : public Observer {
 public:
   void faced(const TriangleSetup&, bool front, bool& culled) override { culled = front; }

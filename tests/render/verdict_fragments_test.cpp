@@ -1,4 +1,4 @@
-// What becomes of the fragments of a triangle, each fate counted.
+// The fate of each fragment of a triangle is counted.
 #include <glassbox/render/trace/verdict.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace glassbox::test {
 namespace {
 
-// 36 pixels: the half square 8 px wide at (8, 8) covers 8 * 9 / 2, less the 8 of its long edge, which it does not own.
+// 28 pixels: the half square 8 px wide at (8, 8) contains 8 * 9 / 2 = 36 centres, less the 8 on its
+// long edge, which it does not own.
 constexpr std::uint32_t kHalfSquare = 28;
 
 TEST_CASE("why: visible, where and in how many pixels") {
@@ -47,12 +48,12 @@ TEST_CASE("why: hidden, behind what and how close") {
   CHECK(closest.stored_distance == 1);
   CHECK(closest.by == 0u);
 
-  // The same triangle twice: of equal depths the first drawn stays (C-58).
+  // The same triangle twice: of equal depths, the first one drawn stays (C-58).
   const TriangleVerdict twin = judged(
       scene_of_parts({{half_square(8, 8, 8), flat(), {}}, {half_square(8, 8, 8), flat(), {}}}), 1);
   CHECK(twin.end == End::kHidden);
   CHECK(twin.details.closest_hidden->code == twin.details.closest_hidden->stored);
-  CHECK(contains(said(plain_view(), twin), "the first drawn stays"));
+  CHECK(contains(said(plain_view(), twin), "the first one drawn stays"));
 }
 
 TEST_CASE("why: discarded by the alpha cutoff") {
@@ -75,7 +76,7 @@ TEST_CASE("why: written, then overwritten, by whom") {
   CHECK(verdict.details.overwritten_by[0].pixels == kHalfSquare);
   CHECK(verdict.details.overwritten_at);
 
-  // A blended surface of alpha 1 leaves nothing of what is under it; one of less does.
+  // A blended surface of alpha 1 hides all that is behind it; one of smaller alpha does not.
   for (const float alpha : {1.0f, 0.75f}) {
     const TriangleVerdict under = judged(
         scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}},
@@ -113,7 +114,8 @@ TEST_CASE("why: blended with alpha 0, or painted in the background's own bytes")
 }
 
 TEST_CASE("why: partly visible, each loss counted") {
-  // In front of the first 2 rows from the start, and over the last columns later.
+  // The first strip is in front of two rows and is drawn before; the last one is drawn later, over
+  // the first column.
   const auto strip = [](double x0, double y0, double x1, double y1, double w) {
     return std::vector<Point<Object>>{at(x0, y0, w), at(x0, y1, w), at(x1, y0, w),
                                       at(x1, y0, w), at(x0, y1, w), at(x1, y1, w)};

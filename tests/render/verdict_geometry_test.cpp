@@ -1,4 +1,4 @@
-// Triangles that are lost before they have a fragment, with the number that decides.
+// Triangles that are lost before they have fragments, with the number that decides.
 #include <glassbox/render/trace/verdict.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST_CASE("why: no area as modelled (C-24, C-25)") {
 }
 
 TEST_CASE("why: a corner that overflows on the way to clip space") {
-  // Four times as narrow: clip x = 4 x.
+  // The view is four times as narrow: clip x = 4 x.
   const auto view =
       make_view({"", FrustumLens{-0.25, 0.25, -0.25, 0.25, 1, 2.0}, {}}, kSide, kSide);
   REQUIRE(view);
@@ -106,7 +106,7 @@ TEST_CASE("why: beyond the guard band on one side (C-40)") {
 }
 
 TEST_CASE("why: no single plane, but several together leave nothing") {
-  // What the near plane leaves has x >= 1800 at w >= 1, and the guard band ends at 1024 w.
+  // The near plane leaves x >= 1800 at w >= 1, and the guard band ends at 1024 w.
   const TriangleVerdict verdict = judged({{3000, 0, -1.5f}, {-3000, 100, 1}, {-3000, 0, 1}});
   CHECK(verdict.end == End::kClippedAway);
   const std::vector<ClipCount>& steps = verdict.clipping->steps;
@@ -155,7 +155,7 @@ TEST_CASE("why: turned away, by the winding, the model's mirror or the setting (
   CHECK(clockwise.cull->object_space->value == 0.25);
   CHECK(clockwise.pieces_turned_away == 1);
 
-  // A mirroring model turns the winding round, and what is front with it.
+  // A mirroring model transform reverses the winding, and with it which side is the front.
   Transform<World, Object> mirror;
   mirror.at(0, 0) = -1;
   const std::vector<Point<Object>> other_half = half_square(40, 8, 16);
@@ -207,13 +207,14 @@ TEST_CASE("why: beside the picture, on which side and by how much") {
   CHECK(corner.outside->top == 5 * 256);
   CHECK(contains(said(plain_view(), corner), "6 px right of and 5 px above"));
 
-  // Its box reaches in, but its long edge, x + y = 140, passes the corner (64, 64).
+  // Its box reaches into the picture, but its long edge, x + y = 140, passes outside the corner
+  // (64, 64).
   const TriangleVerdict passing = judged({at(90, 50), at(50, 90), at(90, 90)});
   CHECK(passing.end == End::kOutsidePicture);
   REQUIRE(passing.outside->beyond_edge);
   CHECK(*passing.outside->beyond_edge == Approx(256 * 12 / std::sqrt(2.0)).epsilon(1e-15));
 
-  // Through the corner itself: nothing in common but a point.
+  // The edge passes through the corner itself: they have only a point in common.
   const TriangleVerdict touching = judged({at(80, 48), at(48, 80), at(80, 80)});
   CHECK(touching.end == End::kOutsidePicture);
   CHECK(touching.outside->beyond_edge == 0.0);
@@ -221,7 +222,7 @@ TEST_CASE("why: beside the picture, on which side and by how much") {
 }
 
 TEST_CASE("why: between pixel centres, and by how little it misses one") {
-  // Snapped to 2714 .. 2790 in x and y; the centre of pixel (10, 10) is 2688.
+  // Snapped to 2714 .. 2790 in x and y; the centre of pixel (10, 10) is at 2688.
   const TriangleVerdict verdict = judged({at(10.6, 10.6), at(10.6, 10.9), at(10.9, 10.6)});
   CHECK(verdict.end == End::kBetweenCentres);
   REQUIRE(verdict.nearest_centre);
@@ -230,7 +231,7 @@ TEST_CASE("why: between pixel centres, and by how little it misses one") {
   CHECK(verdict.nearest_centre->subpixels == 26);
   CHECK(verdict.nearest_centre->value == -26 * 76);
 
-  // On the right-hand edge, which belongs to the neighbour (C-43).
+  // The centre is on the right-hand edge, which belongs to the neighbour (C-43).
   const TriangleVerdict tie = judged({at(10.5, 10.25), at(10.25, 10.5), at(10.5, 10.75)});
   CHECK(tie.end == End::kBetweenCentres);
   CHECK(tie.nearest_centre->x == 10);
@@ -239,11 +240,11 @@ TEST_CASE("why: between pixel centres, and by how little it misses one") {
   CHECK(tie.nearest_centre->subpixels == 0);
   CHECK(contains(said(plain_view(), tie), "belongs to the neighbour"));
 
-  // A sliver of 1/64 px along a row, from end to end: no centre, however long (C-47).
+  // A sliver of 1/64 px along a whole row meets no centre, however long it is (C-47).
   const TriangleVerdict sliver = judged({at(1, 20.25), at(1, 20.265625), at(60, 20.25)});
   CHECK(sliver.end == End::kBetweenCentres);
   CHECK(sliver.nearest_centre->y == 20);
-  CHECK(sliver.nearest_centre->subpixels > 59);  // of 64 to the row's centre
+  CHECK(sliver.nearest_centre->subpixels > 59);  // at most 64: the row's centre
   CHECK(sliver.nearest_centre->subpixels <= 64);
 }
 

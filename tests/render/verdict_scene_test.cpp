@@ -1,4 +1,4 @@
-// The verdict on all triangles of a scene at once.
+// The verdicts on all triangles of a scene at once.
 #include <glassbox/render/trace/verdict.h>
 
 #include <algorithm>
@@ -62,13 +62,14 @@ TEST_CASE("the ends of all triangles add up to the run's statistics") {
     CHECK(sum.covered == s.covered);
     CHECK(sum.hidden == s.depth_failed);
     CHECK(sum.discarded == s.discarded);
-    // Nothing here is translucent, so each pixel shows one triangle: the one in the plane of numbers.
+    // Nothing here is translucent, so each pixel shows one triangle: the one whose number the id
+    // plane has.
     for (const std::uint32_t id : rendering.buffers.id.pixels) {
       if (id > 0) --visible[id - 1];
     }
     CHECK(std::count(visible.begin(), visible.end(), 0u) == std::ptrdiff_t(visible.size()));
 
-    // One by one they end where the summary has them.
+    // Single verdicts agree with the summary.
     Random random(20);
     for (int i = 0; i < 12; ++i) {
       const auto number = std::uint32_t(random.unit() * double(found.triangles));

@@ -1,4 +1,5 @@
-// Slips of convention (SPEC 0.3, the errata where something vanishes): the verdict names them.
+// Mistakes of convention by which something vanishes (errata of the slides): the verdict names
+// them.
 #include <glassbox/render/trace/verdict.h>
 
 #include <string>
@@ -14,7 +15,8 @@ namespace {
 
 TEST_CASE(
     "why: a right-handed eye before a left-handed projection: every w is negative (E12, C-07)") {
-  // S4.5 looks down -z; S4.18-20 has w = +z. Everything in front of the camera is behind the eye, so to speak.
+  // The view of S4.5 looks along -z, the projection of S4.18-20 has w = +z: all that is in front of
+  // the camera has a negative w, as if behind the eye.
   View view = plain_view();
   const auto slides = t_pers(1, 1, 2);
   REQUIRE(slides);
@@ -34,7 +36,7 @@ TEST_CASE(
   CHECK(whole.commonest_loss() == End::kBehindEye);
   CHECK(whole.conventions.hands_mixed);
 
-  // The other way round: a left-handed eye, our projection.
+  // The opposite case: a left-handed eye and our projection.
   View left = plain_view();
   left.eye_from_world = Transform<Eye, World>(eye_left_from_eye().columns);
   const TriangleVerdict other = judged(half_square(8, 8, 8, 1.5), left);
@@ -42,13 +44,13 @@ TEST_CASE(
   CHECK(other.conventions.hands_mixed);
   CHECK(!other.conventions.right_handed_eye);
 
-  // What is behind the camera is drawn instead.
+  // Objects behind the camera are drawn instead.
   std::vector<Point<Object>> behind{{-0.5f, 0.5f, 1.5f}, {0.5f, 0.5f, 1.5f}, {0, -0.5f, 1.5f}};
   RenderSettings both_sides;
   both_sides.cull = Cull::kNone;
   CHECK(judged(behind, left, both_sides).end == End::kVisible);
 
-  // With the adaptor, and with both left-handed, nothing is mixed.
+  // With the adaptor, and with a left-handed eye and projection, nothing is mixed.
   View right = plain_view();
   right.clip_from_eye = *slides * eye_left_from_eye();
   CHECK(judged(half_square(8, 8, 8, 1.5), right).end == End::kVisible);
@@ -96,7 +98,7 @@ TEST_CASE("why: OpenGL's depth range clipped at z = 0 (E16, C-41)") {
 TEST_CASE("why: a projection without depth hides what is drawn second, however near (E15)") {
   View view = plain_view();
   view.clip_from_eye = singular_projection(1) * eye_left_from_eye();
-  // z/w = 1 for all, which the far plane keeps.
+  // z/w = 1 for all points, which the far plane keeps.
   const Scene scene = scene_of_parts(
       {{half_square(8, 8, 8, 2), flat(), {}}, {half_square(8, 8, 8, 1), flat(), {}}});
   const TriangleVerdict verdict = judged(scene, 1, view);
@@ -107,13 +109,14 @@ TEST_CASE("why: a projection without depth hides what is drawn second, however n
 
 TEST_CASE(
     "why: an eye with a skewed frustum sees what the centre camera has outside its edge (E20)") {
-  // Half the eyes' distance s = 1/16, window at f = 2: at w = 1 the picture moves by 32 s (1/w - 1/f) = 1 px.
+  // Half the separation is s = 1/16 and the window is at f = 2: at w = 1 the picture moves by 32 s
+  // (1/w - 1/f) = 1 px.
   constexpr double kHalf = 1.0 / 16, kFocus = 2;
   const std::vector<Point<Object>> strip{at(64.125, 8), at(64.125, 16), at(64.875, 8)};
   const TriangleVerdict centre = judged(strip);
   CHECK(centre.end == End::kOutsidePicture);
   CHECK(centre.outside->right == 32);  // 1/8 px
-  // The eye at +s: x' = x - s (1 - w/f).
+  // The eye is at +s: x' = x - s (1 - w/f).
   View eye = plain_view();
   eye.clip_from_eye = eye.clip_from_eye * stereo_skew(-kHalf, kFocus);
   const TriangleVerdict seen = judged(strip, eye);

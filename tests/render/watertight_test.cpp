@@ -1,4 +1,5 @@
-// Whole runs: from inside a closed surface every pixel is covered exactly once, whatever the clipper has to cut.
+// Whole runs: from inside a closed surface every pixel is covered exactly once, even where the
+// clipper cuts.
 #include <algorithm>
 
 #include <glassbox/base/trig.h>
@@ -12,7 +13,7 @@ namespace {
 
 struct Count {
   std::uint64_t gaps = 0;
-  std::uint64_t doubles = 0;  // pixels covered more than once, counted without regard to depth
+  std::uint64_t doubles = 0;  // pixels covered more than once, at any depth
 };
 
 Count count_coverage(const Scene& scene, const Camera& camera, int width, int height) {
@@ -33,8 +34,8 @@ Count count_coverage(const Scene& scene, const Camera& camera, int width, int he
 }  // namespace
 
 TEST_CASE("no pixel seen from inside a closed mesh is left open (C-32, C-38, C-45)") {
-  // The surface passes behind the eye on all sides, so triangles cross the near plane:
-  // nothing may open at the cuts.
+  // The surface passes behind the eye on all sides, so triangles cross the near plane. There must
+  // be no gaps at the cuts.
   constexpr std::uint64_t kSeed = 32;
   Random random(kSeed);
   for (int trial = 0; trial < 60; ++trial) {
@@ -59,7 +60,8 @@ TEST_CASE(
   for (int trial = 0; trial < 200; ++trial) {
     const int n = int(random.integer(1, 5));
     const Scene scene = test::scene_of(test::star_shaped_surface(n, 0.0, random));
-    // From 0.6 to 179.4 degrees; close to a wall, so that w spans six decades within a triangle.
+    // Angles of view from 0.6 to 179.4 degrees; close to a wall, so that w spans six decades within
+    // a triangle.
     const PerspectiveLens lens{random.between(0.01, 3.13), 0.00001, 100.0};
     const Camera camera =
         test::random_gaze({random.between(-0.999, 0.999), random.between(-0.999, 0.999),
@@ -74,7 +76,8 @@ TEST_CASE(
 }
 
 TEST_CASE("edges that run exactly through pixel centres have one owner in whole pictures (C-43)") {
-  // Square pictures with 90 degrees of view, along an axis: grid lines and the diagonals of the quads meet centres.
+  // Square pictures with 90 degrees of view along an axis: grid lines and diagonals of quads pass
+  // through pixel centres.
   Random random(43);
   for (const int size : {33, 64, 65}) {
     for (const int n : {1, 2, 4}) {

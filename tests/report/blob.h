@@ -1,4 +1,5 @@
-// The way back from a blob of a page, written a second time: page/decode.js is what readers of the page have.
+// Decodes a blob of a report page, written independently of page/decode.js, which the page itself
+// uses.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ inline std::vector<std::uint8_t> from_base64(const std::string& text) {
   return bytes;
 }
 
-// The samples of the boxes, one box after the other.
+// The samples of the boxes, one box after another.
 template <class Sample>
 std::vector<Sample> decode_blob(const std::string& text, std::span<const PixelBox> boxes,
                                 int channels) {
@@ -40,7 +41,8 @@ std::vector<Sample> decode_blob(const std::string& text, std::span<const PixelBo
   for (const PixelBox& box : boxes) pixels += std::size_t(box.width) * std::size_t(box.height);
   const std::vector<std::uint8_t> packed = from_base64(text);
   std::vector<Sample> samples(pixels * std::size_t(channels));
-  std::vector<std::uint8_t> bytes(samples.size() * sizeof(Sample) + 1);  // room for a byte too much
+  // Room for one byte too many.
+  std::vector<std::uint8_t> bytes(samples.size() * sizeof(Sample) + 1);
   uLongf size = uLongf(bytes.size());
   if (uncompress(bytes.data(), &size, packed.data(), uLong(packed.size())) != Z_OK ||
       size + 1 != bytes.size()) {

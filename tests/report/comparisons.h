@@ -1,4 +1,4 @@
-// Comparisons made by hand, for the reports to show.
+// Comparisons made by hand, as input for the reports.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ inline Comparison comparison(const std::string& name, Verdict verdict) {
   return result;
 }
 
-// Three pixels in two regions.
+// A comparison with three wrong pixels in two regions.
 inline Comparison different(const std::string& name) {
   Comparison result = comparison(name, Verdict::kDifferent);
   Differences& found = *result.differences;

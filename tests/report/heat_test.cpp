@@ -1,4 +1,4 @@
-// The heat map of a comparison, from its files.
+// The heat map of a comparison, computed from its files.
 #include "tests/support/catch.h"
 
 #include <string>
@@ -15,7 +15,7 @@
 namespace glassbox::test {
 namespace {
 
-// a.png and b.png, 40 steps apart in (3, 2); a.pfm is made of floats.
+// a.png and b.png, which differ by 40 steps in pixel (3, 2), and a.pfm with floats.
 class Pictures {
 public:
   Pictures() {
@@ -60,7 +60,7 @@ TEST_CASE("the levels of FLIP are highest where the error is, and none of floats
       heat_levels(compare_files(here.file("a.png"), here.file("b.png")), HeatOf::kFlip);
   REQUIRE(levels);
   CHECK(levels->at(3, 2) > 0);
-  // Beyond the widest filter's reach there is nothing to see; the nearer to the pixel, the more.
+  // Beyond the reach of the widest filter the levels are 0; they grow towards the pixel.
   CHECK(levels->at(3, 2) >= levels->at(4, 2));
   CHECK(levels->at(3, 2) >= levels->at(12, 12));
   const auto floats =

@@ -1,4 +1,4 @@
-// What every page begins with, and text in it.
+// The beginning of every page, and the escaping of text in it.
 #include <string>
 
 #include <glassbox/html/escaped.h>

@@ -1,4 +1,4 @@
-// The JSON of a comparison. What these tests pin is the schema: programs of other people read it.
+// The JSON of a comparison. These tests fix the schema, because other people's programs read it.
 #include "tests/support/catch.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// JUnit's XML: well-formed whatever the names are, and counted rightly.
+// JUnit's XML: well-formed for all names, with correct counts.
 #include "tests/support/catch.h"
 
 #include <cstdlib>
@@ -73,7 +73,7 @@ TEST_CASE("no pictures are a suite of none") {
   CHECK(suite.children.empty());
 }
 
-// A name, and how it is shown: what XML cannot hold is U+FFFD.
+// A name, and how it is written: characters that XML cannot contain become U+FFFD.
 const std::vector<std::pair<std::string, std::string>> kNames{
     {"a&b<c>d\"e'f", "a&b<c>d\"e'f"},
     {"]]>", "]]>"},
@@ -100,7 +100,7 @@ TEST_CASE("hostile names are shown as they are, or replaced where XML cannot hol
   }
 }
 
-// Everything that may come from a file is `text`.
+// A comparison in which all that may come from a file is `text`.
 Comparison all_made_of(const std::string& text) {
   Comparison one = different(text);
   one.reasons = {text, text};

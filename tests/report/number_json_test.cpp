@@ -1,4 +1,4 @@
-// Numbers of a report that JSON cannot write.
+// Numbers of a report that JSON cannot represent.
 #include "cli/report/number_json.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
-// The samples of a page: what a reader unpacks is what the picture has, bit by bit; and which parts of it are there.
+// The samples in a page: a reader unpacks the samples of the picture, bit by bit; and which parts
+// of the picture the page contains.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -14,7 +15,7 @@
 namespace glassbox {
 namespace {
 
-// Any bits at all: floats are NaN with any payload, infinite and subnormal, too.
+// A sample of any bits: floats may be NaN with any payload, infinite or subnormal.
 template <class Sample>
 Sample any_bits(Random& random) {
   if constexpr (std::is_same_v<Sample, float>) {
@@ -45,7 +46,7 @@ PixelBox any_box(Random& random, const StoredImage& image) {
   return box;
 }
 
-// The bytes of the boxes, straight from the picture.
+// The bytes of the boxes, taken directly from the picture.
 template <class Sample>
 std::vector<Sample> cut_out(const StoredImage& image, std::span<const PixelBox> boxes) {
   const auto& samples = std::get<std::vector<Sample>>(image.samples);
@@ -141,7 +142,7 @@ TEST_CASE(
       REQUIRE(crop.x + crop.width <= width);
       REQUIRE(crop.y + crop.height <= height);
     }
-    // Regions are served in order, so that none is shown before a worse one.
+    // Regions are included in order, so that none is shown instead of a worse one.
     const auto shown = [&](const Region& region) {
       return std::any_of(crops.begin(), crops.end(),
                          [&](const PixelBox& crop) { return contains(crop, region.worst); });

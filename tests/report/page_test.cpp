@@ -1,4 +1,5 @@
-// The HTML page as a file: what it holds, what it leaves out, and that no name gets out of its place.
+// The HTML page as a file: what it contains, what it leaves out, and that no name breaks out of its
+// place.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -36,7 +37,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// What stands in the script element with this id.
+// The content of the script element with this id.
 std::string element(const std::string& page, const std::string& id) {
   const std::string mark = "id=\"" + id + "\">";
   const auto start = page.find(mark);
@@ -61,7 +62,7 @@ Page page_of(const TemporaryDirectory& directory, const std::vector<Comparison>&
   return page;
 }
 
-// A pair of grey pictures of which pixel (3, 2) differs by `steps`.
+// A pair of grey pictures that differ by `steps` in pixel (3, 2).
 Comparison pair_of(const TemporaryDirectory& directory, const std::string& name, int steps,
                    int width = 16, int height = 8) {
   Image<Rgba8> picture = grey(width, height);
@@ -134,7 +135,7 @@ TEST_CASE("a name cannot leave the text that it stands in", "[report]") {
     comparisons.push_back(comparison);
   }
   const std::size_t blobs =
-      names.size();                       // of the test pictures: the references have no such files
+      names.size();  // one for each test picture: the references have no such files
   const std::size_t closing = blobs + 2;  // the manifest and the script
   PageOptions options;
   options.title = options.command = options.program = names[0];

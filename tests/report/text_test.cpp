@@ -1,4 +1,4 @@
-// Comparisons in words.
+// Comparisons as text.
 #include "tests/support/catch.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// XML as far as JUnit reports use it, read strictly.
+// A strict reader for the part of XML that JUnit reports use.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
   std::vector<Element> children;
-  std::string text;  // of its own, references replaced
+  std::string text;  // the element's own text, with references replaced
 };
 
-// One document: elements, attributes in double quotes, text and the references &amp; &lt; &gt; &quot; and &#N;.
-// Throws where XML 1.0 (fifth edition) has something against it.
+// Reads one document: elements, attributes in double quotes, text and the references &amp; &lt;
+// &gt; &quot; and &#N;. Throws if the document violates XML 1.0 (fifth edition).
 class XmlReader {
 public:
   explicit XmlReader(std::string_view text) : rest_(text) {
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  // 2.2: Char
+  // Production Char of section 2.2.
   static bool is_legal(char32_t c) {
     return c == 9 || c == 10 || c == 13 || (c >= 0x20 && c <= 0xd7ff) ||
            (c >= 0xe000 && c <= 0xfffd) || (c >= 0x10000 && c <= 0x10ffff);
@@ -74,7 +74,7 @@ private:
     rest_.remove_prefix(end);
     return word;
   }
-  // One character, or the one that a reference stands for.
+  // One character, or the character that a reference denotes.
   char character() {
     check(!rest_.empty(), "the end in the middle");
     if (rest_[0] != '&') {

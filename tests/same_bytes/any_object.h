@@ -1,4 +1,4 @@
-// An object that pictures can be taken of from all around, of any shape and surface.
+// An object of any shape and surface, of which pictures can be taken from all around.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace glassbox::test {
 
-// About one closed surface of radius 1 to 1.5 around the origin, whose corners have colours of
-// their own, often with a picture on it of which parts are cut out or seen through, and often a
-// larger one around it that is seen through or has holes.
+// Roughly one closed surface of radius 1 to 1.5 around the origin, whose corners have their own
+// colours. It often has a texture, parts of which are masked or translucent, and often a larger
+// surface around it that is translucent or has holes.
 inline Scene any_object(std::uint64_t seed) {
   Random random(0x0b1ec7 + seed);
   const auto one_in = [&](int n) { return random.integer(1, n) == 1; };

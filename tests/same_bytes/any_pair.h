@@ -1,4 +1,4 @@
-// A generated scene and two eyes that may look at it.
+// A generated scene and two eyes that can look at it.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 namespace glassbox::test {
 
 struct AnyPair {
-  AnyCase scene;  // its settings show colours, and write to all channels
+  AnyCase scene;  // its settings show colours and write all channels
   StereoPair eyes;
 };
 
-// None where the eyes cannot stand there: in some cases of a hundred.
+// None if the eyes cannot be placed, which happens in a few per cent of the cases.
 inline std::optional<AnyPair> any_pair(std::uint64_t seed, int largest_side) {
   Random random(0x2e7e5 + seed);
   constexpr int kMostFaces = 24;
@@ -30,7 +30,7 @@ inline std::optional<AnyPair> any_pair(std::uint64_t seed, int largest_side) {
   return made;
 }
 
-// What is seen through hides nothing, so it has no layer: masked in its place.
+// Replaces blending by masking: blended surfaces hide nothing, so they have no layer.
 inline void make_opaque_or_masked(Scene& scene) {
   for (Material& material : scene.materials) {
     if (material.alpha_mode == AlphaMode::kBlend) material.alpha_mode = AlphaMode::kMask;

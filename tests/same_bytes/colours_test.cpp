@@ -1,4 +1,5 @@
-// What views klt and views glyphs draw, what they make of pictures, and what diff shows of two.
+// The pictures drawn by `views klt` and `views glyphs`, the results that they compute from
+// pictures, and the pictures in which `diff` shows differences.
 #include <algorithm>
 
 #include <glassbox/compare/metrics/flip.h>
@@ -50,7 +51,7 @@ void check_klt(std::uint64_t seed) {
     made.add("grey", views::grey_of(components, 0, -500, 500));
     const Image<Rgba8> clouds = views::cloud_alpha(components);
     made.add("clouds", clouds);
-    // The clouds are a shell that is seen through, mostly before the background's edge.
+    // The clouds are a translucent shell, most of which is inside the background's edge.
     const Scene globe = views::make_globe(ground, clouds);
     const View view = make_view(test::camera_for(globe, 1.5), 60, 40).value();
     Renderer renderer(globe, Transfer::kSrgb);
@@ -98,7 +99,7 @@ StoredImage any_stored(int width, int height, int channels, double most, Random&
   return {width, height, channels, std::move(samples)};
 }
 
-// The same but for some samples.
+// The same picture with some samples changed.
 template <class Sample>
 StoredImage altered(StoredImage image, double most, Random& random) {
   for (Sample& sample : std::get<std::vector<Sample>>(image.samples)) {
@@ -135,7 +136,7 @@ void check_diff(std::uint64_t seed, double most) {
   });
 }
 
-// A picture file is compressed in bands side by side, which large pictures have several of.
+// A picture file is compressed in bands in parallel; large pictures have several bands.
 void check_file(std::uint64_t seed) {
   Random random(seed);
   const int width = int(random.integer(1, 500)), height = int(random.integer(1, 900));

@@ -1,5 +1,5 @@
-// What render makes of two eyes: both drawn, one warped from the other, with what lies behind it or
-// without; and the maps that stereo makes of them.
+// The pictures of two eyes by `render`: both drawn, or one warped from the other, with the surfaces
+// behind the visible ones or without; and the maps that `stereo` computes from them.
 #include <algorithm>
 #include <cstdlib>
 
@@ -32,8 +32,8 @@ bool is_seen_through(const Scene& scene) {
   });
 }
 
-// Pixels without a depth that have another colour than the background: what is seen through before
-// it, and edges.
+// How many pixels without a depth differ from the background's colour: translucent surfaces in
+// front of the background, and edges.
 std::size_t colored_without_depth(const Framebuffer& buffers, const Rgba8& background) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < buffers.color.pixels.size(); ++i)
@@ -45,8 +45,8 @@ struct Counts {
   std::size_t pairs = 0, seen_through = 0, layered = 0, without_depth = 0;
 };
 
-// The left eye by the stages, and the right one warped from it in all ways. Engines are held
-// against each other elsewhere, so that the warp, which takes next to no time, has many pictures.
+// Draws the left eye by the stages and warps the right eye from it in all ways. Other tests compare
+// the engines, so the warp, which takes very little time, can be tested on many pictures.
 void check_warp(std::uint64_t seed, Counts& counts) {
   auto pair = test::any_pair(seed, 260);
   if (!pair) return;
@@ -69,8 +69,8 @@ void check_warp(std::uint64_t seed, Counts& counts) {
   });
 }
 
-// The whole of `--stereo pair --second-eye warp:N`: with masked surfaces in place of those that are
-// seen through, where N is more than 1.
+// Tests all of `--stereo pair --second-eye warp:N`. If N is more than 1, translucent surfaces are
+// replaced by masked ones.
 void check_warped_pair(std::uint64_t seed, Counts& counts) {
   auto pair = test::any_pair(seed, 130);
   if (!pair) return;
@@ -105,13 +105,14 @@ void check_warped_pair(std::uint64_t seed, Counts& counts) {
   });
 }
 
-// What lies behind a picture, as the layers of a warp and of `views layers build` are drawn.
+// Tests the surfaces behind a picture, which are drawn for the layers of a warp and of `views
+// layers build`.
 void check_behind(std::uint64_t seed, Counts& counts) {
   const auto pair = test::any_pair(seed, 130);
   if (!pair) return;
   ++counts.pairs;
   test::AnyCase c = pair->scene;
-  test::make_opaque_or_masked(c.scene);  // EyePicture::behind asks for that
+  test::make_opaque_or_masked(c.scene);  // EyePicture::behind requires this
   c.settings.want_depth = c.settings.want_distance = c.settings.want_id = true;
   c.settings.samples = 1;
   Renderer staged(c.scene, c.settings.transfer, EngineKind::kStaged);
@@ -181,7 +182,7 @@ Counts check_seeds(std::uint64_t count, const Check& check) {
 TEST_CASE("a second eye that is warped has the same bytes by every target and number of threads",
           "[eyes]") {
   const Counts counts = check_seeds(400 / test::kShare, check_warp);
-  // Scenes in which the fault was that these colours were lost.
+  // Scenes of the kind in which such colours were once lost.
   CHECK(counts.seen_through > counts.pairs / 8);
   CHECK(counts.without_depth > 100 * counts.pairs);
 }

@@ -1,5 +1,5 @@
-// What views layers builds, of peeled surfaces and of rays, and what it draws of that from
-// elsewhere.
+// The layered images that `views layers` builds, by peeling or by rays, and the pictures that it
+// draws of them from other places.
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -26,7 +26,7 @@ void add(Made& made, const views::LayeredImage& image) {
   made.add("triangles", image.triangle);
 }
 
-// Layers have opaque and masked surfaces in colours.
+// The pair with only opaque and masked surfaces, shown in colours, as layers require.
 AnyPair layered(AnyPair pair) {
   test::make_opaque_or_masked(pair.scene.scene);
   pair.scene.settings.wireframe = false;
@@ -44,7 +44,7 @@ views::LayeredImage peeled(const test::AnyCase& c) {
   return builder.pack();
 }
 
-// The camera has gone a little way and turned its head.
+// The camera, moved a little and turned a little.
 views::LayerCamera moved(const views::LayerCamera& camera, double by, Random& random) {
   const auto some = [&](double most) {
     const double x = random.between(-most, most), y = random.between(-most, most),
@@ -52,7 +52,7 @@ views::LayerCamera moved(const views::LayerCamera& camera, double by, Random& ra
     return Eigen::Vector3d(x, y, z);
   };
   Eigen::Matrix4d moves = Eigen::Matrix4d::Identity();
-  const Eigen::Vector3d turn = some(0.1);  // for small angles a turn to first order is enough
+  const Eigen::Vector3d turn = some(0.1);  // small angles, so a rotation to first order suffices
   moves.topLeftCorner<3, 3>() << 1, -turn.z(), turn.y(), turn.z(), 1, -turn.x(), -turn.y(),
       turn.x(), 1;
   moves.topRightCorner<3, 1>() = some(by);
@@ -85,7 +85,7 @@ std::size_t check_layers(std::uint64_t seed) {
     add(made, image);
     return made;
   });
-  // Drawing, which takes less, from several places.
+  // Drawing from several places, which takes less time.
   const views::LayeredImage image = peeled(pair->scene);
   Random random(seed);
   for (int i = 0; i < 4; ++i) {

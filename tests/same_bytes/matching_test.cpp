@@ -1,4 +1,5 @@
-// What views match finds in two pictures: drawn ones, and such as nobody would take.
+// The disparities that `views match` finds in two pictures: in rendered pairs, and in unrealistic
+// pictures.
 #include "tests/same_bytes/any_pair.h"
 #include "tests/same_bytes/ways.h"
 #include "views/matching/calibration.h"
@@ -52,7 +53,7 @@ struct TwoPictures {
   Image<Rgba8> left, right;
 };
 
-// Noise of a few colours and of many, pixels that show nothing among it.
+// Noise of few or many colours; some of its pixels show nothing.
 TwoPictures any_pictures(Random& random) {
   const int width = int(random.integer(1, 70)), height = int(random.integer(1, 30));
   const int step = one_of({1, 16, 100}, random);
@@ -74,7 +75,7 @@ TwoPictures drawn(const AnyPair& pair) {
   return {std::move(eyes.left.color), std::move(eyes.right.color)};
 }
 
-// How many pixels have a disparity.
+// Returns how many pixels have a disparity.
 std::size_t check_match(std::uint64_t seed) {
   Random random(seed);
   MatchSettings settings = any_settings(random);
@@ -105,7 +106,7 @@ std::size_t check_match(std::uint64_t seed) {
   return answered;
 }
 
-// The pair that `views match --scene` draws, and its truth.
+// Tests the pair that `views match --scene` draws, and its true disparities.
 std::size_t check_rendered_pair(std::uint64_t seed) {
   const auto pair = test::any_pair(seed, 90);
   if (!pair) return 0;

@@ -1,4 +1,5 @@
-// What rings of pictures show: views ring, voxels, polygons and texture, of any object.
+// Shapes computed from rings of pictures of any object: `views ring`, `voxels`, `polygons` and
+// `texture`.
 #include <algorithm>
 
 #include "tests/render/tile/any_case.h"
@@ -64,7 +65,7 @@ void add(Made& made, const PictureSet& set) {
   }
 }
 
-// How many coloured voxels and polygons there were.
+// Returns how many coloured voxels and polygons there were.
 std::size_t check_shapes(std::uint64_t seed) {
   const Scene scene = test::any_object(seed);
   Random random(seed);

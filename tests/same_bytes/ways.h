@@ -1,5 +1,5 @@
-// All ways in which this machine may compute a picture: with each instruction set and with one, two
-// and three threads. Whatever is made, its bytes are the same in all of them.
+// All ways in which this machine can compute a picture: with each instruction set, and with one,
+// two and three threads. All of them must give the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ inline std::string in_words(const Way& way) {
   return std::string(name_of(way.target)) + ", " + std::to_string(way.threads) + " threads";
 }
 
-// The first one is plain C++ on one thread.
+// The first way is plain C++ on one thread.
 inline std::vector<Way> all_ways() {
   std::vector<Way> ways;
   for (const Target target : available_targets()) {
@@ -40,13 +40,13 @@ inline std::vector<Way> all_ways() {
   return ways;
 }
 
-// What was made, as named rows of bytes.
+// A result, as named rows of bytes.
 class Made {
 public:
   void add(const char* name, std::span<const std::byte> bytes) {
     parts_.emplace_back(name, std::vector<std::byte>(bytes.begin(), bytes.end()));
   }
-  // Every byte of an element is part of its value: padding would differ for no reason.
+  // Every byte of an element must be part of its value: padding might differ for no reason.
   template <class Element, class Allocator>
   void add(const char* name, const std::vector<Element, Allocator>& elements) {
     static_assert(std::has_unique_object_representations_v<Element> ||
@@ -70,7 +70,7 @@ public:
     return sum;
   }
 
-  // The first part that is another one in `other`, in words; empty where none is.
+  // The first part that differs in `other`, in words; empty if none does.
   std::string difference_from(const Made& other) const {
     if (parts_.size() != other.parts_.size()) return "other parts";
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -95,7 +95,8 @@ private:
   std::vector<std::pair<std::string, std::vector<std::byte>>> parts_;
 };
 
-// While it lives, what has no option for them uses a way's target and threads.
+// Sets the target and the number of threads of a way, for functions that have no option for them,
+// as long as the object exists.
 class Going {
 public:
   explicit Going(const Way& way) {
@@ -111,7 +112,7 @@ public:
   Going& operator=(const Going&) = delete;
 };
 
-// make(way) in this way: oneTBB's own loops have as many threads, too.
+// Runs make(way) in this way; oneTBB's own loops use the same number of threads.
 template <class Make>
 auto made_in(const Way& way, const Make& make) {
   const Going going(way);
@@ -119,8 +120,8 @@ auto made_in(const Way& way, const Make& make) {
   return arena.execute([&] { return make(way); });
 }
 
-// Where what `make` makes differs between two ways, in words; empty where it does not. make(way)
-// returns a Made, which has to have bytes in it.
+// Where the results of make(way) differ between two ways, in words; empty if they do not. make(way)
+// returns a Made that must contain bytes.
 template <class Make>
 std::string difference_of_ways(const Make& make) {
   const std::vector<Way> ways = all_ways();
@@ -140,7 +141,7 @@ void check_all_ways(std::uint64_t seed, const Make& make) {
   if (!difference.empty()) FAIL_CHECK("seed " << seed << ": " << difference);
 }
 
-// What check(seed) returns, for the seeds from 0 to count - 1, added up: how much was compared.
+// The sum of check(seed) for the seeds from 0 to count - 1, which says how much was compared.
 template <class Check>
 std::size_t sum_over_seeds(std::uint64_t count, const Check& check) {
   std::size_t sum = 0;

@@ -30,12 +30,15 @@ std::vector<Shown> all_shown() {
     Scene scene = make_builtin(name).value();
     const View view = make_view(frame(scene, 1.5).value(), 48, 32).value();
     for (const Shading shading : {Shading::kPhong, Shading::kGouraud, Shading::kUnlit}) {
-      all.push_back({scene, view, {.shading = shading}});
+      all.push_back({scene, view, {}});
+      all.back().settings.shading = shading;
     }
     // All have a light of their own; red and green alone are kept.
     for (Material& material : scene.materials) material.emission = {0.25f, 4, 0.5f};
-    all.push_back({scene, view, {.mask = {true, true, false, false}}});
-    all.push_back({scene, view, {.samples = 4}});
+    all.push_back({scene, view, {}});
+    all.back().settings.mask = {true, true, false, false};
+    all.push_back({scene, view, {}});
+    all.back().settings.samples = 4;
   }
   return all;
 }

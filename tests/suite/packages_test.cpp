@@ -1,6 +1,6 @@
-// What lets Glassbox be built on another Debian than the one at hand, as far as this one can tell:
-// names of packages with their alternatives, versions that are asked for, and what CMake says of
-// the build's own files.
+// Checks that Glassbox can be built on another release of Debian than this one, as far as this one
+// can tell: the names of packages with their alternatives, the versions that are required, and
+// CMake's messages about the build's own files.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -26,8 +26,8 @@ std::string read_whole(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// A clone with these packages, and a machine with some of them: dpkg has `installed`, apt knows
-// `known` beside them.
+// A clone with these lines in packages.txt, on a machine where dpkg reports the packages
+// `installed` and apt also knows the packages `known`.
 class Machine {
 public:
   Machine(const std::string& packages, const std::string& installed, const std::string& known) {
@@ -35,8 +35,8 @@ public:
     fs::create_directories(root() / "bin");
     write("cmake/packages.txt", packages);
     fs::copy_file(kClone / "cmake/setup.sh", root() / "cmake/setup.sh");
-    // dpkg-query prints a line for each that it has of those it is asked for, and fails where it
-    // lacks one.
+    // dpkg-query prints a line for each of the requested packages that is installed, and fails if
+    // one of them is not.
     program("dpkg-query",
             "for name in " + installed +
                 "; do\n  case \" $* \" in\n"
@@ -44,7 +44,7 @@ public:
     program("apt-cache", "case \" " + known + " \" in\n*\" $2 \"*) exit 0 ;;\nesac\nexit 100\n");
   }
 
-  // What one of the functions of setup.sh prints.
+  // Returns what one of the functions of setup.sh prints.
   std::string says(const std::string& function) const {
     const Outcome outcome =
         run_program("/bin/sh",
@@ -70,15 +70,15 @@ private:
 const std::string kPackages =
     "# names\n\n[some]\none # the first\nold-1 | new-2  # two names\nc++3\n[x]\ny\n";
 
-// What is wrong with a line of packages.txt; empty: nothing.
+// Returns what is wrong with a line of packages.txt, or an empty text.
 std::string complaint_of(const std::string& line) {
   static const std::regex fine(
       R"((\[[a-z0-9]+\]|[a-z0-9][a-z0-9+.-]+( \| [a-z0-9][a-z0-9+.-]+)*)?( *#.*)?)");
   return std::regex_match(line, fine) ? "" : "no package, packages or [section]: " + line;
 }
 
-// The find_package(...), find_dependency(...) and pkg_check_modules(...) of a text that a later
-// version of what they ask for, or a later CMake, would not satisfy.
+// Returns the find_package(...), find_dependency(...) and pkg_check_modules(...) of a text that
+// would reject a later version of the package, or that a later CMake would reject.
 std::vector<std::string> narrow_requests(const std::string& text) {
   static const std::regex request(R"((find_package|find_dependency|pkg_check_modules)\(([^)]*)\))");
   static const std::regex versioned(R"(^\s*\S+\s+[0-9].*)");
@@ -88,7 +88,7 @@ std::vector<std::string> narrow_requests(const std::string& text) {
   std::vector<std::string> found;
   for (std::sregex_iterator at(text.begin(), text.end(), request), end; at != end; ++at) {
     const std::string what = (*at)[2].str();
-    // The version of glassbox itself is for its users to choose.
+    // Which version of Glassbox itself is required is for its users to choose.
     const bool own = what.starts_with("glassbox ");
     if (!own && (std::regex_search(what, versioned) || std::regex_search(what, bounded) ||
                  std::regex_search(what, boost) || std::regex_search(what, removed)))
@@ -121,7 +121,7 @@ TEST_CASE("packages are missing where none of their alternatives is installed") 
   CHECK(Machine(kPackages, "one new-2", "").says("missing_packages some") == "c++3 ");
   CHECK(Machine(kPackages, "c++3 old-1", "").says("missing_packages some") == "one ");
   CHECK(Machine(kPackages, "one old-1 new-2 c++3", "").says("missing_packages some") == " ");
-  // A part of a name is another name.
+  // A part of a name is not the same name.
   CHECK(Machine(kPackages, "on old c++", "").says("missing_packages some") ==
         "one old-1|new-2 c++3 ");
 }
@@ -134,7 +134,8 @@ TEST_CASE("of alternatives the first that apt knows is installed") {
   CHECK(chosen("one old-1 c++3") == start + "one old-1 c++3 ");
   CHECK(chosen("one new-2 c++3") == start + "one new-2 c++3 ");
   CHECK(chosen("one old-1 new-2 c++3") == start + "one old-1 c++3 ");
-  // Where apt knows nothing, it says so of the first, and of those that have no alternative.
+  // Where apt knows no alternative, the command names the first one, and apt reports that it does
+  // not know it. The same holds for packages without alternatives.
   CHECK(chosen("") == start + "one old-1 c++3 ");
 }
 
@@ -184,7 +185,8 @@ TEST_CASE("CMake configures the project without a warning, of what is deprecated
   CHECK(fine.out.find("Deprecation") == std::string::npos);
 }
 
-// Editors read more of it than is known here: it is JSON, and what it names is there.
+// Editors read more settings of devcontainer.json than this test knows. It checks that the file is
+// JSON and that the files it names exist.
 TEST_CASE("the container for editors in a cloud installs what the launcher would") {
   const fs::path folder = kClone / ".devcontainer";
   CHECK(run_program("/usr/bin/env",

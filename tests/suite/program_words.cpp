@@ -19,7 +19,8 @@ bool is_name(std::string_view word) {
   });
 }
 
-// "/usr/bin/env" is env; a path of our own making is no program of a package.
+// Returns the program's name: env for "/usr/bin/env". It is empty for other paths: a file of our
+// own is not a program from a package.
 std::string program_of(std::string word) {
   for (const char* place : {"/bin/", "/usr/bin/"}) {
     if (word.starts_with(place)) word = word.substr(std::string_view(place).size());
@@ -36,14 +37,14 @@ const Words& of_the_shell() {
   return words;
 }
 
-// After these the command is still to come.
+// Words of the shell after which a command still follows.
 const Words& before_a_command() {
   static const Words words{"!",    "{",  "}",    "command", "do",    "elif", "else",
                            "exec", "if", "then", "time",    "until", "while"};
   return words;
 }
 
-// Programs whose first word that is no option is a command.
+// Programs that start another one: their first word that is not an option is a command.
 const Words& that_start_another() {
   static const Words words{"env", "nice", "sudo", "xargs"};
   return words;
@@ -67,7 +68,7 @@ private:
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
   }
 
-  // Up to `end`, which is taken too, or to the end of the text.
+  // Reads commands up to and including `end`, or to the end of the text.
   void commands(char end) {
     expected_ = true;
     while (at_ < text_.size()) {
@@ -115,7 +116,7 @@ private:
 
   void skip_documents() {
     for (const std::string& end : documents_) skip_to("\n" + end + "\n");
-    if (!documents_.empty()) --at_;  // the end of the line
+    if (!documents_.empty()) --at_;  // the newline stays to be read
     documents_.clear();
   }
 
@@ -201,7 +202,7 @@ private:
     static const std::regex assignment("[A-Za-z_][A-Za-z_0-9]*=.*");
     if (std::regex_match(word, assignment)) return;
     if (plain && before_a_command().contains(word)) return;
-    if (word.starts_with("-")) return;  // an option of what starts another
+    if (word.starts_with("-")) return;  // an option of a program that starts another one
     const std::string program = program_of(word);
     expected_ = plain && that_start_another().contains(program);
     if (plain && !program.empty() && !of_the_shell().contains(program)) found_.insert(program);
@@ -209,8 +210,8 @@ private:
 
   std::string_view text_;
   std::size_t at_ = 0;
-  bool expected_ = true;                // a command
-  std::vector<std::string> documents_;  // whose text begins on the next line
+  bool expected_ = true;                // whether a command comes next
+  std::vector<std::string> documents_;  // ends of here-documents whose text begins on the next line
   Words found_, functions_;
 };
 
@@ -218,10 +219,10 @@ private:
 
 struct Literal {
   std::string text;
-  std::size_t begin, end;  // with its quotes
+  std::size_t begin, end;  // the quotes included
 };
 
-// All string literals but raw ones, escapes undone as far as words need it.
+// Returns all string literals except raw ones. Escapes are undone as far as words need it.
 std::vector<Literal> literals_of(std::string_view source) {
   std::vector<Literal> all;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -254,7 +255,7 @@ std::vector<Literal> literals_of(std::string_view source) {
   return all;
 }
 
-// Past the bracket that closes the one at `open`.
+// Returns the place after the `last` that follows or is the bracket that closes the one at `open`.
 std::size_t end_of(std::string_view source, const std::vector<Literal>& literals, std::size_t open,
                    std::string_view brackets, char last) {
   int depth = 0;
@@ -272,7 +273,8 @@ std::size_t end_of(std::string_view source, const std::vector<Literal>& literals
   return source.size();
 }
 
-// The literals within as one text: neighbours as the compiler joins them, others with a word between.
+// Returns the literals between `from` and `to` as one text. Neighbours are joined as the compiler
+// joins them; between others a word is inserted.
 std::string text_within(std::string_view source, const std::vector<Literal>& literals,
                         std::size_t from, std::size_t to) {
   std::string text;
@@ -291,7 +293,7 @@ std::string text_within(std::string_view source, const std::vector<Literal>& lit
   return text;
 }
 
-// What the variables named between `from` and `to` are made from.
+// Returns the literals that the variables named between `from` and `to` are initialized with.
 std::string text_of_variables(const std::string& source, const std::vector<Literal>& literals,
                               std::size_t from, std::size_t to) {
   std::string text;
@@ -341,7 +343,7 @@ Words cpp_words(std::string_view text) {
       "\\b(run_program|run_process|program_called|execv?p?e?|posix_spawnp?|popen|system)\\(");
   for (std::sregex_iterator at(source.begin(), source.end(), call), none; at != none; ++at) {
     const auto open = std::size_t(at->position() + at->length() - 1);
-    // Our own program's words are no commands.
+    // Arguments of the program under test are not commands.
     if ((*at)[1] == "run_program" && !std::string_view(source).substr(open + 1).starts_with("\""))
       continue;
     const std::size_t end = end_of(source, literals, open, "()", ')');

@@ -1,5 +1,5 @@
-// The programs that the project and its tests start, against the packages that the launcher installs: one that is on a machine
-// by chance alone is found here.
+// Compares the programs that the project and its tests start with the packages that the launcher
+// installs. It finds a program that is on a machine only by chance.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 const fs::path kRoot = GLASSBOX_SOURCE_DIR;
 
 struct Program {
-  std::string package, from;  // programs.tsv says what they are
+  std::string package, from;  // the columns of programs.tsv, which explains them
 };
 
 std::string text_of(const fs::path& path) {
@@ -46,7 +46,7 @@ std::map<std::string, Program> table() {
   return programs;
 }
 
-// The packages of each section of cmake/packages.txt.
+// Returns the packages of each section of cmake/packages.txt.
 std::map<std::string, Words> sections() {
   std::map<std::string, Words> all;
   std::istringstream lines(text_of(kRoot / "cmake/packages.txt"));
@@ -66,7 +66,7 @@ std::map<std::string, Words> sections() {
   return all;
 }
 
-// Paths below the root, without what a build makes.
+// Returns the paths of all files below the root, except those that a build makes.
 std::vector<std::string> sources() {
   std::vector<std::string> files;
   for (fs::recursive_directory_iterator at(kRoot), end; at != end; ++at) {
@@ -92,7 +92,7 @@ Words words_of(const std::string& file, const std::string& text) {
   return {};
 }
 
-// Where a shell finds it; empty: nowhere.
+// Returns the file that a shell would run, or an empty path.
 fs::path found_in_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream places(std::string(path != nullptr ? path : "") + ":/usr/bin:/bin");
@@ -109,7 +109,8 @@ bool may_use_everything(const std::string& file) {
          file.starts_with("tests/browser/") || file.starts_with("tests/chroots/");
 }
 
-// What is wrong with the file's use of a program; empty: nothing. A word that is no program anywhere here is taken for a word.
+// Returns what is wrong with the file's use of a program, or an empty text. A word that is neither
+// in the table nor a program on this machine is taken for an ordinary word.
 std::string complaint(const std::string& file, const std::string& program,
                       const std::map<std::string, Program>& programs, bool is_here) {
   const auto found = programs.find(program);
@@ -127,7 +128,8 @@ Outcome dpkg_query(const std::vector<std::string>& words) {
   return run_program("/usr/bin/dpkg-query", words, "/");
 }
 
-// What Debian's alternatives could make `name` of, whichever it is now: "awk" is mawk's or gawk's. `options` say where they are.
+// Returns the files to which Debian's alternatives can set `name`, for any current setting: for
+// "awk" those of mawk and gawk. `options` give the folders of update-alternatives.
 std::vector<std::string> alternatives_of(const std::string& name,
                                          std::vector<std::string> options = {}) {
   options.insert(options.end(), {"--list", name});
@@ -137,7 +139,8 @@ std::vector<std::string> alternatives_of(const std::string& name,
   return files;
 }
 
-// The file, what it is a link to, and so on; and the same in the other of /bin and /usr/bin.
+// Returns the file's path and those that its links lead to, each of them also in the other one of
+// /bin and /usr/bin.
 std::vector<std::string> names_of(fs::path file) {
   std::vector<std::string> names;
   for (int i = 0; i < 8; ++i) {
@@ -150,13 +153,14 @@ std::vector<std::string> names_of(fs::path file) {
   return names;
 }
 
-// "package:amd64" of each file that a package has.
+// Returns the package of each file that belongs to one.
 std::multimap<std::string, std::string> owners_of(const std::vector<std::string>& files) {
   std::vector<std::string> words{"-S"};
   words.insert(words.end(), files.begin(), files.end());
   std::multimap<std::string, std::string> owners;
   std::istringstream lines(dpkg_query(words).out);
-  // "package, another: /usr/bin/name"; lines about diversions name no package that the table could.
+  // A line is "package, another: /usr/bin/name"; the lines about diversions name no package that
+  // could be in the table.
   for (std::string line; std::getline(lines, line);) {
     const auto colon = line.find(": /");
     if (colon == std::string::npos) continue;
@@ -173,7 +177,7 @@ TEST_CASE("every program that a source starts is in the table of programs") {
   const auto programs = table();
   std::size_t found = 0;
   for (const std::string& file : sources()) {
-    // The examples here are made up.
+    // The examples in that file are made up.
     if (file == "tests/suite/words_test.cpp") continue;
     for (const std::string& word : words_of(file, text_of(kRoot / file))) {
       found += programs.contains(word) ? 1u : 0u;
@@ -199,7 +203,7 @@ TEST_CASE("every program of the table comes from a package that is installed whe
     INFO(name << " of " << program.package << ", " << program.from);
     if (program.from == "base" || program.from == "optional") continue;
     REQUIRE(packages.contains(program.from));
-    // pkg-config is the name under which Debian's pkgconf is asked for.
+    // The list names Debian's pkgconf by its other name, pkg-config.
     const std::string listed = program.package == "pkgconf-bin" ? "pkg-config" : program.package;
     CHECK(packages.at(program.from).contains(listed));
   }
@@ -246,12 +250,13 @@ TEST_CASE("Debian's packages have the programs that the table says") {
     INFO(name << " of " << program.package << ", " << program.from);
     const Outcome package =
         dpkg_query({"-W", "-f", "${db:Status-Status} ${Essential} ${Priority}", program.package});
-    // While another package is being installed, one that is to run its triggers has another status, and is there as well.
+    // While another package is being installed, a package whose triggers have still to run has
+    // another status although it is installed.
     if (!package.out.starts_with("installed") && !package.out.starts_with("triggers-")) {
       CHECK((program.from != "base" && program.from != "needed"));
       continue;
     }
-    // apt is what the launcher installs with; its priority differs between releases.
+    // apt is excepted: the launcher installs with it, and its priority differs between releases.
     if (program.from == "base" && program.package != "apt") {
       CHECK((package.out.find(" yes ") != std::string::npos ||
              package.out.find("required") != std::string::npos));
@@ -283,7 +288,8 @@ TEST_CASE("CMake is told everywhere which build program to use: its own choice m
 }
 
 TEST_CASE("the sources that start programs by themselves are those that are known") {
-  // What each starts: itself again, or what its caller or the table names.
+  // After each source, the programs that it starts: itself again, or those that its caller or the
+  // table names.
   const Words known{
       "cli/process/process.cpp",              // the compiler, the runner that it has made, gnuplot
       "labs/grading/class.cpp",               // itself, for each submission

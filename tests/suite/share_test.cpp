@@ -1,4 +1,4 @@
-// A share of many tests (tests/support/share.h) leaves nothing out for longer than it says.
+// A share of many tests (tests/support/share.h) leaves no test out for longer than it promises.
 #include "tests/support/share.h"
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace glassbox::test {
 
 namespace {
 
-// SEED as it is said, as long as it lives; then as it was.
+// Sets the environment variable SEED, and restores it when destroyed.
 class Said {
 public:
   explicit Said(const char* seed) {
@@ -70,7 +70,7 @@ TEST_CASE("SEED repeats a share, and is refused where it is no number") {
   }
   {
     const Said said(nullptr);
-    CHECK(seed_of_shares() >= 20000);  // days up to October 2024
+    CHECK(seed_of_shares() >= 20000);  // the days up to October 2024
   }
   for (const char* wrong : {"", "-1", "12x", " 3", "9999999999999999999"}) {
     CAPTURE(wrong);

@@ -1,4 +1,4 @@
-// What ./glassbox test says in the end: tests/summarise.awk, and what it relies on.
+// Tests the summary at the end of ./glassbox test: tests/summarise.awk, and what it relies on.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One test of ctest's log.
+// Returns the lines that ctest logs for one test.
 std::string logged(const std::string& name, const std::string& output,
                    const std::string& end = "Test Passed.") {
   return "1/9 Testing: " + name + "\n1/9 Test: " + name + "\nCommand: \"/a/test_" + name +
@@ -62,7 +62,8 @@ TEST_CASE("skipped tests are counted as skipped and not as passed, each reason o
             logged("a", "skipped: no meshes -- first\nskipped: no meshes -- second\n" + kThree) +
             logged("b", "skipped: no gdb\n") + logged("c", kThree)) ==
         "4 0 3\nskipped: no meshes (2 tests)\nskipped: no gdb (1 test)\n");
-  // Both cases of one that has sections, and all of a suite.
+  // A test case with two sections that is skipped twice counts once; then all test cases of a suite
+  // are skipped.
   CHECK(summary_of(logged("a", "skipped: x -- a\nskipped: x -- a\n" + kThree)) ==
         "2 0 1\nskipped: x (1 test)\n");
   CHECK(summary_of(logged("a", "skipped: x -- a\nskipped: x -- b\nskipped: y -- c\n" + kThree)) ==

@@ -1,4 +1,4 @@
-// What is read from sources as a program that they start.
+// Tests which words of a source are taken for programs that it starts.
 #include "tests/suite/program_words.h"
 #include "tests/support/catch.h"
 

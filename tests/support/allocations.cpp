@@ -23,7 +23,7 @@ Allocations allocations() {
 
 }  // namespace glassbox::test
 
-// The array forms call these.
+// The array forms of new and delete call these.
 void* operator new(std::size_t size) {
   if (void* const memory = glassbox::test::counted(size)) return memory;
   throw std::bad_alloc();

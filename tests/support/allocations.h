@@ -1,5 +1,6 @@
-// What the program has asked operator new for: a measure of work and memory that no clock and no other program disturbs. Link
-// allocations.cpp, which replaces the operator, into the test program.
+// Counts what the program requests from operator new: a measure of work and memory that no clock
+// and no other program disturbs. A test program that uses it must be linked with allocations.cpp,
+// which replaces the operator.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ struct Allocations {
   std::uint64_t bytes = 0;
 };
 
-// Since the program began, in all threads.
+// Returns the counts of all threads since the program began.
 Allocations allocations();
 
 }  // namespace glassbox::test

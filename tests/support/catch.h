@@ -1,9 +1,9 @@
-// Catch2, version 2 or 3.
+// Includes Catch2, version 2 or 3.
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
-using Catch::Approx;  // as version 2 has it
+using Catch::Approx;  // the name that version 2 has
 #else
 #include <catch2/catch.hpp>
 #endif

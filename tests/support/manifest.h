@@ -1,4 +1,4 @@
-// The data of an HTML page.
+// Reads the JSON data (the manifest) of an HTML page.
 #pragma once
 
 #include <stdexcept>

@@ -1,7 +1,8 @@
-// For one source of each test program that makes a context of OSMesa.
+// To be included by one source of each test program that creates an OSMesa context.
 #pragma once
 
-// OSMesa keeps what OSMesaMakeCurrent allocates after the context is destroyed; that leak is not ours.
+// OSMesa never frees some memory that OSMesaMakeCurrent allocates, not even with the context: that
+// leak is not ours.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOSMesa.so\n";

@@ -1,4 +1,4 @@
-// Another program run to its end, with what it said.
+// Runs another program to its end and returns its output.
 #pragma once
 
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 namespace glassbox::test {
 
 struct Outcome {
-  int exit_code = -1;  // 128 + the signal that killed it
+  int exit_code = -1;  // 128 + the signal's number if a signal killed it
   std::string out;     // standard output
   std::string err;     // standard error
 };
@@ -32,8 +32,8 @@ inline std::string contents(std::FILE* file) {
 
 }  // namespace detail
 
-// Runs `program` in `directory`. Its outputs go through files, so that no pipe can fill up. `meanwhile` is called with its
-// process.
+// Runs `program` in `directory`. Its outputs go through files, so that no pipe can fill up.
+// `meanwhile` is called with the id of its process while it runs.
 inline Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
                            const std::string& directory,
                            const std::function<void(pid_t)>& meanwhile = {}) {
@@ -46,7 +46,8 @@ inline Outcome run_program(const std::string& program, const std::vector<std::st
   std::FILE* err = std::tmpfile();
   if (out == nullptr || err == nullptr) throw std::runtime_error("no temporary file");
 
-  // Until it is the program, the child has the handlers of the tests: a signal waits.
+  // Until it runs the other program, the child process has the signal handlers of the tests: SIGINT
+  // is blocked until then.
   sigset_t interrupt, before;
   ::sigemptyset(&interrupt);
   ::sigaddset(&interrupt, SIGINT);

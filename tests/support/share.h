@@ -1,5 +1,5 @@
-// A share of many tests of one kind, another one every day, so that all have had their turn after a
-// few days. The environment variable SEED repeats the share of another day; tests/run.sh prints it.
+// A share of many similar tests, a different one every day, so that after a few days all tests have
+// run. The environment variable SEED, which tests/run.sh prints, repeats the share of another day.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@
 
 namespace glassbox::test {
 
-// What SEED says, a number without a sign; where it is not set, the days since 1 January 1970.
-// Throws std::invalid_argument with a message where it is no such number.
+// Returns the value of SEED, a number without a sign, or, if it is not set, the days since 1
+// January 1970. Throws std::invalid_argument with a message if SEED is not such a number.
 inline std::uint64_t seed_of_shares() {
   const char* const said = std::getenv("SEED");
   if (said == nullptr) {
@@ -28,21 +28,20 @@ inline std::uint64_t seed_of_shares() {
 
 class Share {
 public:
-  // One test in `days` under this seed, and every test under one of `days` seeds that follow each
-  // other.
+  // Chooses one of `days` tests for this seed. Over `days` consecutive seeds every test is chosen.
   explicit Share(std::size_t days, std::uint64_t seed = seed_of_shares())
       : days_(days), seed_(seed) {}
   static Share everything() { return Share(1, 0); }
 
-  // Whether the test at `position`, from 0, of a group of `size` has its turn. Every group has at
-  // least one turn under every seed, so no group is ever left out: a group that is smaller than
-  // `days` takes its tests one after the other.
+  // Whether the test at `position`, from 0, of a group of `size` runs. At least one test of every
+  // group runs for every seed, so no group is ever left out: in a group that is smaller than
+  // `days`, the tests run one after the other.
   bool has(std::size_t position, std::size_t size) const {
     const std::size_t step = size < days_ ? size : days_;
     return position % step == seed_ % step;
   }
 
-  // For the message of a test that fails.
+  // Describes the share in the message of a test that fails.
   std::string text() const {
     return days_ == 1 ? "all of them"
                       : "one in " + std::to_string(days_) + ", SEED=" + std::to_string(seed_);

@@ -1,5 +1,5 @@
-// A test case that cannot be made here, for want of data, of a program or of a device: it is counted as skipped, not as
-// passed.
+// Skips a test case that cannot run here because data, a program or a device is missing: it is
+// counted as skipped, not as passed.
 #pragma once
 
 #include <iostream>
@@ -10,7 +10,8 @@
 
 namespace glassbox::test {
 
-// tests/summarise.awk reads this line: the reason, and the test case that goes without its checks.
+// Prints the line that tests/summarise.awk reads: the reason, and the name of the test case that is
+// skipped.
 inline void say_skipped(const std::string& reason) {
   std::cout << "skipped: " << reason << " -- " << Catch::getResultCapture().getCurrentTestName()
             << std::endl;
@@ -18,9 +19,9 @@ inline void say_skipped(const std::string& reason) {
 
 }  // namespace glassbox::test
 
-// Ends the function, which returns nothing: SKIP_TEST("no assets under " << folder). Catch2 before 3.3 has no SKIP(). It is
-// for whole test cases: what has been checked before it would not be counted. SUCCEED, because a test case without an assertion
-// fails (tests/CMakeLists.txt).
+// Returns from the test function: SKIP_TEST("no assets under " << folder). It replaces SKIP(),
+// which Catch2 before 3.3 does not have. It is for whole test cases: checks before it would not be
+// counted. It calls SUCCEED, because a test case without an assertion fails (tests/CMakeLists.txt).
 #define SKIP_TEST(reason)                           \
   do {                                              \
     std::ostringstream skip_reason;                 \

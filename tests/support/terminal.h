@@ -1,4 +1,4 @@
-// Whether a test can have a terminal: programs that behave otherwise on one are given a
+// Whether a test can use a terminal: programs that behave differently on a terminal are given a
 // pseudo-terminal.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace glassbox::test {
 
-// Opens both ends of a pseudo-terminal, as script(1) and forkpty(3) do, and closes them again. A
-// chroot in which /dev/pts is not mounted lets the first be opened and not the second.
+// Opens both ends of a pseudo-terminal, as script(1) and forkpty(3) do, and closes them again. In a
+// chroot where /dev/pts is not mounted, the first can be opened and the second cannot.
 inline bool has_pseudo_terminals() {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (master < 0) return false;
@@ -25,7 +25,8 @@ inline bool has_pseudo_terminals() {
 
 }  // namespace glassbox::test
 
-// For a test case that needs one; ends it as SKIP_TEST does.
+// For a test case that needs a pseudo-terminal: if there is none, it ends the test case as
+// SKIP_TEST does.
 #define NEED_PSEUDO_TERMINAL()                                               \
   do {                                                                       \
     if (!glassbox::test::has_pseudo_terminals())                             \

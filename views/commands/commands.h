@@ -1,4 +1,4 @@
-// The commands of views/, as a program has them.
+// The commands of views/ for run_program.
 #pragma once
 
 #include "cli/options/cli_fwd.h"
@@ -7,7 +7,7 @@
 namespace glassbox::views {
 
 inline constexpr CommandName kCommands[] = {
-    {"views", "what pictures of a scene are good for"},
+    {"views", "what pictures of a scene show: cameras, depth, layers, shape, colours"},
 };
 
 void add_commands(CLI::App& app, int& exit_code);

@@ -90,7 +90,7 @@ void ViewsGeometryCommand::add_question_options(CLI::App& command) {
   add_choice<std::optional<Estimator>>(
       command, "--estimator", question_.estimator,
       {{"8", Estimator::kEightPoint}, {"7", Estimator::kSevenPoint}, {"5", Estimator::kFivePoint}},
-      "matches of a sample [5 where K is known, else 8]")
+      "number of matches in a sample [5 if K is known, else 8]")
       ->group(group);
   add_real(
       command, "--sigma", "PX",
@@ -98,22 +98,23 @@ void ViewsGeometryCommand::add_question_options(CLI::App& command) {
         question_.sigma = value;
         sigma_given_ = true;
       },
-      fmt::format("what a coordinate of a match may be off (px) [{:g}; of a scene --noise, and at "
-                  "least {:g}]",
+      fmt::format("standard deviation of a match's coordinates (px) [{:g}; for a scene --noise, "
+                  "but at least {:g}]",
                   question_.sigma, kLeastSigma))
       ->group(group);
   add_real(
       command, "--threshold", "PX", [this](double value) { question_.threshold = value; },
-      "Sampson's distance of an inlier, at most (px) [2 sigma]")
+      "largest Sampson distance of an inlier (px) [2 sigma]")
       ->group(group);
   add_real(
       command, "--confidence", "P", [this](double value) { question_.confidence = value; },
-      fmt::format("of having drawn one sample without outliers, 0 < P < 1 [{:g}]",
+      fmt::format("probability that one sample without outliers is drawn, 0 < P < 1 [{:g}]",
                   question_.confidence))
       ->group(group);
   command
       .add_option("--seed", question_.seed,
-                  fmt::format("of the samples, and of noise and outliers [{}]", question_.seed))
+                  fmt::format("seed of the random samples, the noise and the outliers [{}]",
+                              question_.seed))
       ->type_name("N")
       ->group(group);
 }
@@ -121,16 +122,14 @@ void ViewsGeometryCommand::add_question_options(CLI::App& command) {
 void ViewsGeometryCommand::add_output_options(CLI::App& command) {
   const std::string outputs = "Other outputs";
   command
-      .add_option(
-          "--draw", page_,
-          "a page: both pictures, each point's epipolar line in the other, matches coloured "
-          "by residual")
+      .add_option("--draw", page_,
+                  "a page with both pictures, each point's epipolar line in the other one, and the "
+                  "matches coloured by residual")
       ->type_name("FILE")
       ->group(outputs);
-  add_pair_of_files(
-      command, "--rectified-out", rectified_output_,
-      "both pictures turned until their epipolar lines are scan lines, by the cameras "
-      "that were found: .png, transparent where they show nothing")
+  add_pair_of_files(command, "--rectified-out", rectified_output_,
+                    "both pictures rectified by the cameras that were found, so that epipolar "
+                    "lines are scan lines: .png, transparent where they show nothing")
       ->group(outputs);
   add_json_output(command, json_output_)->group(outputs);
   const std::string of_scene = "Outputs of a scene";
@@ -157,10 +156,12 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views geometry --pair left.png right.png --matches m.csv --cameras c.txt\n"
       "  glassbox views geometry --scene room --move 0.5,0,0 --turn -10,0,0 --rectified-out l.png "
       "r.png\n\n"
-      "Matches are lines of x and y in the left picture, then in the right one, in pixels from "
-      "the\ntop left corner. Cameras are those of vision.middlebury.edu/mview: their number, then "
-      "lines of\na picture's name, K, R and t by rows, a point X being at the pixel K (R X + t). "
-      "Without them F\nalone is found.\n\n" +
+      "A file of matches has lines of x and y in the left picture, then in the right one, in "
+      "pixels\n"
+      "from the top left corner. A file of cameras has the form of vision.middlebury.edu/mview: "
+      "their\n"
+      "number, then lines of a picture's name, K, R and t by rows; a point X is at the pixel\n"
+      "K (R X + t). Without cameras only F is found.\n\n" +
       builtin_help());
   const std::string group = "Pair from files";
   add_pair_of_files(command, "--pair", files_.pair, "the pictures")->group(group);
@@ -183,13 +184,13 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
 Result<void> ViewsGeometryCommand::check_sources() const {
   const bool from_files = files_.matches || files_.cameras || files_.has_pair();
   if (scene_.scene && from_files) {
-    return fail("--scene", "the pair is drawn, and files have one as well",
+    return fail("--scene", "it draws the pair, but the pair is given as files too",
                 "leave out --pair, --matches and --cameras, or --scene");
   }
   if (scene_.scene) return check_geometry_scene(scene_);
   if (!files_.matches) {
-    return fail("--matches", "nobody has said which points of the pictures are the same",
-                "give it, or draw a pair with --scene");
+    return fail("--matches", "the matching points of the pictures are not given",
+                "give a file of matches, or draw a pair with --scene");
   }
   std::vector<std::string> words = words_of(scene_.options);
   std::ranges::copy(words_given(scene_.picture), std::back_inserter(words));
@@ -199,23 +200,27 @@ Result<void> ViewsGeometryCommand::check_sources() const {
     if (is_given) words.emplace_back(word);
   }
   if (!words.empty())
-    return fail(words.front(), "this is of a pair that is drawn", "add --scene, or leave it out");
+    return fail(words.front(), "it is only for a pair that --scene draws",
+                "add --scene, or leave it out");
   return {};
 }
 
 Result<void> ViewsGeometryCommand::check_question() const {
   constexpr double kMost = 1000;
   if (!(question_.sigma > 0 && question_.sigma <= kMost)) {
-    return fail("--sigma", fmt::format("{:g} px is no standard deviation", question_.sigma),
+    return fail("--sigma",
+                fmt::format("{:g} px is not a possible standard deviation", question_.sigma),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
   if (const double threshold = question_.threshold.value_or(1);
       !(threshold > 0 && threshold <= kMost)) {
-    return fail("--threshold", fmt::format("{:g} px is no distance of an inlier", threshold),
+    return fail("--threshold",
+                fmt::format("{:g} px is not a possible distance of an inlier", threshold),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
   if (!(question_.confidence > 0 && question_.confidence < 1)) {
-    return fail("--confidence", fmt::format("{:g} is no such probability", question_.confidence),
+    return fail("--confidence",
+                fmt::format("{:g} is not a probability between 0 and 1", question_.confidence),
                 "give 0 < P < 1, such as 0.99");
   }
   return {};
@@ -223,7 +228,8 @@ Result<void> ViewsGeometryCommand::check_question() const {
 
 Result<void> ViewsGeometryCommand::check_outputs() const {
   if (matches_output_ == "-" && json_output_ == "-") {
-    return fail("--matches-out", "--json goes to standard output already", "give one a file");
+    return fail("--matches-out", "--json goes to standard output already",
+                "name a file for one of them");
   }
   if (page_) {
     if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
@@ -231,7 +237,7 @@ Result<void> ViewsGeometryCommand::check_outputs() const {
       return fail("--draw", "there are no pictures to draw on", "add --pair");
   }
   if (!rectified_output_.first.empty() && !scene_.scene && !files_.has_pair()) {
-    return fail("--rectified-out", "there are no pictures to turn", "add --pair");
+    return fail("--rectified-out", "there are no pictures to rectify", "add --pair");
   }
   Outputs outputs;
   outputs.data(matches_output_).file(cameras_output_).data(json_output_).file(page_);
@@ -293,8 +299,9 @@ Result<std::optional<RectifiedPair>> ViewsGeometryCommand::rectified_pair(
   if (rectified_output_.first.empty()) return std::nullopt;
   const auto& pose = report.analysis.pose;
   if (!pose || !input.intrinsics) {
-    return fail("--rectified-out", "the cameras were not found, and nothing says how to turn them",
-                input.intrinsics ? "leave it out: the report says what the pair is"
+    return fail("--rectified-out",
+                "the cameras were not found, so the pictures cannot be rectified",
+                input.intrinsics ? "leave it out; the report says why there are no cameras"
                                  : "give --cameras, or leave it out");
   }
   const auto& pictures = *input.pictures;

@@ -44,17 +44,17 @@ const views::NamedCamera* camera_named(const NamedCameras& cameras, const std::s
   return found == cameras.end() ? nullptr : &*found;
 }
 
-// The cameras of the two pictures, in the pictures' order. Of exactly two cameras, the first is
-// taken for the left one if names do not decide: no camera has a picture's name, or both pictures
-// have the same name.
+// The cameras of the two pictures, in the pictures' order. If there are exactly
+// two cameras and the names do not decide (no camera has a picture's name, or both pictures have
+// the same name), the first camera is taken for the left one.
 Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
                                                    const GeometryFiles& files) {
   const std::string& file = *files.cameras;
   const bool are_two = cameras.size() == 2;
   if (cameras.size() < 2 || (!are_two && !files.has_pair())) {
-    return tl::unexpected(
-        Error{file, "", fmt::format("it has {} cameras, and a pair has two", cameras.size()),
-              cameras.size() < 2 ? "add the other" : "say which with --pair, or leave two in it"});
+    return tl::unexpected(Error{
+        file, "", fmt::format("it has {} cameras, but a pair has two", cameras.size()),
+        cameras.size() < 2 ? "add the other one" : "name the two with --pair, or leave two in it"});
   }
   const std::array in_order{cameras[0].camera, cameras[1].camera};
   if (!files.has_pair()) return in_order;
@@ -66,7 +66,7 @@ Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
   if (are_two && left == right) return in_order;
   return tl::unexpected(
       Error{file, "",
-            fmt::format("none of its {} cameras is of {}", cameras.size(),
+            fmt::format("none of its {} cameras is for {}", cameras.size(),
                         in_quotes(left == nullptr ? left_picture : right_picture)),
             are_two ? "name both pictures as it does"
                     : "name the pictures as it does, or leave two cameras in it: left, right"});

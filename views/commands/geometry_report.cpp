@@ -22,7 +22,7 @@ constexpr int kFewest = 8;
 Result<void> check_matches(const views::Matches& matches) {
   if (int(matches.size()) < kFewest) {
     return fail("the matches",
-                fmt::format("there are {}, and {} are needed", matches.size(), kFewest),
+                fmt::format("there are {}, but {} are needed", matches.size(), kFewest),
                 "give more");
   }
   std::set<std::array<double, 4>> different;
@@ -30,9 +30,9 @@ Result<void> check_matches(const views::Matches& matches) {
     different.insert({m.left.x(), m.left.y(), m.right.x(), m.right.y()});
   if (int(different.size()) < kFewest) {
     return fail("the matches",
-                fmt::format("only {} of the {} are different, and {} are needed", different.size(),
+                fmt::format("only {} of the {} are different, but {} are needed", different.size(),
                             matches.size(), kFewest),
-                "leave out the repeated ones, and give more");
+                "leave out repeated matches, and give more");
   }
   return {};
 }
@@ -40,7 +40,7 @@ Result<void> check_matches(const views::Matches& matches) {
 Result<views::PairQuestion> question_of(const GeometryInput& input,
                                         const GeometryQuestion& question) {
   if (question.estimator == Estimator::kFivePoint && !input.intrinsics) {
-    return fail("--estimator", "five matches decide the cameras only where K is known",
+    return fail("--estimator", "five matches determine the cameras only if K is known",
                 "give --cameras, or --estimator 8 or 7");
   }
   const Estimator usual = input.intrinsics ? Estimator::kFivePoint : Estimator::kEightPoint;
@@ -142,22 +142,23 @@ void leave_out_geometry(const GeometryReport& report, std::vector<LeftOut>& out)
 void leave_out_pose(const GeometryInput& input, std::vector<LeftOut>& out) {
   if (!input.intrinsics) {
     out.push_back({"E, R, T",
-                   "no K: without --cameras nobody knows what the pixels look along, and F is all "
-                   "that the matches decide"});
+                   "K is unknown without --cameras, so the viewing directions of the pixels are "
+                   "unknown, and the matches determine only F"});
   }
 }
 
 void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report,
                         std::vector<LeftOut>& out) {
   if (!report.analysis.pose) return;
-  out.push_back({"|T|", "pictures do not tell how far apart cameras are: T is of length 1"});
+  out.push_back({"|T|", "pictures do not show how far apart the cameras are: T has length 1"});
   const int behind = report.analysis.inliers - report.analysis.in_front;
   if (behind > 0) {
-    out.push_back({fmt::format("{} inliers in front", behind),
-                   "their rays meet behind a camera or nowhere: too far away for their noise"});
+    out.push_back({fmt::format("{} inliers not in front of both cameras", behind),
+                   "their rays meet behind a camera or nowhere, because they are too far away for "
+                   "their noise"});
   }
   if (input.truth && !report.errors->direction_degrees) {
-    out.push_back({"the direction's error", "the cameras stand in one place"});
+    out.push_back({"the direction's error", "the cameras are in one place"});
   }
 }
 
@@ -178,21 +179,20 @@ std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryRepor
   leave_out_pose(input, out);
   leave_out_of_truth(input, report, out);
   if (report.samples_wanted > report.question.ransac.most_samples) {
-    out.push_back({"certainty",
-                   fmt::format("the law asks for {:.3g} samples, and {} were drawn: so few inliers "
-                               "may agree by chance",
-                               report.samples_wanted, report.analysis.samples)});
+    out.push_back({"certainty", fmt::format("{:.3g} samples are needed, but only {} were drawn: so "
+                                            "few inliers may agree by chance",
+                                            report.samples_wanted, report.analysis.samples)});
   }
   const int off = int(input.matches.size()) - report.analysis.inliers;
   if (off > 0) {
     out.push_back({fmt::format("{} matches", off),
-                   fmt::format("further than {:g} px from what the others agree on",
+                   fmt::format("outliers, farther than {:g} px from what the inliers agree on",
                                report.question.ransac.threshold)});
   }
   if (const int count = outside(input); count > 0) {
     out.push_back(
         {"no match for its place",
-         fmt::format("{} have a point outside of its picture, as noise may move it", count)});
+         fmt::format("{} have a point outside its picture, where noise may have moved it", count)});
   }
   return out;
 }

@@ -91,7 +91,7 @@ Result<ViewPair> pair_of(const GeometryScene& scene, const Scene& loaded) {
                     eye_view(chosen->centre, eyes, Side::kRight), apart + ", axes parallel"};
   }
   if (std::isinf(eyes.window)) {
-    return fail("--window", "axes that converge meet at a finite distance", "give it");
+    return fail("--window", "converging axes meet at a finite distance", "give that distance");
   }
   return ViewPair{toe_in_view(chosen->centre, eyes, Side::kLeft),
                   toe_in_view(chosen->centre, eyes, Side::kRight),
@@ -149,20 +149,21 @@ void add_geometry_scene_options(CLI::App& command, GeometryScene& scene) {
   add_choice<std::optional<Arrangement>>(
       command, "--arrangement", scene.arrangement,
       choices_of({Arrangement::kParallel, Arrangement::kConverging, Arrangement::kArbitrary}),
-      "how the cameras stand: eyes with parallel axes, eyes whose axes meet at the window, or the "
-      "camera and a second one [parallel; with --move or --turn arbitrary]")
+      "arrangement of the cameras: eyes with parallel axes, eyes whose axes meet at the window, or "
+      "the camera and an arbitrary second one [parallel; with --move or --turn arbitrary]")
       ->group(kGroup);
-  add_triple(command, "--move", scene.move, "R,U,F",
-             "where the second camera is: right, up, forward of the first (world units) [0,0,0]");
+  add_triple(
+      command, "--move", scene.move, "R,U,F",
+      "position of the second camera: right, up, forward of the first one (world units) [0,0,0]");
   add_triple(command, "--turn", scene.turn, "R,U,C",
-             "how it is turned: right, up, clockwise (degrees) [0,0,0]");
+             "rotation of the second camera: right, up, clockwise (degrees) [0,0,0]");
   add_real(command, "--noise", scene.sampling.noise, "PX",
            "standard deviation of each coordinate of a match (px) [0]");
   add_real(command, "--outliers", scene.sampling.outliers, "SHARE",
-           "matches whose right point is anywhere, 0 <= SHARE < 1 [0]");
+           "share of matches whose right point is random, 0 <= SHARE < 1 [0]");
   command
       .add_option("--count", scene.sampling.count,
-                  fmt::format("matches, at most [{}]", scene.sampling.count))
+                  fmt::format("largest number of matches [{}]", scene.sampling.count))
       ->type_name("N")
       ->group(kGroup);
   const auto all = command.get_options();
@@ -175,11 +176,11 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   constexpr int kMostMatches = 100'000;
   constexpr double kMostNoise = 1000;
   if (!(noise >= 0 && noise <= kMostNoise)) {
-    return fail("--noise", fmt::format("{:g} px is no standard deviation of a match", noise),
+    return fail("--noise", fmt::format("{:g} px is not a possible standard deviation", noise),
                 fmt::format("give 0 to {:g}", kMostNoise));
   }
   if (!(outliers >= 0 && outliers < 1)) {
-    return fail("--outliers", fmt::format("{:g} is no share that leaves matches", outliers),
+    return fail("--outliers", fmt::format("{:g} is not a share from 0 to below 1", outliers),
                 "give 0 <= SHARE < 1, such as 0.3");
   }
   if (count < 8 || count > kMostMatches) {
@@ -188,7 +189,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
                 fmt::format("give 8 to {}", kMostMatches));
   }
   if (scene.picture.eyes.seen_by) {
-    return fail("--seen-by", "the geometry is of both pictures", "leave it out");
+    return fail("--seen-by", "the geometry is about both pictures", "leave it out");
   }
   const bool is_arbitrary = scene.chosen() == Arrangement::kArbitrary;
   if (!is_arbitrary && (scene.move || scene.turn)) {
@@ -198,7 +199,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
                 "leave it out, or give --arrangement arbitrary");
   }
   if (is_arbitrary && !scene.move && !scene.turn) {
-    return fail("--arrangement", "nobody has said where the second camera is",
+    return fail("--arrangement", "the position of the second camera is not given",
                 "give --move or --turn");
   }
   const EyesOptions& eyes = scene.picture.eyes;
@@ -210,7 +211,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
     for (const double degrees : *scene.turn) {
       constexpr double kMostDegrees = 360;
       if (!(std::abs(degrees) <= kMostDegrees))
-        return fail("--turn", fmt::format("{:g} degrees are more than a turn", degrees),
+        return fail("--turn", fmt::format("{:g} degrees are more than a full turn", degrees),
                     "give -360 to 360");
     }
   }
@@ -235,7 +236,7 @@ Result<SceneGeometry> draw_geometry_scene(const GeometryScene& scene, Progress& 
   input.fates = fates_of(truth);
   if (input.fates->seen < 8) {
     return fail("--scene",
-                fmt::format("the right picture shows {} of the left one's points, and 8 are needed",
+                fmt::format("the right picture shows {} of the left one's points, but 8 are needed",
                             input.fates->seen),
                 "move the cameras closer together, or make the pictures larger");
   }

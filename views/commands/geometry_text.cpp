@@ -56,10 +56,11 @@ std::string input_lines(const GeometryInput& input, const GeometryReport& report
   std::string text = printable(input.about, kTextWidth) + "\n";
   if (!input.made_how.empty()) text += heading("pair", input.made_how);
   if (const auto& fates = input.fates) {
-    text += heading("pixels", fmt::format("of the left picture: {} are seen in the right one, {} "
-                                          "hidden there, {} beside it, {} missing; {} show nothing",
-                                          fates->seen, fates->hidden, fates->beside, fates->missing,
-                                          fates->nothing));
+    text +=
+        heading("pixels", fmt::format("in the left picture: {} are visible in the right one, {} "
+                                      "hidden there, {} outside it, {} missing; {} show nothing",
+                                      fates->seen, fates->hidden, fates->beside, fates->missing,
+                                      fates->nothing));
   }
   std::string planted;
   if (report.outliers) planted = fmt::format(", {} of them outliers", report.outliers->planted);
@@ -72,20 +73,20 @@ std::string estimation_lines(const GeometryReport& report) {
   const auto& judgement = analysis.judgement;
   const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
   std::string text =
-      heading("samples", is_undecided ? "none decides a model; all matches are judged"
+      heading("samples", is_undecided ? "none determines a model; all matches are tested"
                                       : fmt::format("{} drawn, {}; {}", analysis.samples,
                                                     name_of(question.estimator), law_text(report)));
   std::string planted;
   if (const auto& facts = report.outliers; facts && facts->planted > 0) {
-    planted = fmt::format("; {} outliers among them by chance, {} true matches lost", facts->kept,
-                          facts->lost);
+    planted = fmt::format("; {} outliers among them by chance, {} true matches rejected",
+                          facts->kept, facts->lost);
   }
   text +=
       heading("inliers", fmt::format("{} of {} within {:g} px{}", analysis.inliers,
                                      question.matches.size(), question.ransac.threshold, planted));
   text += heading("equations",
-                  fmt::format("rank {} (8 decide F, 9 is of noise); condition {:.3g} raw, {:.3g} "
-                              "with normalised points",
+                  fmt::format("rank {} (8 determine F, 9 is due to noise); condition {:.3g} raw, "
+                              "{:.3g} with normalised points",
                               system.rank, system.condition_raw, system.condition_normalised));
   text += heading("pair is", kind_sentence(judgement.kind));
   return text + heading("", fmt::format("costs (GRIC): constraint {:.1f}, homography {:.1f}, "
@@ -112,9 +113,9 @@ std::string matrices(const GeometryReport& report) {
     text +=
         matrix_lines("E = R S", *report.essential, "P_r = R (P_l - T), S v = T x v", six_decimals);
     text += matrix_lines("[t]x R", *report.essential_of_shift,
-                         "P_r = R P_l + t, t = -R T: the other textbooks'", six_decimals);
+                         "P_r = R P_l + t, t = -R T: as in other textbooks", six_decimals);
     text += matrix_lines("R", pose->rotation, "", six_decimals);
-    text += vector_line("T", pose->translation, "the right camera, seen by the left one");
+    text += vector_line("T", pose->translation, "the right camera, seen from the left one");
   }
   const auto& [left, right] = *report.epipoles;
   return text +
@@ -151,9 +152,9 @@ std::string left_out_lines(const GeometryReport& report) {
 std::string kind_sentence(views::PairKind kind) {
   switch (kind) {
     case views::PairKind::kGeneral:
-      return "general: the epipolar constraint explains the matches, and nothing simpler does";
+      return "general: the epipolar constraint explains the matches, and no simpler model does";
     case views::PairKind::kTurned:
-      return "from one point of view: a camera that turns explains the matches";
+      return "from one point of view: a rotating camera explains the matches";
     case views::PairKind::kPlane:
       return "of a plane: one homography explains the matches";
     case views::PairKind::kCritical:

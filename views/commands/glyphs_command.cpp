@@ -75,7 +75,7 @@ Result<std::optional<views::PinholeCamera>> camera_in(const std::string& path,
   for (const views::NamedCamera& camera : *cameras) {
     if (camera.picture == name) return camera.camera;
   }
-  return fail(printable(path), "has no camera of a picture " + printable(name),
+  return fail(printable(path), "has no camera for the picture " + printable(name),
               "give the picture's own file of cameras");
 }
 
@@ -116,7 +116,8 @@ void ViewsGlyphsCommand::leave_out(const std::string& name) {
 
 void ViewsGlyphsCommand::add_layout(CLI::App& command) {
   const std::string group = "The wall";
-  command.add_option("--panels", layout_.panels, "1, or 2 that meet in a corner [2]")
+  command
+      .add_option("--panels", layout_.panels, "number of panels: 1, or 2 that meet in a corner [2]")
       ->type_name("N")
       ->group(group);
   command
@@ -140,15 +141,16 @@ void ViewsGlyphsCommand::add_layout(CLI::App& command) {
         ->type_name("MM")
         ->group(group);
   };
-  in_metres("--pitch", layout_.pitch, "from glyph to glyph [120]");
-  in_metres("--diameter", layout_.diameter, "of a glyph [90]");
+  in_metres("--pitch", layout_.pitch, "distance from glyph to glyph [120]");
+  in_metres("--diameter", layout_.diameter, "diameter of a glyph [90]");
 }
 
 void ViewsGlyphsCommand::add_rules(CLI::App& command) {
   command
       .add_option_function<float>(
           "--threshold", [this](const float& value) { settings_.threshold = value; },
-          "a colour is a prototype's within this share of the distance to the next one [0.4]")
+          "a colour belongs to a prototype if it is within this share of the distance to the next "
+          "prototype [0.4]")
       ->type_name("T");
   command
       .add_option_function<std::vector<std::string>>(
@@ -156,12 +158,12 @@ void ViewsGlyphsCommand::add_rules(CLI::App& command) {
           [this](const std::vector<std::string>& names) {
             for (const std::string& name : names) leave_out(name);
           },
-          "rules that are not asked: " + rule_names())
+          "rules that are not applied: " + rule_names())
       ->delimiter(',')
       ->type_name("RULE[,RULE...]");
   command.add_flag_callback(
       "--no-balance", [this] { settings_.balances = false; },
-      "take colours as they are, not by the paper around each glyph");
+      "use colours as they are, without balancing them by the paper around each glyph");
 }
 
 void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
@@ -184,13 +186,13 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "Examples:\n"
       "  glassbox views glyphs sheet -o wall.glb\n"
       "  glassbox views glyphs sheet -o sheet.png --pitch 28 --diameter 21 --panel 2\n\n"
-      "A picture has 300 px to an inch, a scene's textures 50. --json has the table of what is "
-      "where.");
+      "A picture has 300 px per inch, a scene's textures have 50. --json has the position of every "
+      "glyph.");
   sheet.add_option("-o,--output", output_, "a scene, .glb, or a panel's picture")
       ->type_name("FILE")
       ->required();
-  sheet.add_option("--panel", panel_, "of a picture: which, from 1 [1]")->type_name("N");
-  sheet.add_option("--dpi", dpi_, "pixels to an inch [300, of scenes 50]")->type_name("R");
+  sheet.add_option("--panel", panel_, "the panel of a picture, counted from 1 [1]")->type_name("N");
+  sheet.add_option("--dpi", dpi_, "pixels per inch [300, for scenes 50]")->type_name("R");
   add_layout(sheet);
   add_json_output(sheet, json_output_, "the table of glyphs");
   sheet.callback([this, &exit_code] { exit_code = this->sheet(); });
@@ -201,26 +203,25 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views glyphs find photo.png\n"
       "  glassbox views glyphs find photo.jpg --fov 40 --pitch 28 --diameter 21 --html found.html\n"
       "  glassbox views glyphs find shots/view000.png --against shots/ring_par.txt --json -\n\n"
-      "Without --fov the focal length is found as well, which takes glyphs of both panels. "
-      "--against\n"
-      "compares with the camera that a file *_par.txt has for the picture. Exit code 1: no "
-      "camera.");
+      "Without --fov the focal length is found too, which needs glyphs of both panels. --against\n"
+      "compares with the camera that a file *_par.txt has for the picture. Exit code 1: no camera "
+      "found.");
   find.add_option("PICTURE", picture_, "a picture of the wall")->required();
   const std::size_t before = find.get_options().size();
   find.add_option("--fov", fov_, "the full vertical angle of view, degrees [found]")
       ->type_name("DEG");
-  add_choice<LensKnown>(
-      find, "--lens", known_, {{"centre", LensKnown::kCentre}, {"square", LensKnown::kSquare}},
-      "what is known of a lens without --fov: that its axis is in the picture's middle, or "
-      "only that pixels are square [centre]");
-  find.add_option("--against", against_, "a file of cameras, one of them the picture's")
+  add_choice<LensKnown>(find, "--lens", known_,
+                        {{"centre", LensKnown::kCentre}, {"square", LensKnown::kSquare}},
+                        "what is known of the lens without --fov: that its axis is in the middle "
+                        "of the picture, or only that pixels are square [centre]");
+  find.add_option("--against", against_, "a file of cameras, with one for the picture")
       ->type_name("FILE");
   add_rules(find);
   add_layout(find);
   const auto all = find.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
   add_html_output(find, page_,
-                  "a page: the picture with what was found, and why the rest was left out");
+                  "a page with the picture, what was found in it, and why the rest was left out");
   add_json_output(find, json_output_);
   find.callback([this, &exit_code] { exit_code = this->find(); });
 
@@ -230,10 +231,10 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "Examples:\n"
       "  glassbox views glyphs sweep rules\n"
       "  glassbox views glyphs sweep blur\n\n"
-      "rules: things that each break one rule, with that rule not asked. All others: pictures of "
-      "the "
-      "default wall\n"
-      "from 2 m; camera: with the noise, the colour filters and the lens of one.");
+      "rules: shapes that break one rule each, with that rule switched off. All others: pictures "
+      "of the\n"
+      "default wall from 2 m; camera: with the noise, the colour filters and the lens of a "
+      "camera.");
   add_choice<SweepOf>(sweep, "WHAT", what_,
                       choices_of({SweepOf::kSize, SweepOf::kBlur, SweepOf::kOcclusion,
                                   SweepOf::kTilt, SweepOf::kJpeg, SweepOf::kBalance,
@@ -251,7 +252,7 @@ int ViewsGlyphsCommand::sheet() {
     if (const auto good = check_image_path(output_); !good)
       return refuse({output_,
                      {},
-                     "is neither a scene nor a picture that can be written",
+                     "is the name of neither a scene nor a picture that can be written",
                      "name it .glb or .png"});
   }
   if (const auto good = Outputs().file(output_).data(json_output_).check(); !good)
@@ -260,7 +261,8 @@ int ViewsGlyphsCommand::sheet() {
   if (!wall) return refuse(wall.error());
   const int panel_number = panel_.value_or(1);
   if (panel_number < 1 || panel_number > layout_.panels)
-    return refuse({{}, "--panel", fmt::format("there are {}", layout_.panels), "count from 1"});
+    return refuse(
+        {{}, "--panel", fmt::format("the wall has {} of them", layout_.panels), "count from 1"});
   const double dpi = dpi_.value_or(is_scene ? 50 : 300), per_metre = dpi / views::kMetresOfInch;
   if (const auto good = views::check_panel_picture(*wall, per_metre); !good)
     return refuse(good.error());
@@ -280,7 +282,7 @@ int ViewsGlyphsCommand::sheet() {
   if (json_output_ == "-") return kSuccess;
   const views::WallPanel& panel = wall->panels.front();
   fmt::print(
-      "{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px to an inch\n",
+      "{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px per inch\n",
       printable(output_, kLongestMessage),
       is_scene ? wall->glyphs.size() : std::size_t(layout_.columns * layout_.rows),
       1000 * layout_.diameter,
@@ -293,9 +295,13 @@ int ViewsGlyphsCommand::find() {
   if (const auto good = check_report_outputs(page_, json_output_); !good)
     return refuse(good.error());
   if (fov_ && !(*fov_ > 0 && *fov_ < 180))
-    return refuse({{}, "--fov", "the angle of view must be between 0 and 180 degrees", "give 40"});
+    return refuse({{},
+                   "--fov",
+                   "the angle of view must be between 0 and 180 degrees",
+                   "give an angle such as 40"});
   if (!(settings_.threshold > 0))
-    return refuse({{}, "--threshold", "a threshold is positive", "give 0.4"});
+    return refuse(
+        {{}, "--threshold", "the threshold must be above 0", "give a threshold such as 0.4"});
   const auto wall = views::make_wall(layout_);
   if (!wall) return refuse(wall.error());
   Progress progress;
@@ -363,7 +369,8 @@ int ViewsGlyphsCommand::sweep() {
     if (const auto good = check_outputs({*json_output_}); !good) return refuse(good.error());
   }
   if (!(settings_.threshold > 0))
-    return refuse({{}, "--threshold", "a threshold is positive", "give 0.4"});
+    return refuse(
+        {{}, "--threshold", "the threshold must be above 0", "give a threshold such as 0.4"});
   Progress progress;
   const auto rows = views::sweep_glyphs(what_, settings_,
                                         [&](const std::string& level) { progress.phase(level); });

@@ -62,10 +62,10 @@ std::string glyphs_text(const GlyphsReport& report) {
     text += "no camera: " + printable(report.no_pose, kLongestMessage) + "\n";
   }
   if (report.error)
-    text += fmt::format("off the truth by {:.4f} degrees and {:.3f} mm\n", report.error->degrees,
-                        1000 * report.error->distance);
+    text += fmt::format("differs from the true camera by {:.4f} degrees and {:.3f} mm\n",
+                        report.error->degrees, 1000 * report.error->distance);
   if (report.score) {
-    text += fmt::format("{} glyphs are whole in the picture: {} right, {} wrong, {} missed\n",
+    text += fmt::format("{} glyphs are entirely in the picture: {} right, {} wrong, {} missed\n",
                         report.score->visible, report.score->right, report.score->wrong,
                         report.score->visible - report.score->right);
   }

@@ -70,9 +70,10 @@ Result<int> cloud_width(const std::string& word) {
   const auto [end, error] = std::from_chars(first, last, width);
   if (error != std::errc() || end != last || width < 16 || width > views::kMaxCloudWidth ||
       width % 2 != 0) {
-    return fail(printable(word),
-                fmt::format("the width is an even number from 16 to {}", views::kMaxCloudWidth),
-                "write for example 'clouds:1024'");
+    return fail(
+        printable(word),
+        fmt::format("the width must be an even number from 16 to {}", views::kMaxCloudWidth),
+        "write for example 'clouds:1024'");
   }
   return width;
 }
@@ -87,8 +88,8 @@ Image<Rgba8> picture_of(const views::Bands& components, const views::Klt& klt, i
 }  // namespace
 
 void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command =
-      *views.add_subcommand("klt", "the directions in which the bands of pictures vary most");
+  CLI::App& command = *views.add_subcommand(
+      "klt", "principal components of pictures: the directions in which their bands vary most");
   command.footer(
       "Examples:\n"
       "  glassbox views klt clouds\n"
@@ -96,11 +97,11 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views klt red.pgm green.pgm infrared.png\n"
       "  glassbox views klt cube.hdr --components 3 -o klt --json -\n\n"
       "clouds (or clouds:1024, its width) is a generated planet at five wavelengths. -o writes\n"
-      "component1.png ... (grey is 0, black and white three standard deviations), all numbers of "
+      "component1.png ... (grey is 0, black and white are three standard deviations), all numbers "
+      "of\n"
+      "the components and of the reconstructed bands as raw cubes (components.hdr, again.hdr), and "
       "the\n"
-      "components and of the bands made again from them as raw cubes (components.hdr, again.hdr), "
-      "and\n"
-      "of the generated planet its bands. docs/klt.md has more.");
+      "bands of the generated planet. docs/klt.md has more.");
   command
       .add_option(
           "BANDS", bands_,
@@ -108,7 +109,9 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
           "of raw cubes, or clouds")
       ->required();
   const std::size_t before = command.get_options().size();
-  command.add_option("--components", kept_, "how many are kept [2, or 1 of one band]")
+  command
+      .add_option("--components", kept_,
+                  "number of components that are kept [2, or 1 if there is one band]")
       ->type_name("K");
   const auto all = command.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
@@ -118,11 +121,11 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
       .add_option("--globe", globe_, "a planet with component 1 as its clouds: a scene for render")
       ->type_name("FILE.glb");
   add_html_output(command, page_,
-                  "a page: bands put together again from as many components as one likes");
+                  "a page with the bands reconstructed from any number of components");
   add_json_output(command, json_output_);
   command
       .add_option("--max-mb", max_megabytes_,
-                  "refuse bands that take more megabytes with their components [" +
+                  "refuse bands that need more megabytes with their components [" +
                       std::to_string(max_megabytes_) + "]")
       ->type_name("N")
       ->group("Limits");
@@ -133,7 +136,7 @@ Result<void> ViewsKltCommand::check_outputs() const {
   std::error_code ignored;
   if (output_ && std::filesystem::exists(*output_, ignored) &&
       !std::filesystem::is_directory(*output_, ignored))
-    return tl::unexpected(Error{*output_, "", "is no folder", "name another one"});
+    return tl::unexpected(Error{*output_, "", "is not a folder", "name another one"});
   return Outputs().file(globe_, ".glb").file(page_, ".html").data(json_output_).check();
 }
 
@@ -165,7 +168,7 @@ Result<void> ViewsKltCommand::open() {
     if (!files) return tl::unexpected(files.error());
     files_ = std::move(*files);
   } else if (bands_.size() > 1) {
-    return fail(printable(bands_[1]), "the generated planet has all its bands",
+    return fail(printable(bands_[1]), "the generated planet cannot be combined with files",
                 "give clouds alone, or files alone");
   } else {
     is_planet_ = true;
@@ -180,7 +183,7 @@ Result<void> ViewsKltCommand::check_memory(int kept) const {
   const int planes = 2 * files_.count + kept + (output_ ? files_.count : 0);
   return views::check_planes(std::uint64_t(files_.width), std::uint64_t(files_.height),
                              std::uint64_t(planes), most_bytes(),
-                             "the bands, their components and what is made of them again");
+                             "the bands, their components and the reconstructed bands");
 }
 
 Result<KltInput> ViewsKltCommand::read() const {
@@ -203,7 +206,8 @@ Result<void> ViewsKltCommand::write_folder(const KltInput& input, const KltRepor
   std::error_code error;
   std::filesystem::create_directories(*output_, error);
   if (error)
-    return fail("-o", "the folder " + printable(*output_) + " cannot be made: " + error.message(),
+    return fail("-o",
+                "the folder " + printable(*output_) + " cannot be created: " + error.message(),
                 "name another one");
   for (int k = 0; k < report.kept; ++k) {
     const auto written = write_image(fmt::format("{}/component{}.png", *output_, k + 1),
@@ -257,8 +261,8 @@ int ViewsKltCommand::run() {
   if (kept < 1 || kept > count) {
     return refuse({{},
                    "--components",
-                   fmt::format("there are 1 to {} of them", count),
-                   "ask for a number of them in that range"});
+                   fmt::format("the number must be from 1 to {}", count),
+                   "give a number in that range"});
   }
   for (const auto& good : {check_memory(kept), check_files(kept)}) {
     if (!good) return refuse(good.error());

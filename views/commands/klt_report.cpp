@@ -89,12 +89,15 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
                         printable(input.bands.bands[std::size_t(most)].name));
   }
   if (report.kept == input.bands.count()) {
-    text += fmt::format("\nAll {} components are kept: the bands come back{}.\n", report.kept,
-                        report.holds() ? ", but for rounding" : " OTHERWISE");
+    text += fmt::format(
+        "\nAll {} components are kept: the reconstruction {}.\n", report.kept,
+        report.holds() ? "equals the bands, except for rounding" : "DIFFERS FROM THE BANDS");
   } else {
     text += fmt::format(
-        "\n{} of {} components keep {:.2f} % of the variance; the mean square error of a pixel is "
-        "{:.6g},\n{} the sum of the eigenvalues that were dropped.\n",
+        "\n"
+        "{} of {} components keep {:.2f} % of the variance; the mean square error of a pixel is "
+        "{:.6g},\n"
+        "{} the sum of the dropped eigenvalues.\n",
         report.kept, input.bands.count(), 100 * (1 - share(klt.dropped(report.kept), trace)),
         report.error, report.holds() ? "which is" : "WHICH IS NOT");
   }
@@ -102,13 +105,13 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
     const int size = group_size(report, i);
     if (size < 2) continue;
     text += fmt::format(
-        "Components {} to {} have one eigenvalue: only the space that they span is determined.\n",
+        "Components {} to {} have equal eigenvalues: only the space that they span is "
+        "determined.\n",
         i + 1, i + size);
   }
   if (report.truth) {
     text += fmt::format(
-        "Correlation with the clouds that were generated: component 1 {:.4f}, the best band "
-        "{:.4f}.\n",
+        "Correlation with the generated clouds: component 1 {:.4f}, the best band {:.4f}.\n",
         *report.truth, *report.truth_of_band);
   }
   return text;

@@ -96,9 +96,9 @@ views::RaySampling parse_rays(const std::string& text) {
   read(parts.size() > 2 ? text : parts[0], kMostStrata, sampling.strata);
   if (parts.size() > 1) read(parts[1], int(views::kMostRays), sampling.rays);
   if (sampling.count() > views::kMostRays)
-    throw CLI::ValidationError(
-        "--rays", fmt::format("{} rays are more than {}, N^4 M: ask for fewer", sampling.count(),
-                              views::kMostRays));
+    throw CLI::ValidationError("--rays",
+                               fmt::format("N^4 M = {} rays are more than {}: give smaller numbers",
+                                           sampling.count(), views::kMostRays));
   return sampling;
 }
 
@@ -106,7 +106,7 @@ views::RaySampling parse_rays(const std::string& text) {
 
 void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
   CLI::App& command = *layers.add_subcommand(
-      "build", "peel a scene's surfaces, or take pictures with distances, into a file");
+      "build", "write a layered depth image of a scene, or of pictures with distances");
   command.footer(
       "Examples:\n"
       "  glassbox views layers build room --size 300x300 -o room.ldi\n"
@@ -114,47 +114,55 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       "  glassbox views layers build room --views cameras.txt --layers 1 -o room.ldi\n"
       "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n"
       "  glassbox views layers build room --size 300x300 --rays 16 --threads 2 -o rays.ldi\n\n"
-      "Each pass draws what is behind what the passes before have shown. Colours are those of the "
-      "view\nthat is peeled: a highlight stays where it is seen from there. A file of cameras has "
-      "the form of the\nMiddlebury multi-view pictures: their number, then for each a name, K, R "
-      "and t. --pictures reads\neach line's picture and, beside it, its distances along the gaze, "
-      "NAME.pfm; the first one's camera\nis that of the layers.\n\n" +
+      "Each pass draws the surfaces behind those that the earlier passes have drawn (depth "
+      "peeling).\n"
+      "Colours are those of the view that is peeled: a highlight stays where that view sees it. A "
+      "file of\n"
+      "cameras has the form of the Middlebury multi-view pictures: their number, then for each a "
+      "name,\n"
+      "K, R and t. --pictures reads each line's picture and its distances along the gaze, "
+      "NAME.pfm; the\n"
+      "first one's camera is that of the layers.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp);
   command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
   command
       .add_option("--layers", layers_,
-                  fmt::format("passes, 1 .. {} at most [{}]", kMostLayers, kUsualLayers))
+                  fmt::format("largest number of passes, 1 .. {} [{}]", kMostLayers, kUsualLayers))
       ->type_name("N")
       ->check(CLI::Range(1, kMostLayers));
   command
       .add_option("--views", views_,
-                  "cameras to peel the scene from as well; their pixels are those of --size")
-      ->type_name("FILE");
-  command.add_option("--pictures", pictures_, "cameras whose pictures and distances are files")
+                  "more cameras from which the scene is peeled; their pictures have the --size too")
       ->type_name("FILE");
   command
-      .add_option(
-          "--epsilon", epsilon_,
-          "samples of several views whose depths differ by less, relative, are one [1/1024]")
+      .add_option("--pictures", pictures_,
+                  "instead of a scene: cameras whose pictures and distances are files")
+      ->type_name("FILE");
+  command
+      .add_option("--epsilon", epsilon_,
+                  "samples of several views are merged if their depths differ by less than this, "
+                  "relatively [1/1024]")
       ->type_name("E")
       ->check(number_between(0, 0.5));
   command.add_flag("--normals", normals_,
-                   "store surfaces' normals, by which draw knows how large a sample is there");
-  command.add_flag("--ids", ids_, "store the numbers of triangles, as --id-out has them");
-  command.add_flag("--ends", ends_, "keep two samples of a pixel: the nearest and the farthest");
+                   "store the surfaces' normals, from which draw computes the size of a sample");
+  command.add_flag("--ids", ids_, "store the triangles' numbers, as --id-out writes them");
+  command.add_flag("--ends", ends_,
+                   "keep only two samples per pixel: the nearest and the farthest");
   command
       .add_option_function<std::string>(
           "--rays", [this](const std::string& text) { rays_ = parse_rays(text); },
-          "cast M rays [16] in each of N x N x N x N strata")
+          "cast rays instead of peeling: M rays [16] in each of N x N x N x N strata")
       ->type_name("N[,M]");
   command
       .add_option("--cube", cube_,
-                  "how wide the cube is that they start from, in world units [twice --near]")
+                  "width of the cube that the rays start from, in world units [twice --near]")
       ->type_name("SIDE");
   command
       .add_option("--threads", threads_,
-                  fmt::format("of --rays, 1 .. {}; same bytes [1]", kMostThreads))
+                  fmt::format("number of threads for --rays, 1 .. {}; the bytes are the same [1]",
+                              kMostThreads))
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
   add_picture_options(command, picture_);
@@ -164,24 +172,28 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
 
 Result<void> LayersBuildCommand::check_sources() const {
   if (!scene_ && !pictures_)
-    return fail("SCENE", "there is nothing to make layers of", "name a scene, or give --pictures");
+    return fail("SCENE", "neither a scene nor pictures are given",
+                "name a scene, or give --pictures");
   if (scene_ && pictures_)
-    return fail("--pictures", "the layers are those of a scene", "leave one of them out");
+    return fail("--pictures", "the layers are made from a scene, which is given too",
+                "leave one of them out");
   if (const auto good = check_rays(); !good) return good;
   if (!pictures_) {
     if (epsilon_ && !views_ && !rays_)
-      return fail("--epsilon", "the surfaces of one view are not merged",
+      return fail("--epsilon", "with a single view nothing is merged",
                   "give --views, or leave it out");
     return {};
   }
   if (views_)
-    return fail("--views", "these cameras look at a scene", "name a scene, or leave it out");
-  if (layers_) return fail("--layers", "a picture has one distance for each pixel", "leave it out");
+    return fail("--views", "it needs a scene that these cameras look at",
+                "name a scene, or leave it out");
+  if (layers_)
+    return fail("--layers", "--pictures has one distance for each pixel", "leave it out");
   if (normals_ || ids_)
-    return fail(normals_ ? "--normals" : "--ids", "a picture does not say what is in it",
+    return fail(normals_ ? "--normals" : "--ids", "--pictures does not contain surfaces",
                 "name a scene, or leave it out");
   if (const auto words = words_given(picture_); !words.empty())
-    return fail(words.front(), "it is about a scene that is drawn", "leave it out");
+    return fail(words.front(), "it is an option for drawing a scene", "leave it out");
   return {};
 }
 
@@ -192,28 +204,28 @@ Result<void> LayersBuildCommand::check_rays() const {
                   "give --rays, or leave it out");
     return {};
   }
-  if (pictures_) return fail("--rays", "they meet a scene's surfaces", "name a scene");
+  if (pictures_) return fail("--rays", "rays need a scene that they can hit", "name a scene");
   if (views_ || layers_)
-    return fail(views_ ? "--views" : "--layers", "rays are cast, and nothing is peeled",
-                "leave it or --rays out");
+    return fail(views_ ? "--views" : "--layers", "with --rays nothing is peeled",
+                "leave one of the two out");
   if (cube_ && !(*cube_ > 0 && std::isfinite(*cube_)))
-    return fail("--cube", fmt::format("{:g} is no width", *cube_), "give one above 0");
+    return fail("--cube", fmt::format("{:g} is not a possible width", *cube_),
+                "give a number above 0");
   if (const Shading shading = picture_.settings.shading;
       shading == Shading::kFlat || shading == Shading::kGouraud)
-    return fail("--shade", "where a ray hits is lit by itself", "give phong or unlit");
+    return fail("--shade", "with --rays each hit is lit by itself", "give phong or unlit");
   return {};
 }
 
 Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
   const RenderSettings& settings = picture_.settings;
   if (settings.wireframe)
-    return fail("--wireframe", "layers are of surfaces, not of lines", "leave it out");
+    return fail("--wireframe", "layers store surfaces, not lines", "leave it out");
   if (settings.samples > 1)
     return fail("--samples", "a sample of a layer has one depth", "leave it out");
-  if (settings.show != Show::kColor)
-    return fail("--show", "layers are drawn in colours", "leave it out");
+  if (settings.show != Show::kColor) return fail("--show", "layers store colours", "leave it out");
   if (const Material* glass = views::seen_through(scene))
-    return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is seen through",
+    return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is transparent",
                 "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
   return {};
 }
@@ -234,8 +246,8 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   if (!chosen) return tl::unexpected(chosen.error());
   if (rays_) {
     if (!chosen->view.perspective)
-      return fail("--rays", "a parallel view has no eye to put a cube around",
-                  "choose a perspective one, or leave it out");
+      return fail("--rays", "a parallel view has no eye for the cube around it",
+                  "choose a perspective view, or leave --rays out");
     if (const double side = cube_side(chosen->view); !(side / 2 <= views::kFarthest))
       return fail(cube_ ? "--cube" : "--near",
                   fmt::format("rays would start {:g} world units from the eye", side / 2),
@@ -250,9 +262,10 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
     if (!cameras) return tl::unexpected(cameras.error());
     const double near = chosen->view.near, far = chosen->view.far;
     if (!(near > 0))
-      return fail("--views",
-                  "their planes are those of the camera, whose near one is not before it",
-                  "give --near");
+      return fail(
+          "--views",
+          "these cameras use the near plane of the main camera, which is not in front of it",
+          "give --near");
     for (const views::NamedCamera& named : *cameras) {
       const auto view =
           views::camera_of_pinhole(named.camera, size.width, size.height, near,
@@ -292,7 +305,7 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   built.layers = {chosen->camera, settings.background, builder.pack()};
   if (is_cut)
     built.left_out.push_back(
-        fmt::format("what lies behind {}, if anything (--layers)", counted(layers, "surface")));
+        fmt::format("surfaces behind {}, if there are any (--layers)", counted(layers, "surface")));
   return built;
 }
 
@@ -309,11 +322,12 @@ LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
       views::build_layers_by_rays(scene, view, picture_.settings, sampling,
                                   epsilon_.value_or(views::kMergedHits), *built.rays, wishes())};
   built.left_out.emplace_back(
-      "where in a pixel a ray has hit, up to half a pixel, and all but one of the hits that "
-      "share a\n    pixel and a depth (--epsilon)");
-  built.left_out.emplace_back("what no ray has met, and lines and points, which none can");
+      "the position of a hit inside its pixel, up to half a pixel, and all but one of the hits "
+      "that\n"
+      "    share a pixel and a depth (--epsilon)");
+  built.left_out.emplace_back("what no ray has hit, and lines and points, which no ray can hit");
   if (sampling.half_side > view.near)
-    built.left_out.emplace_back("what lies before the cube's front face (--cube)");
+    built.left_out.emplace_back("what is in front of the cube's front face (--cube)");
   return built;
 }
 
@@ -345,8 +359,8 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build(Progress& progress) 
   }
   if (!built || built->views == 1) return built;
   built->left_out.emplace_back(
-      "where in a pixel the other views' samples lie, up to half a pixel, and the second of two "
-      "that\n    share a pixel and a depth (--epsilon)");
+      "the position of the other views' samples inside their pixels, up to half a pixel, and the\n"
+      "    second of two samples that share a pixel and a depth (--epsilon)");
   return built;
 }
 
@@ -395,11 +409,12 @@ int LayersBuildCommand::run() {
   fmt::print("  depth complexity {:.2f} over {} covered pixels, at most {}; made in {:.2f} s\n",
              counts.complexity(), counts.covered, counts.most, seconds);
   if (built->views > 1)
-    fmt::print("  of {} views; {} lie beside this one's picture\n", built->views,
+    fmt::print("  from {} views; {} are outside the picture of the first one\n", built->views,
                counted(built->beside, "sample"));
   if (built->rays)
-    fmt::print("  {} rays: {} through what the picture shows, {} of these meet a surface there\n",
-               rays_->count(), built->rays->followed, built->rays->hits);
+    fmt::print(
+        "  {} rays: {} through what the picture shows, and {} of these hit a surface there\n",
+        rays_->count(), built->rays->followed, built->rays->hits);
   for (const std::string& what : built->left_out) fmt::print("  Left out: {}.\n", what);
   return kSuccess;
 }

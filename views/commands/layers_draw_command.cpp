@@ -76,7 +76,8 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
-  CLI::App& command = *layers.add_subcommand("draw", "warp layers to another view");
+  CLI::App& command =
+      *layers.add_subcommand("draw", "draw layers from another view by warping them");
   command_ = &command;
   command.footer(
       "Examples:\n"
@@ -86,46 +87,53 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
       "  glassbox views layers draw room.ldi -o same.png --splat point --order occlusion\n"
       "  glassbox views layers draw room.ldi --frames 30 --path walk.json -o walk.png\n"
       "  glassbox views layers draw room.ldi --html room.html\n\n"
-      "Without camera options it is the view that the layers were made from, whose picture they "
-      "are\nbyte for byte.");
-  command.add_option("FILE", file_, "layers, as glassbox views layers build writes them")
+      "Without camera options the view is that from which the layers were made, and the picture "
+      "has the\n"
+      "same bytes as the scene drawn from there.");
+  command.add_option("FILE", file_, "a file of layers, as glassbox views layers build writes it")
       ->required();
   command.add_option("-o,--output", output_, "image file, .png or .ppm; - is standard output")
       ->type_name("FILE|-");
-  add_html_output(command, page_,
-                  "the layers, and the view from wherever they are looked at, as one page");
+  add_html_output(command, page_, "a page that shows the layers and draws them from any view");
   command
       .add_option_function<std::string>(
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
-          "of the picture [of the layers]")
+          "size of the picture in pixels [that of the layers]")
       ->type_name("WxH");
   add_choice(command, "--order", drawing_.order,
              {{"depth", views::LayerOrder::kDepth}, {"occlusion", views::LayerOrder::kOcclusion}},
-             "who stays at a pixel: the nearer, or the later in McMillan's order [depth]");
+             "which sample stays at a pixel: the nearer one, or the later one in McMillan's order "
+             "[depth]");
   add_choice(command, "--splat", drawing_.splat,
              {{"point", views::Splat::kPoint},
               {"three", views::Splat::kThree},
               {"projected", views::Splat::kProjected},
               {"soft", views::Splat::kSoft}},
-             "how large a sample is: a pixel, 3 x 3, what its pixel is from here, or the same with "
-             "a rim that is seen through [projected]");
+             "size of a sample: one pixel, 3 x 3, its projected size, or the same with a "
+             "transparent rim [projected]");
   command
       .add_option_function<std::string>(
           "--holes",
           [this](const std::string& text) { holes_ = parse_background(text, "--holes"); },
-          "where no sample is, as displayed, each 0 .. 1 [the background of the layers]")
+          "colour where there is no sample, as displayed, each channel 0 .. 1 [the background of "
+          "the layers]")
       ->type_name("R,G,B");
   command
-      .add_option("--threads", drawing_.threads,
-                  fmt::format("1 .. {}; same bytes [1]", kMostThreads))
+      .add_option(
+          "--threads", drawing_.threads,
+          fmt::format("number of threads, 1 .. {}; the bytes are the same [1]", kMostThreads))
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
   add_target_option(command, drawing_.target);
   constexpr int kMostRepeats = 100000;
-  command.add_option("--repeat", repeat_, "draw it so often, and tell the median of the times")
+  command
+      .add_option("--repeat", repeat_,
+                  "draw the picture this many times, and print the median of the times")
       ->type_name("N")
       ->check(CLI::Range(1, kMostRepeats));
-  command.add_option("--against", against_, "the scene, drawn from there: how far off it is")
+  command
+      .add_option("--against", against_,
+                  "compare the picture with this scene drawn from the same view")
       ->type_name("SCENE");
   add_sequence_options(command, frames_);
   add_camera_options(command, camera_);
@@ -134,21 +142,21 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
 }
 
 Result<void> LayersDrawCommand::check_options() const {
-  if (!output_ && !page_)
-    return fail("-o", "there is nowhere to draw to", "name a picture, or give --html");
+  if (!output_ && !page_) return fail("-o", "no output is given", "name a picture, or give --html");
   if (drawing_.splat == views::Splat::kSoft && drawing_.order == views::LayerOrder::kDepth)
-    return fail("--splat soft", "what is seen through is laid over what is behind it",
-                "give --order occlusion as well");
+    return fail("--splat soft", "transparent rims are blended over what is behind them",
+                "give --order occlusion too");
   if (frames_.wanted()) {
     PictureOptions picture;
     picture.camera = camera_;
     if (const auto legal = check_frames_options(picture, false, frames_); !legal) return legal;
     for (const auto& [name, given] : {std::pair("--against", against_.has_value()),
                                       std::pair("--repeat", repeat_.has_value())}) {
-      if (given) return fail(name, "each frame has its own", "leave it out");
+      if (given) return fail(name, "it would be different for each frame", "leave it out");
     }
     if (!output_ || *output_ == "-")
-      return fail("-o", "frames are many pictures", "name a file or a directory");
+      return fail("-o", "several frames cannot go to standard output",
+                  "name a file or a directory");
   } else if (output_) {
     if (const auto good = check_picture_output(*output_, {}, "layers.png"); !good) return good;
   }
@@ -161,7 +169,7 @@ Result<void> LayersDrawCommand::check_options() const {
     for (const CLI::Option* option : command_->get_options()) {
       const std::string name = option->get_name();
       if (option->count() > 0 && name != "FILE" && name != "--html")
-        return fail(name, "no picture is drawn", "give -o");
+        return fail(name, "no picture is drawn without -o", "give -o");
     }
   }
   std::vector<std::string> outputs;
@@ -298,24 +306,25 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
   }
   if (json_output_ == "-" || output_ == "-") return kSuccess;
   const auto percent = [&](std::size_t count) { return 100 * double(count) / double(pixels); };
-  fmt::print("{}: {} samples drawn, {} beside the picture, {} behind the eye; {:.2f} ms\n",
+  fmt::print("{}: {} samples drawn, {} outside the picture, {} behind the eye; {:.2f} ms\n",
              printable(*output_, kLongestMessage), counts.drawn, counts.beside, counts.behind,
              times.median_ms);
   if (times.count > 1)
     fmt::print(
-        "  {} times: {:.0f} a second in the median, {:.0f} in the quickest quarter; {:.3f} ms of "
-        "processor time there\n",
+        "  {} times: {:.0f} pictures per second (median), {:.0f} in the fastest quarter; there "
+        "{:.3f} ms of processor time\n",
         times.count, 1000 / times.median_ms, 1000 / times.lower_ms, times.processor_ms);
   if (counts.cut > 0)
-    fmt::print("  {} samples are larger than {:g} px from here, and are drawn so large.\n",
+    fmt::print("  {} samples would be larger than {:g} px, and are drawn at that size.\n",
                counts.cut,
                drawing_.splat == views::Splat::kSoft ? 7.0 : double(views::kLargestSplat));
   fmt::print("  {:.2f} % of the pixels have no sample.\n", percent(holes));
   if (const auto& against = drawn.against)
     fmt::print(
-        "  Against {}: PSNR {:.1f} dB, {:.2f} % of the pixels differ by more than {}/255, {:.2f} % "
-        "are\n  holes where it shows something, {:.3f} % such between samples of one surface; "
-        "drawing it took {:.2f} ms\n",
+        "  Compared with {}: PSNR {:.1f} dB, {:.2f} % of the pixels differ by more than {}/255, "
+        "{:.2f} % are\n"
+        "  holes where it shows something, {:.3f} % are holes within a surface; drawing it took "
+        "{:.2f} ms\n",
         printable(*against_, kLongestMessage), against->psnr, percent(against->wrong),
         views::kVisibleDifference, percent(against->missing), percent(against->interior),
         against->render_ms);

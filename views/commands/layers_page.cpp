@@ -70,7 +70,7 @@ Result<std::string> make_layers_page(const views::StoredLayers& layers, const st
     const std::uint32_t here = image.first[i + 1] - image.first[i];
     if (here > kMost)
       return fail("--html",
-                  fmt::format("a pixel has {} samples, and a page counts to {}", here, kMost),
+                  fmt::format("a pixel has {} samples, but a page can hold {}", here, kMost),
                   "build them with a larger --epsilon, or fewer --layers");
     per_pixel.push_back(std::uint16_t(here));
   }

@@ -106,48 +106,51 @@ std::string drawn_by(const std::string& path, const views::SurfaceView& view, in
 
 void ViewsMatchCommand::add_settings_options(CLI::App& command) {
   const std::string group = "Matching";
-  add_choice<std::string>(command, "--method", method_,
-                          {{"default", "default"}, {"fast", "fast"}, {"winner", "winner"}},
-                          "the settings to begin with; winner: each pixel for itself [default]")
+  add_choice<std::string>(
+      command, "--method", method_,
+      {{"default", "default"}, {"fast", "fast"}, {"winner", "winner"}},
+      "the settings to start from; winner: each pixel is matched by itself [default]")
       ->group(group);
   command
       .add_option_function<std::string>(
           "--range", [this](const std::string& text) { range_ = parse_range(text); },
-          "disparities to look at, px, both included [0,63; of a scene, those it has]")
+          "disparities to search, in px, A and B included [0,63; for a scene, those that occur]")
       ->type_name("A,B")
       ->group(group);
   add_choice<std::optional<MatchingCost>>(
       command, "--cost", cost_,
       choices_of({MatchingCost::kSad, MatchingCost::kSsd, MatchingCost::kNcc, MatchingCost::kZncc,
                   MatchingCost::kCensus, MatchingCost::kAdCensus}),
-      "what makes two pixels unlike [ad-census; fast: census; winner: sad]")
+      "measure of how different two pixels are [ad-census; fast: census; winner: sad]")
       ->group(group);
   add_value(command, "--cost-window", window_, "N", group,
             "side of the square that costs are averaged over, odd, 1 to 15 [1; winner: 11; ncc, "
             "zncc: 7]");
   add_value(command, "--adaptive", adaptive_, "N", group,
-            "averages over crosses that stop where the colour changes, 0 to 4 [0]");
+            "rounds of averaging over crosses that end where the colour changes, 0 to 4 [0]");
   add_value(command, "--paths", paths_, "N", group,
-            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4, of which it "
-            "leaves out those from below; winner: 0]");
+            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4, without those "
+            "from below; winner: 0]");
   add_value(command, "--planes", planes_, "N", group,
-            "rounds of planes that slant, for parts of a pixel, 0 to 8 [0]");
+            "rounds of refinement with slanted planes, for fractions of a pixel, 0 to 8 [0]");
   add_value(command, "--left-right", left_right_, "PX", group,
-            "how far the right picture's disparity may be off the left one's [1]");
+            "largest difference between the disparities of the left and the right picture [1]");
   add_value(command, "--confidence", confidence_, "RATIO", group,
             "least (second - best) / second of the costs, 0 to 1 [0]");
-  add_value(command, "--speckle", speckle_, "N", group, "pieces of fewer pixels are taken out [0]");
+  add_value(command, "--speckle", speckle_, "N", group,
+            "remove pieces of fewer pixels than this [0]");
   command.add_flag("--no-check", no_check_, "leave out the left-right check")->group(group);
-  command.add_flag("--no-subpixel", no_subpixel_, "whole disparities")->group(group);
-  command.add_flag("--no-median", no_median_, "leave out the median")->group(group);
-  command.add_flag("--no-smooth", no_smooth_, "leave out the averages of parts of a pixel")
+  command.add_flag("--no-subpixel", no_subpixel_, "only whole disparities")->group(group);
+  command.add_flag("--no-median", no_median_, "leave out the median filter")->group(group);
+  command.add_flag("--no-smooth", no_smooth_, "leave out the averaging of fractions of a pixel")
       ->group(group);
-  command.add_flag("--no-fill", no_fill_, "leave out what is in doubt: +inf in the file")
+  command.add_flag("--no-fill", no_fill_, "leave uncertain pixels empty: +inf in the file")
       ->group(group);
   add_target_option(command, target_)->group(group);
-  add_value(command, "--threads", threads_, "N", group, "threads; no byte depends on it [all]");
+  add_value(command, "--threads", threads_, "N", group,
+            "number of threads; the result is always the same [one for each processor]");
   add_value(command, "--max-mb", max_megabytes_, "N", group,
-            fmt::format("refuse volumes of more megabytes [{}]", max_megabytes_));
+            fmt::format("refuse cost volumes of more megabytes [{}]", max_megabytes_));
 }
 
 void ViewsMatchCommand::add_output_options(CLI::App& command) {
@@ -163,36 +166,37 @@ void ViewsMatchCommand::add_output_options(CLI::App& command) {
             const auto [focal, baseline, offset] = parse_numbers<3>("--calibration", text);
             calibration_ = {focal, baseline, offset};
           },
-          "focal length (px), baseline, and what is added to disparities (px) [the scene's own]")
+          "focal length (px), baseline, and offset that is added to disparities (px) [the scene's "
+          "own]")
       ->type_name("F,B,OFFSET")
       ->group(group);
   command
       .add_option("--ply", surface_output_,
-                  "the points in space with the left picture's colours, neighbours joined: a .ply "
-                  "file, which render draws")
+                  "the points in space with the left picture's colours, joined to a surface: a "
+                  ".ply file, which render draws")
       ->type_name("FILE")
       ->group(group);
   command
-      .add_option("--rectified-out", rectified_output_,
-                  "both pictures as --cameras has turned them: .png, transparent where they show "
-                  "nothing")
+      .add_option(
+          "--rectified-out", rectified_output_,
+          "both pictures as rectified by --cameras: .png, transparent where they show nothing")
       ->type_name("FILE FILE")
       ->group(group);
   add_html_output(command, page_,
-                  "a page: pictures, maps of disparity and error, each pixel's costs, and the "
+                  "a page with pictures, maps of disparity and error, each pixel's costs, and the "
                   "points in space")
       ->group(group);
   command
       .add_option("--depth-out", depth_output_,
-                  "F B / (disparity + OFFSET), in the baseline's unit: a .pfm file")
+                  "depths F B / (disparity + OFFSET), in the baseline's unit: a .pfm file")
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
 }
 
 void ViewsMatchCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command = *views.add_subcommand(
-      "match", "the disparity of every pixel of two pictures, and how far it is off the truth");
+  CLI::App& command =
+      *views.add_subcommand("match", "the disparity of every pixel of two pictures, and its error");
   command.footer(
       "Examples:\n"
       "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
@@ -211,13 +215,13 @@ void ViewsMatchCommand::add_to(CLI::App& views, int& exit_code) {
   add_value(command, "--truth", sources_.truth, "FILE", group,
             "the left picture's disparities, grey or .pfm; 0 and +inf: unknown");
   add_value(command, "--truth-right", sources_.truth_right, "FILE", group,
-            "the right picture's, which tell what it does not show of the left one");
+            "the right picture's disparities, which show what is hidden in it");
   add_value(command, "--truth-scale", sources_.truth_scale, "S", group,
-            "what the truth stores for a pixel of disparity [1]");
+            "value that the truth stores for a disparity of one pixel [1]");
   command
       .add_option("--cameras", sources_.cameras,
-                  "of pictures that are not rectified: their cameras, as views geometry reads "
-                  "them; both are turned until their epipolar lines are rows")
+                  "for pictures that are not rectified: their cameras, as views geometry reads "
+                  "them, by which the pictures are rectified")
       ->type_name("FILE")
       ->group(group);
   command.add_option("--scene", sources_.scene, "draw the pair: " + std::string(kSceneHelp))
@@ -236,7 +240,7 @@ Result<void> ViewsMatchCommand::check_sources() const {
   const MatchSources& given = sources_;
   if (given.scene &&
       (given.left || given.truth || given.truth_right || given.truth_scale || given.cameras)) {
-    return fail("--scene", "the pair is drawn, and its truth is known",
+    return fail("--scene", "it draws the pair, so the files and the truth are not needed",
                 "leave out the files, --truth and --cameras, or --scene");
   }
   if (given.scene && given.picture.eyes.seen_by) {
@@ -247,20 +251,21 @@ Result<void> ViewsMatchCommand::check_sources() const {
     return fail("LEFT RIGHT", "two pictures are needed", "name their files, or give --scene");
   }
   if (const auto words = words_given(given.picture); !words.empty()) {
-    return fail(words.front(), "this is of a pair that is drawn", "add --scene, or leave it out");
+    return fail(words.front(), "it is only for a pair that --scene draws",
+                "add --scene, or leave it out");
   }
   if (!given.truth && (given.truth_right || given.truth_scale)) {
     return fail(given.truth_right ? "--truth-right" : "--truth-scale",
-                "there is no truth of the left picture", "give --truth as well");
+                "the truth of the left picture is missing", "give --truth too");
   }
   if (given.truth_scale && !(*given.truth_scale > 0 && std::isfinite(*given.truth_scale))) {
-    return fail("--truth-scale", fmt::format("{:g} is no scale", *given.truth_scale),
+    return fail("--truth-scale", fmt::format("{:g} is not a possible scale", *given.truth_scale),
                 "give a number above 0, such as 4");
   }
   for (const auto& [name, output] :
        {std::pair{"--depth-out", &depth_output_}, std::pair{"--ply", &surface_output_}}) {
     if (*output && !calibration_ && !given.cameras) {
-      return fail(name, "disparities have no depth without a focal length and a baseline",
+      return fail(name, "depth needs a focal length and a baseline",
                   "give --calibration F,B,OFFSET");
     }
   }
@@ -270,16 +275,17 @@ Result<void> ViewsMatchCommand::check_sources() const {
 Result<void> ViewsMatchCommand::check_rectified() const {
   const bool is_asked = !rectified_output_.first.empty();
   if (!sources_.cameras) {
-    return is_asked ? fail("--rectified-out", "pictures are turned by their cameras",
+    return is_asked ? fail("--rectified-out", "pictures are rectified by their cameras",
                            "give --cameras, or leave it out")
                     : Result<void>();
   }
   if (sources_.truth) {
-    return fail("--truth", "it is of the pictures as they are, and --cameras turns them",
+    return fail("--truth", "it belongs to the pictures as they are, but --cameras rectifies them",
                 "leave one of the two out");
   }
   if (calibration_) {
-    return fail("--calibration", "--cameras says what the turned pictures have",
+    return fail("--calibration",
+                "--cameras already gives the calibration of the rectified pictures",
                 "leave one of the two out");
   }
   return {};
@@ -298,8 +304,8 @@ Result<void> ViewsMatchCommand::check_outputs() const {
 
 Result<void> ViewsMatchCommand::check_depth(const MatchInput& input) const {
   if (input.calibration || (!depth_output_ && !surface_output_)) return {};
-  return fail("--eye-separation", "both eyes are in one place, and nothing has a depth",
-              "let them stand apart");
+  return fail("--eye-separation", "both eyes are in one place, so no depth can be found",
+              "give a separation above 0");
 }
 
 views::MatchSettings ViewsMatchCommand::settings(const MatchInput& input) const {
@@ -392,12 +398,13 @@ Result<void> ViewsMatchCommand::write_page(const MatchInput& input, const views:
 }
 
 int ViewsMatchCommand::run() {
-  for (const auto& legal : {check_sources(), check_rectified(), check_outputs(),
-                            calibration_ ? views::check_calibration(*calibration_) : Result<void>(),
-                            threads_ < 0 || threads_ > kMostThreads
-                                ? Result<void>(fail("--threads", "this is no number of threads",
-                                                    "give 1 or more, or leave it out"))
-                                : Result<void>()}) {
+  for (const auto& legal :
+       {check_sources(), check_rectified(), check_outputs(),
+        calibration_ ? views::check_calibration(*calibration_) : Result<void>(),
+        threads_ < 0 || threads_ > kMostThreads
+            ? Result<void>(fail("--threads", "the number of threads must be at least 1",
+                                "give 1 or more, or leave it out"))
+            : Result<void>()}) {
     if (!legal) return refuse(legal.error());
   }
   Progress progress;

@@ -21,8 +21,7 @@ Result<Image<Rgba8>> read_opaque(const std::string& path) {
   auto image = read_image(path);
   if (!image) return image;
   if (std::ranges::any_of(image->pixels, [](const Rgba8& pixel) { return pixel.a != 255; })) {
-    return tl::unexpected(Error{path, "",
-                                "has pixels that are not opaque, whose colours mean nothing",
+    return tl::unexpected(Error{path, "", "has transparent pixels, whose colours are undefined",
                                 "put it over a background first"});
   }
   return image;
@@ -33,9 +32,9 @@ Result<Image<float>> read_truth(const std::string& path, double scale, const Ima
   if (!stored) return tl::unexpected(stored.error());
   if (stored->width != left.width || stored->height != left.height) {
     return tl::unexpected(Error{path, "",
-                                fmt::format("is {} x {}, and the pictures are {} x {}",
+                                fmt::format("is {} x {}, but the pictures are {} x {}",
                                             stored->width, stored->height, left.width, left.height),
-                                "take the truth of this pair"});
+                                "give the truth of this pair"});
   }
   Image<float> values(stored->width, stored->height);
   std::visit(
@@ -87,12 +86,12 @@ Result<MatchInput> read_files(const MatchSources& sources) {
     if (!truth) return tl::unexpected(truth.error());
     input.truth = views::StereoTruth{*truth, views::visible_by_reprojection(*truth)};
     input.visible_by =
-        "where the truth puts two pixels on one of the right picture, the nearer is visible";
+        "if the truth maps two pixels to one of the right picture, only the nearer is visible";
     if (sources.truth_right) {
       const auto other = read_truth(*sources.truth_right, scale, *left);
       if (!other) return tl::unexpected(other.error());
       input.truth->is_visible = views::visible_by_right_truth(*truth, *other);
-      input.visible_by = "where both truths agree to a pixel";
+      input.visible_by = "where both truths agree to within a pixel";
     }
   }
   input.left = std::move(*left);

@@ -59,38 +59,40 @@ std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSett
   std::vector<LeftOut> out;
   out.push_back(
       {fmt::format("disparities below {} and above {}", settings.range.first, settings.range.last),
-       "nobody looks there: time and memory grow with --range"});
+       "not searched, because time and memory grow with --range"});
   std::uint64_t doubted = 0;
   for (const views::Doubt doubt : match.doubts.pixels) doubted += doubt != views::Doubt::kNone;
   if (doubted > 0) {
-    out.push_back({fmt::format("a match of {:.1f} % of the pixels",
+    out.push_back({fmt::format("a match for {:.1f} % of the pixels",
                                100 * double(doubted) / double(match.doubts.pixels.size())),
-                   settings.fill ? "they are in doubt, and have what is around them: --no-fill "
-                                   "leaves them empty"
-                                 : "they are in doubt, and +inf in the file"});
+                   settings.fill ? "they are uncertain, and filled with the values around them: "
+                                   "--no-fill leaves them empty"
+                                 : "they are uncertain, and +inf in the file"});
   }
   if (settings.planes == 0) {
-    out.push_back({"slants",
-                   "a pixel's disparity is found as if its surroundings were as far "
-                   "away: --planes 1 lets them slant, and takes longer"});
+    out.push_back({"slanted surfaces",
+                   "a pixel's disparity is found as if its surroundings had the same depth: "
+                   "--planes 1 allows slanted planes, but takes longer"});
   }
   if (views::sweeps_once(settings)) {
-    out.push_back({"paths from below", "one sweep needs no volume: --method default has them"});
+    out.push_back({"paths from below",
+                   "a single sweep from above uses no cost volume: --method default has them"});
   }
   const bool is_drawn = input.is_textured.has_value();
   if (!input.truth) {
     out.push_back({"errors", input.rectification
-                                 ? "nobody knows what is right of pictures that were turned"
-                                 : "nobody has said what is right: --truth FILE, or --scene"});
+                                 ? "the true disparities of rectified pictures are not known"
+                                 : "the true disparities are not given: --truth FILE, or --scene"});
   }
   if (!input.calibration) {
-    out.push_back({"depth", is_drawn ? "both eyes are in one place: --eye-separation"
-                                     : "disparities have none without a focal length and a "
-                                       "baseline: --calibration F,B,OFFSET"});
+    out.push_back(
+        {"depth",
+         is_drawn ? "both eyes are in one place: give --eye-separation"
+                  : "the focal length and the baseline are not given: --calibration F,B,OFFSET"});
   }
   if (!is_drawn && !input.rectification) {
-    out.push_back({"whether the rows are epipolar lines",
-                   "it is believed: --cameras FILE turns pictures until they are"});
+    out.push_back({"a check that the rows are epipolar lines",
+                   "it is assumed: --cameras FILE rectifies the pictures"});
   }
   return out;
 }
@@ -144,11 +146,10 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
                         errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,
                         errors.density_percent);
   }
-  return text +
-         fmt::format(
-             "visible: {}; a pixel without disparity counts as off;\ngood: those off by 1 px "
-             "at most\n",
-             input.visible_by);
+  return text + fmt::format(
+                    "visible: {}; a pixel without disparity counts as off;\n"
+                    "good: pixels that are off by 1 px at most\n",
+                    input.visible_by);
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ std::string match_text(const MatchInput& input, const views::MatchSettings& sett
     const double share = 100 * double(count_of(match, doubt)) / double(match.doubts.pixels.size());
     doubts += fmt::format("{}{} {:.1f} %", doubts.empty() ? "" : ", ", name, share);
   }
-  text += fmt::format("in doubt: {}{}\n", doubts, settings.fill ? " (filled)" : "");
+  text += fmt::format("uncertain: {}{}\n", doubts, settings.fill ? " (filled)" : "");
   std::string steps;
   for (const views::MatchStep& step : match.steps) {
     steps += fmt::format("{}{} {:.1f}", steps.empty() ? "" : ", ", step.name, step.milliseconds);
@@ -172,8 +173,7 @@ std::string match_text(const MatchInput& input, const views::MatchSettings& sett
   text += fmt::format("{:.1f} ms on {}: {}\n", total_ms(match), name_of(settings.target), steps);
   if (const auto depth = depth_facts(input, match)) {
     text += fmt::format(
-        "half of the depths are below {:.4g}; there 0.1 px of disparity is {:.2g} of depth, Z^2 "
-        "0.1/(f B)\n",
+        "the median depth is {:.4g}; there 0.1 px of disparity is {:.2g} of depth, Z^2 0.1/(f B)\n",
         depth->median, depth->per_tenth);
   }
   if (input.rectification) text += "\n" + rectification_text(*input.rectification);

@@ -23,7 +23,7 @@ std::vector<std::size_t> parse_pictures(const std::string& text) {
     const double value = parse_number("--pictures", part);
     if (!(value >= 1 && value <= 1e6) || value != std::floor(value))
       throw CLI::ValidationError("--pictures",
-                                 "needs numbers from 1, as 1-8,12, not '" + text + "'");
+                                 "needs numbers from 1, such as 1-8,12, not '" + text + "'");
     return std::size_t(value);
   };
   for (const std::string& part : split(text, ',')) {
@@ -31,7 +31,7 @@ std::vector<std::size_t> parse_pictures(const std::string& text) {
     const std::size_t first = number(ends.front()), last = number(ends.back());
     if (ends.size() > 2 || last < first || last - first > std::size_t(views::kMostRingViews))
       throw CLI::ValidationError("--pictures",
-                                 "needs numbers from 1, as 1-8,12, not '" + text + "'");
+                                 "needs numbers from 1, such as 1-8,12, not '" + text + "'");
     for (std::size_t i = first; i <= last; ++i) chosen.push_back(i - 1);
   }
   return chosen;
@@ -42,32 +42,34 @@ std::vector<std::size_t> parse_pictures(const std::string& text) {
 void add_picture_choice(CLI::App& command, PictureChoice& choice) {
   const std::string group = "Pictures";
   command
-      .add_option(
-          "PICTURES", choice.path,
-          "a folder, or its file of cameras: *_par.txt, or COLMAP's cameras.txt and images.txt")
+      .add_option("PICTURES", choice.path,
+                  "a folder with pictures, or its file of cameras: *_par.txt, or COLMAP's "
+                  "cameras.txt and images.txt")
       ->required();
   command
       .add_option_function<std::string>(
           "--pictures",
           [&choice](const std::string& text) { choice.chosen = parse_pictures(text); },
-          "which, counted from 1 [all]")
+          "the pictures to use, counted from 1 [all]")
       ->type_name("A-B,C")
       ->group(group);
   command
       .add_option("--leave-out", choice.leave_out,
-                  "a picture, counted from 1, that is not used, but judged by")
+                  "the picture, counted from 1, that is not used, but compared with the result")
       ->type_name("N")
       ->group(group);
   command
-      .add_option("--matte-above", choice.matte_above,
-                  "the object is where a channel is brighter, 0 to 255 [masks/, or alpha]")
+      .add_option(
+          "--matte-above", choice.matte_above,
+          "the object is where a channel is brighter than this, 0 to 255 [masks/, or alpha]")
       ->type_name("LEVEL")
       ->check(CLI::Range(0, 255))
       ->group(group);
-  command.add_flag("--no-mattes", choice.no_mattes, "every pixel is the object's")->group(group);
+  command.add_flag("--no-mattes", choice.no_mattes, "every pixel belongs to the object")
+      ->group(group);
   command
       .add_option("--max-mb", choice.max_megabytes,
-                  fmt::format("refuse what takes more megabytes [{}]", choice.max_megabytes))
+                  fmt::format("refuse work that needs more megabytes [{}]", choice.max_megabytes))
       ->type_name("N")
       ->check(CLI::Range(1u, 1u << 20))
       ->group("Engine");
@@ -75,7 +77,7 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
 
 Result<void> check_choice(const PictureChoice& choice) {
   if (choice.no_mattes && choice.matte_above)
-    return fail("--no-mattes", "there is a --matte-above as well", "leave one of them out");
+    return fail("--no-mattes", "--matte-above is given too", "leave one of them out");
   if (choice.leave_out && *choice.leave_out < 1)
     return fail("--leave-out", "pictures are counted from 1", "give 1 for the first");
   return {};
@@ -102,12 +104,12 @@ Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
       choice.chosen.empty() ? std::size_t(*choice.leave_out - 1) : pictures.size() - 1;
   if (index >= pictures.size()) {
     return fail("--leave-out",
-                fmt::format("there are {} pictures, and number {} is asked for", pictures.size(),
+                fmt::format("there are {} pictures, but number {} is requested", pictures.size(),
                             *choice.leave_out),
                 "count from 1");
   }
   if (pictures.size() == 1)
-    return fail("--leave-out", "it is the only picture", "take a set of more");
+    return fail("--leave-out", "it is the only picture", "use a set of several pictures");
   all.left_out = std::move(pictures[index]);
   pictures.erase(pictures.begin() + std::ptrdiff_t(index));
   return all;
@@ -118,17 +120,17 @@ Result<void> check_memory(const std::string& place, const std::string& what, dou
   if (bytes <= double(most_bytes)) return {};
   constexpr double kMegabyte = 1048576;
   return fail(place,
-              fmt::format("{} would take {:.0f} MB, and {} MB are allowed", what,
+              fmt::format("{} would need {:.0f} MB, but {} MB are allowed", what,
                           std::ceil(bytes / kMegabyte), most_bytes >> 20),
-              place == "--max-mb" ? "take fewer or smaller pictures, or allow more"
-                                  : "take larger voxels, or allow more with --max-mb");
+              place == "--max-mb" ? "use fewer or smaller pictures, or allow more"
+                                  : "use larger voxels, or allow more with --max-mb");
 }
 
 void add_box(CLI::App& command, AskedBox& box) {
   command
       .add_option_function<std::string>(
           "--box", [&box](const std::string& text) { box = parse_numbers<6>("--box", text); },
-          "what is looked at, world units [the folder's box.txt]")
+          "the box around the object, in world units [the folder's box.txt]")
       ->type_name("X0,Y0,Z0,X1,Y1,Z1")
       ->group("Voxels");
 }
@@ -136,7 +138,7 @@ void add_box(CLI::App& command, AskedBox& box) {
 Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set) {
   if (!asked && !set.box)
     return fail("--box", "the folder has no box.txt that says where the object is",
-                "give the box that it is in: --box X0,Y0,Z0,X1,Y1,Z1");
+                "give the box around it: --box X0,Y0,Z0,X1,Y1,Z1");
   views::WorldBox box;
   if (asked) {
     const auto& [x0, y0, z0, x1, y1, z1] = *asked;
@@ -152,10 +154,10 @@ Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& s
 std::string left_out_text(const std::string& picture, const views::TextureErrors& errors) {
   const std::string name = printable(picture, kLongestMessage);
   if (errors.covered == 0)
-    return fmt::format("{}, which was left out: polygons cover no pixel of its object\n", name);
+    return fmt::format("{} was left out: the polygons cover no pixel of its object\n", name);
   return fmt::format(
-      "{}, which was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that "
-      "polygons cover\n",
+      "{} was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that polygons "
+      "cover\n",
       name, errors.psnr, errors.rms, 100 * errors.covered);
 }
 

@@ -61,7 +61,7 @@ private:
 
 void ViewsPolygonsCommand::add_input_options(CLI::App& command) {
   add_picture_choice(command, choice_);
-  command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
+  command.add_option("--truth", truth_, "the true scene, with which the result is compared")
       ->type_name("SCENE")
       ->group("Pictures");
 }
@@ -77,7 +77,7 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
       ->group(group);
   command
       .add_option("--threshold", request_.voxels.settings.threshold,
-                  "of a voxel's sigma, levels of 0 .. 255 [18]")
+                  "largest deviation (sigma) of a voxel's colours, in levels of 0 .. 255 [18]")
       ->type_name("T")
       ->group(group);
   add_choice(command, "--order", request_.voxels.order,
@@ -88,19 +88,20 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
   group = "Polygons";
   command
       .add_option("--polygon-threshold", request_.polygons.threshold,
-                  fmt::format("of a polygon's sigma, levels; inf: only background carves [{}]",
+                  fmt::format("largest deviation (sigma) of a polygon's colours, in levels of 0 .. "
+                              "255; inf: carve by the background only [{}]",
                               request_.polygons.threshold))
       ->type_name("T")
       ->group(group);
   command
       .add_flag_callback(
           "--no-carving", [this] { request_.polygons.carves = false; },
-          "the voxels' surface as it is")
+          "keep the voxels' surface as it is")
       ->group(group);
   command
       .add_flag_callback(
           "--half-way", [this] { request_.polygons.is_smooth = false; },
-          "corners half way between voxels, not where their surroundings are half full")
+          "put corners half way between voxels, not where their surroundings are half full")
       ->group(group);
 
   command
@@ -109,7 +110,7 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
           [this](const int& threads) {
             request_.voxels.settings.threads = request_.polygons.threads = threads;
           },
-          "threads; no byte depends on it [all]")
+          "number of threads; the result is always the same [one for each processor]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads))
       ->group("Engine");
@@ -126,25 +127,27 @@ void ViewsPolygonsCommand::add_output_options(CLI::App& command) {
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
-  add_html_output(command, page_, "the surface, to be turned, and the picture that was left out")
+  add_html_output(command, page_,
+                  "a page with the surface, which can be turned, and the picture that was left out")
       ->group(group);
 }
 
 void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
-      "polygons", "a closed surface of what calibrated pictures show: polygon colouring");
+      "polygons", "a closed surface from calibrated pictures: polygon colouring");
   command.footer(
       "Examples:\n"
       "  glassbox views ring teapot -o ring\n"
       "  glassbox views polygons ring -o teapot.glb\n"
       "  glassbox views polygons ring --leave-out 4 --truth teapot --html teapot.html\n"
       "  glassbox render teapot.glb -o again.png\n\n"
-      "Voxels are coloured as `glassbox views voxels` does it, and a surface is laid around what "
-      "is\n"
-      "not empty. Each polygon has the mean colour of the pixels that show it; the voxel behind it "
-      "is\n"
-      "taken away where they show several, if the pictures are explained better without it, and\n"
-      "where it is beside the object. docs/polygons.md has more.");
+      "Voxels are coloured as by `glassbox views voxels`, and a surface is put around those that "
+      "are\n"
+      "not empty. Each polygon gets the mean colour of the pixels that show it. The voxel behind "
+      "it is\n"
+      "removed if these pixels show several colours and the pictures are explained better without "
+      "it,\n"
+      "or if it is outside the object. docs/polygons.md has more.");
   const std::size_t before = command.get_options().size();
   add_input_options(command);
   add_surface_options(command);
@@ -159,7 +162,7 @@ Result<void> ViewsPolygonsCommand::check_asked() const {
        {std::pair{"--threshold", request_.voxels.settings.threshold},
         {"--polygon-threshold", request_.polygons.threshold}}) {
     if (!(threshold >= 0))
-      return fail(option, "a threshold is at least 0", "give levels of 0 .. 255, or inf");
+      return fail(option, "a threshold must be at least 0", "give levels of 0 .. 255, or inf");
   }
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");

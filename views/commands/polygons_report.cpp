@@ -119,7 +119,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
     report.left_out = views::compare(*report.drawn, left_out);
   }
   if (input.truth) {
-    progress.phase("finding what is inside the scene");
+    progress.phase("computing the inside of the scene");
     const views::TrueVolume truth(*input.truth, grid);
     report.iou_before = iou_of(solid, truth);
     report.iou = iou_of(report.coloring.solid, truth);
@@ -133,11 +133,10 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
   std::string text = fmt::format(
       "{}: {} pictures\n"
       "voxels: {} full of {}, {} of them coloured, in {:.1f} ms\n"
-      "polygons: {} with {} corners, {} edges in exactly two of them; Euler {}, {:.6g} voxels "
-      "inside\n"
-      "carved: {} voxels behind polygons of several colours ({} times it would explain no more), "
-      "{} "
-      "beside the object; {} polygons judged, {:.1f} ms\n"
+      "polygons: {} with {} corners, {} edges shared by exactly two of them; Euler {}, {:.6g} "
+      "voxels inside\n"
+      "carved: {} voxels behind polygons of several colours ({} times a voxel was kept because the "
+      "pictures fit no better without it), {} outside the object; {} polygons tested, {:.1f} ms\n"
       "layered images: {} samples of polygon and distance; {} MB\n",
       printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
       coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
@@ -147,12 +146,12 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       coloring.milliseconds, coloring.samples, (report.bytes + (1u << 20) - 1) >> 20);
   if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
-    text += fmt::format("truth: IoU {:.4f}, of the voxels before they were carved {:.4f}\n",
-                        *report.iou, *report.iou_before);
+    text +=
+        fmt::format("truth: IoU {:.4f}; before carving {:.4f}\n", *report.iou, *report.iou_before);
   if (coloring.unseen > 0)
     text += fmt::format(
-        "Left out: colours of {} polygons that no picture shows; they have those of their "
-        "neighbours.\n",
+        "Left out: colours of {} polygons that no picture shows; they have their neighbours' "
+        "colours.\n",
         coloring.unseen);
   return text;
 }

@@ -30,13 +30,13 @@ Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& righ
 
 std::string rectification_text(const views::Rectification& how) {
   return wrapped("rectified   ",
-                 fmt::format("of the left picture {:.1f} % has no place in the new one, of the "
-                             "right one {:.1f} %; {:.1f} and {:.1f} % of the new ones show nothing",
+                 fmt::format("{:.1f} % of the left picture and {:.1f} % of the right one are cut "
+                             "off; {:.1f} and {:.1f} % of the rectified ones show nothing",
                              100 * how.lost_left, 100 * how.lost_right, 100 * how.empty_left,
                              100 * how.empty_right)) +
          matrix_lines("H_left", how.left, "new pixel = H (x, y, 1)", six_digits) +
          matrix_lines("H_right", how.right, "", six_digits) +
-         matrix_lines("K", how.intrinsic, "of both", six_digits) +
+         matrix_lines("K", how.intrinsic, "for both", six_digits) +
          fmt::format("  {:<8}{:13.6g}   along the rows: Z = {:.6g} * {:.6g}/disparity\n",
                      "baseline", how.baseline, how.intrinsic(0, 0), how.baseline);
 }

@@ -70,8 +70,8 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
       "The folder has a picture and a mask for each camera, ring_par.txt with K, R and t as the\n"
       "Middlebury multi-view pictures have them, and box.txt with the scene's box. A scene "
       "without\n"
-      "lights is drawn unlit: the lamp that it would get stands at the camera, so that a surface\n"
-      "would have another colour in every picture.\n\n" +
+      "lights is drawn unlit: its default lamp is at the camera, so a surface would have another\n"
+      "colour in every picture.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, "the folder")->type_name("DIR")->required();
@@ -84,16 +84,18 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
             for (const std::string& part : split(text, ','))
               ring_.elevations.push_back(parse_number("--elevation", part));
           },
-          "degrees above the target; several: a circle for each [20]")
+          "degrees above the target; several values give a circle each [20]")
       ->type_name("DEG[,DEG...]");
   command.add_option("--arc", ring_.arc_degrees, "degrees from the first camera to the last [360]")
       ->type_name("DEG");
-  command.add_option("--start", ring_.start_degrees, "of the first camera, from +z towards +x [0]")
+  command
+      .add_option("--start", ring_.start_degrees,
+                  "angle of the first camera, from +z towards +x [0]")
       ->type_name("DEG");
   command
       .add_option_function<double>(
           "--distance", [this](const double& value) { ring_.distance = value; },
-          "of the cameras from the target [such that all pictures have all of the scene]")
+          "distance of the cameras from the target [so that every picture shows the whole scene]")
       ->type_name("D");
   command.add_option("--fov", ring_.fov_degrees, "full vertical angle of view, degrees [30]")
       ->type_name("DEG");
@@ -101,7 +103,7 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
       .add_option_function<std::string>(
           "--look-at",
           [this](const std::string& text) { ring_.target = vector_of("--look-at", text); },
-          "the target [the centre of the scene]")
+          "the target that all cameras look at [the centre of the scene]")
       ->type_name("X,Y,Z");
   command
       .add_option_function<std::string>(
@@ -111,30 +113,30 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
   command
       .add_option_function<double>(
           "--pairs", [this](const double& value) { ring_.pair_separation = value; },
-          "two cameras in each place, so far apart")
+          "put two cameras in each place, this far apart")
       ->type_name("D");
   command
       .add_option_function<std::string>(
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
-          "of the pictures [320x320]")
+          "size of the pictures in pixels [320x320]")
       ->type_name("WxH");
   add_choice<views::Matte>(command, "--matte", matte_,
                            {{"depth", views::Matte::kDepth},
                             {"alpha", views::Matte::kAlpha},
                             {"none", views::Matte::kNone}},
-                           "what a mask has: pixels whose centre shows a surface, or those that "
+                           "pixels of a mask: those whose centre shows a surface, or those that "
                            "are half covered [depth]");
   add_choice<std::optional<Shading>>(
       command, "--shade", shading_,
       choices_of({Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}),
-      "where lighting is computed [phong of scenes with lights, else unlit]");
+      "where lighting is computed [phong for scenes with lights, else unlit]");
   add_choice<int>(command, "--samples", samples_,
                   {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
-                  "samples of each pixel, whose mean is its colour [1]");
+                  "samples per pixel, whose mean is the pixel's colour [1]");
   command
       .add_option_function<std::string>(
           "--background", [this](const std::string& text) { background_ = parse_background(text); },
-          "as displayed, each 0 .. 1 [0,0,0]")
+          "background colour as displayed, each channel 0 .. 1 [0,0,0]")
       ->type_name("R,G,B");
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -197,8 +199,9 @@ int ViewsRingCommand::run() {
              first.intrinsic(0, 0));
   if (is_unlit)
     fmt::print(
-        "  Left out: light. The scene has none of its own, and a lamp at the camera would "
-        "change colours\n  from picture to picture (--shade).\n");
+        "  Left out: lighting. The scene has no lights, and a lamp at the camera would change "
+        "colours\n"
+        "  from picture to picture (--shade).\n");
   if (matte_ == views::Matte::kNone) fmt::print("  Left out: masks (--matte).\n");
   return kSuccess;
 }

@@ -106,33 +106,33 @@ struct ViewsTextureCommand::Found {
 
 void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
-      "texture", "a surface from another eye, with the colours of the pictures around it");
+      "texture", "draw a surface from another view with the colours of the pictures around it");
   command.footer(
       "Examples:\n"
       "  glassbox views texture teapot.glb ring --eye 4,3,5 --look-at 0,1,0 -o picture.png\n"
       "  glassbox views texture teapot.glb ring --leave-out 4 --left-out-output again.png\n"
       "  glassbox views texture teapot.glb ring --each --json -\n"
       "  glassbox views texture teapot.glb ring --fixed textured.glb\n\n"
-      "Each polygon has the colours of the three pictures whose directions are around the eye's, "
-      "by\n"
-      "their barycentric weights, without those that do not see it. From a picture's own place it "
-      "is\n"
-      "that picture. docs/polygons.md has more.");
+      "Each polygon gets the colours of the three pictures whose directions surround that of the "
+      "eye, by\n"
+      "their barycentric weights, without pictures that do not see it. From a picture's own "
+      "position the\n"
+      "result is that picture. docs/polygons.md has more.");
   command.add_option("MESH", mesh_, kSceneHelp)->required();
   command_ = &command;
   const std::size_t before = command.get_options().size();
   add_picture_choice(command, choice_);
   command
       .add_flag("--each", each_,
-                "leave out every picture in turn, and say how well each blend makes it")
+                "leave out every picture in turn, and measure how well each blend reproduces it")
       ->group("Pictures");
   std::string group = "Blend";
   add_choice(command, "--blend", blend_,
              choices_of({Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}),
-             "the nearest picture, the three around, or the nearest few by their angles "
-             "[barycentric]")
+             "blend the nearest picture, the three around the eye, or the nearest few by their "
+             "angles [barycentric]")
       ->group(group);
-  command.add_option("--neighbours", neighbours_, "how many of the last [4]")
+  command.add_option("--neighbours", neighbours_, "number of pictures for --blend neighbours [4]")
       ->type_name("K")
       ->check(CLI::Range(1, views::kMostNeighbours))
       ->group(group);
@@ -144,16 +144,18 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
   command
       .add_option_function<std::string>(
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
-          "of the picture [that of the first of PICTURES]")
+          "size of the picture in pixels [that of the first of PICTURES]")
       ->type_name("WxH")
       ->group("Picture");
   command
       .add_option_function<std::string>(
           "--background", [this](const std::string& text) { background_ = parse_background(text); },
-          "as displayed, each 0 .. 1 [0.1,0.12,0.15]")
+          "background colour as displayed, each channel 0 .. 1 [0.1,0.12,0.15]")
       ->type_name("R,G,B")
       ->group("Picture");
-  command.add_option("--texels", texels_, "of --fixed: the side of a square of two triangles [8]")
+  command
+      .add_option("--texels", texels_,
+                  "for --fixed: side of the square of texels for two triangles [8]")
       ->type_name("N")
       ->check(CLI::Range(views::kLeastTexels, views::kMostTexels))
       ->group(group);
@@ -170,11 +172,12 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->group(group);
   command
       .add_option("--left-out-output", left_out_output_,
-                  "the picture that was left out, made of the others: .png or .ppm")
+                  "the picture that was left out, made from the others: .png or .ppm")
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
-  add_html_output(command, page_, "the surface, to be turned, with the pictures that colour it")
+  add_html_output(command, page_,
+                  "a page with the surface, which can be turned, and the pictures that colour it")
       ->group(group);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -183,7 +186,7 @@ Result<void> ViewsTextureCommand::check_asked() const {
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   if (each_ && choice_.leave_out)
-    return fail("--each", "there is a --leave-out as well", "leave one of them out");
+    return fail("--each", "--leave-out is given too", "leave one of them out");
   return check_choice(choice_);
 }
 
@@ -202,8 +205,8 @@ void ViewsTextureCommand::tell_of_unused() const {
   tell_of_ignored(*command_,
                   {{blend_ != Blend::kNeighbours && !each_,
                     {"--neighbours"},
-                    "it is of --blend " + std::string(views::name_of(Blend::kNeighbours))},
-                   {!fixed_, {"--texels"}, "it is of --fixed"},
+                    "it is only for --blend " + std::string(views::name_of(Blend::kNeighbours))},
+                   {!fixed_, {"--texels"}, "it is only for --fixed"},
                    {no_picture, camera_words_, "no picture is drawn without -o"},
                    {no_picture, {"--size"}, "no picture is drawn without -o"}});
 }
@@ -232,7 +235,7 @@ double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& 
 Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
                                                              const ChosenPictures& pictures,
                                                              Progress& progress) const {
-  progress.phase("finding what each picture sees");
+  progress.phase("computing what each picture sees");
   const views::PictureSet& set = pictures.set;
   const double bytes = bytes_for(scene, pictures);
   const auto legal = check_memory("--max-mb", "the surface, and what each picture sees of it,",
@@ -299,11 +302,11 @@ std::string ViewsTextureCommand::text(const ChosenPictures& pictures, const Foun
                   found.triangles);
   if (const auto& drawn = found.drawn)
     text +=
-        fmt::format("{}: {} pixels of the surface, by {} blend\n",
+        fmt::format("{}: {} pixels of the surface, with {} blend\n",
                     printable(*output_, kLongestMessage), drawn->surface, views::name_of(blend_));
   if (found.errors) text += left_out_text(pictures.left_out->name, *found.errors);
   if (!found.each.empty()) {
-    text += "each picture made of the others, PSNR over all of them:\n";
+    text += "each picture made from the others, PSNR over all of them:\n";
     for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
       const double psnr = found.psnr_of_all(blend);
       text += fmt::format("  {:<12}{}\n", views::name_of(blend),
@@ -406,7 +409,8 @@ int ViewsTextureCommand::run() {
   const auto pictures = read_pictures(choice_);
   if (!pictures) return refuse(pictures.error());
   if (each_ && pictures->set.pictures.size() == 1)
-    return refuse(fail("--each", "it is the only picture", "take a set of more").value());
+    return refuse(
+        fail("--each", "it is the only picture", "use a set of several pictures").value());
   const auto found = find(*scene, *pictures, progress);
   if (!found) return refuse(found.error());
   progress.phase("writing");

@@ -80,7 +80,7 @@ std::array<int, 2> parse_direction(const std::string& text) {
 
 void ViewsVoxelsCommand::add_input_options(CLI::App& command) {
   add_picture_choice(command, choice_);
-  command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
+  command.add_option("--truth", truth_, "the true scene, with which the result is compared")
       ->type_name("SCENE")
       ->group("Pictures");
 }
@@ -93,10 +93,12 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->type_name("N")
       ->check(CLI::Range(1, views::kMostVoxelsAlong))
       ->group(group);
-  command.add_option("--voxel", voxel_size_, "their edge, world units")
+  command.add_option("--voxel", voxel_size_, "edge of a voxel, in world units")
       ->type_name("D")
       ->group(group);
-  command.add_option("--total", total_, "about so many in all")->type_name("N")->group(group);
+  command.add_option("--total", total_, "approximate number of voxels")
+      ->type_name("N")
+      ->group(group);
   add_choice(command, "--order", request_.order,
              choices_of({views::Order::kAuto, views::Order::kSweep, views::Order::kCarve}),
              "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
@@ -105,54 +107,57 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       .add_option_function<std::string>(
           "--direction",
           [this](const std::string& text) { request_.direction = parse_direction(text); },
-          "of the sweep: x, -x, y, -y, z, -z [away from the cameras]")
+          "direction of the sweep: x, -x, y, -y, z, -z [away from the cameras]")
       ->type_name("AXIS")
       ->group(group);
   command
       .add_option("--levels", request_.levels,
-                  "coarse to fine: so many times twice as large first, 0 to 6 [0]")
+                  "coarse to fine: number of coarser levels first, each with voxels twice as "
+                  "large, 0 to 6 [0]")
       ->type_name("N")
       ->group(group);
-  command.add_option("--slack", request_.slack, "of the threshold at coarser levels [2]")
+  command.add_option("--slack", request_.slack, "factor on the threshold at coarser levels [2]")
       ->type_name("F")
       ->group(group);
-  command.add_flag("--against-full", against_full_, "count what coarse to fine loses")
+  command.add_flag("--against-full", against_full_, "count the voxels that coarse to fine loses")
       ->group(group);
 
   group = "Consistency";
   add_choice(
       command, "--test", settings.consistency,
       choices_of({Consistency::kDeviation, Consistency::kLikelihood, Consistency::kAdaptive}),
-      "what makes colours one colour: sigma < T, a likelihood ratio, sigma < k1 M + k2 [sigma]")
+      "test for one colour: sigma < T, a likelihood ratio, or sigma < k1 M + k2 [sigma]")
       ->group(group);
   const auto add_value = [&](const char* name, double& value, const char* type, const char* help) {
     command.add_option(name, value, help)->type_name(type)->group(group);
   };
-  add_value("--threshold", settings.threshold, "T", "of sigma, levels of 0 .. 255; inf: all [18]");
-  add_value("--noise", settings.noise, "S", "of the likelihood ratio, levels [6]");
+  add_value("--threshold", settings.threshold, "T",
+            "T: largest deviation (sigma), in levels of 0 .. 255; inf: accept all [18]");
+  add_value("--noise", settings.noise, "S",
+            "noise of the pictures for the likelihood ratio, in levels [6]");
   add_value("--significance", settings.significance, "P",
             "share of good voxels that the likelihood ratio may reject [0.001]");
   add_value("--k1", settings.k1, "F",
-            "of adaptive: times the mean deviation within pictures [0.5]");
-  add_value("--k2", settings.k2, "T", "of adaptive, levels [8]");
+            "k1 for --test adaptive: factor on M, the mean deviation within pictures [0.5]");
+  add_value("--k2", settings.k2, "T", "k2 for --test adaptive, in levels [8]");
   add_value("--edges", settings.edge, "S",
-            "voxels with so much deviation within every picture are coloured anyway; 0: none [0]");
+            "voxels with this deviation within every picture are coloured anyway; 0: none [0]");
   add_choice(command, "--space", settings.space,
              choices_of({views::ColorSpace::kRgb, views::ColorSpace::kLab}),
-             "where colours are compared; lab: CIELab, and T in its units [rgb]")
+             "colour space of the comparison; lab: CIELab, with T in its units [rgb]")
       ->group(group);
-  add_value("--lightness", settings.lightness, "F", "weight of L in lab, 0 to 2 [0.5]");
+  add_value("--lightness", settings.lightness, "F", "weight of L for --space lab, 0 to 2 [0.5]");
   add_choice(command, "--footprint", settings.sampled,
              choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
-             "the pixels of a voxel that are compared [centre]")
+             "which pixels of a voxel are compared [centre]")
       ->group(group);
   add_choice(command, "--hides", settings.hidden,
              choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
-             "the pixels behind a coloured voxel [box]")
+             "which pixels a coloured voxel hides [box]")
       ->group(group);
   add_choice(command, "--update", settings.update,
              choices_of({views::Update::kLayer, views::Update::kVoxel}),
-             "when it hides them: after its layer or at once [layer]")
+             "when a coloured voxel hides pixels: after its layer or at once [layer]")
       ->group(group);
   add_choice(command, "--alone", settings.alone,
              choices_of({views::Alone::kReject, views::Alone::kKeep}),
@@ -160,7 +165,9 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->group(group);
 
   add_target_option(command, settings.target)->group("Engine");
-  command.add_option("--threads", settings.threads, "threads; no byte depends on it [all]")
+  command
+      .add_option("--threads", settings.threads,
+                  "number of threads; the result is always the same [one for each processor]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads))
       ->group("Engine");
@@ -173,7 +180,7 @@ void ViewsVoxelsCommand::add_output_options(CLI::App& command) {
       ->group(group);
   add_choice(command, "--shape", shape_,
              {{"cubes", views::VoxelShape::kCubes}, {"points", views::VoxelShape::kPoints}},
-             "what the file has; render draws cubes [cubes]")
+             "contents of the file; render draws cubes [cubes]")
       ->group(group);
   command
       .add_option("--left-out-output", left_out_output_,
@@ -181,13 +188,14 @@ void ViewsVoxelsCommand::add_output_options(CLI::App& command) {
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
-  add_html_output(command, page_, "the voxels, to be turned and asked why they are there")
+  add_html_output(command, page_,
+                  "a page with the voxels, which can be turned, and the reason why each is there")
       ->group(group);
 }
 
 void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command =
-      *views.add_subcommand("voxels", "the shape that calibrated pictures show: voxel colouring");
+  CLI::App& command = *views.add_subcommand(
+      "voxels", "the shape of an object from calibrated pictures: voxel colouring");
   command.footer(
       "Examples:\n"
       "  glassbox views ring teapot -o ring\n"
@@ -195,10 +203,11 @@ void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views voxels ring --truth teapot --leave-out 4 --json -\n"
       "  glassbox views voxels ring --resolution 200 --levels 2 --against-full\n"
       "  glassbox render teapot.ply --shade unlit -o again.png\n\n"
-      "A voxel is coloured if the pictures that see it show one colour there. Who sees it depends "
-      "on\n"
-      "what is before it, so voxels are visited away from all cameras where there is such a\n"
-      "direction, and carved from all sides where there is none. docs/voxels.md has more.");
+      "A voxel is coloured if the pictures that see it show one colour there. Which pictures see "
+      "it\n"
+      "depends on the voxels in front of it, so voxels are visited away from all cameras if there "
+      "is\n"
+      "such a direction, and carved from all sides if there is none. docs/voxels.md has more.");
   command_ = &command;
   const std::size_t before = command.get_options().size();
   add_input_options(command);
@@ -215,28 +224,30 @@ Result<void> ViewsVoxelsCommand::check_asked() const {
     return fail("--voxel", "the size of voxels is given twice",
                 "give one of --resolution, --voxel and --total");
   if (total_ && !(*total_ >= 1 && std::isfinite(*total_)))
-    return fail("--total", "there must be at least one voxel", "give 7e6");
+    return fail("--total", "there must be at least one voxel", "give a number such as 7e6");
   const std::pair<const char*, double> levels[] = {{"--threshold", settings.threshold},
                                                    {"--k1", settings.k1},
                                                    {"--k2", settings.k2},
                                                    {"--edges", settings.edge}};
   for (const auto& [option, value] : levels) {
     if (!(value >= 0))
-      return fail(option, "must be at least 0", "give levels of 0 .. 255; of --k1 a factor");
+      return fail(option, "must be at least 0", "give levels of 0 .. 255; for --k1 a factor");
   }
   if (!(request_.slack >= 1))
-    return fail("--slack", "must be at least 1", "give 2: coarse voxels mix more colours");
+    return fail("--slack", "must be at least 1",
+                "give a factor such as 2, because coarse voxels mix more colours");
   if (!(settings.noise > 0 && std::isfinite(settings.noise)))
     return fail("--noise", "noise must be more than 0 and finite",
-                "give its standard deviation, levels");
+                "give its standard deviation in levels");
   if (!(settings.significance > 0 && settings.significance < 1))
-    return fail("--significance", "must be between 0 and 1", "give 0.001");
+    return fail("--significance", "must be between 0 and 1", "give a share such as 0.001");
   if (!(settings.lightness >= 0 && settings.lightness <= 2))
-    return fail("--lightness", "must be between 0 and 2", "give 0.5");
+    return fail("--lightness", "must be between 0 and 2", "give a weight such as 0.5");
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   if (against_full_ && request_.levels == 0)
-    return fail("--against-full", "all voxels are looked at anyway", "add --levels 2");
+    return fail("--against-full", "without --levels all voxels are tested anyway",
+                "add --levels 2");
   return check_choice(choice_);
 }
 
@@ -252,13 +263,13 @@ Result<void> ViewsVoxelsCommand::check_outputs() const {
 void ViewsVoxelsCommand::tell_of_unused() const {
   const views::ColoringSettings& settings = request_.settings;
   const Consistency test = settings.consistency;
-  const std::string another = "--test " + std::string(name_of(test)) + " does not ask for it";
+  const std::string another = "--test " + std::string(name_of(test)) + " does not use it";
   tell_of_ignored(
       *command_,
       {{test != Consistency::kDeviation, {"--threshold"}, another},
        {test != Consistency::kLikelihood, {"--noise", "--significance"}, another},
        {test != Consistency::kAdaptive, {"--k1", "--k2"}, another},
-       {settings.space != views::ColorSpace::kLab, {"--lightness"}, "it is of --space lab"},
+       {settings.space != views::ColorSpace::kLab, {"--lightness"}, "it is only for --space lab"},
        {request_.levels == 0, {"--slack"}, "there are no coarser levels without --levels"},
        {!output_, {"--shape"}, "no file of voxels is written without -o"}});
 }

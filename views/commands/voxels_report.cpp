@@ -124,14 +124,14 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
   const views::VoxelGrid* const grid = &plan->grid;
   report.bytes = std::uint64_t(double(plan->bytes) + bytes_beside(input, request, question, *grid));
   const auto legal = check_memory(request.size_option,
-                                  fmt::format("{} x {} x {} voxels and what is asked of them",
+                                  fmt::format("{} x {} x {} voxels and the requested outputs",
                                               grid->count[0], grid->count[1], grid->count[2]),
                                   double(report.bytes), request.most_bytes);
   if (!legal) return tl::unexpected(legal.error());
   std::optional<views::TrueVolume> truth;
   std::optional<views::Overlap> overlap;
   if (input.truth) {
-    progress.phase("finding what is inside the scene");
+    progress.phase("computing the inside of the scene");
     truth.emplace(*input.truth, *grid);
     overlap.emplace(*truth);
   }
@@ -193,57 +193,60 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   text += fmt::format("{} coloured voxels, seen by {:.1f} pictures each, sigma {:.2f}\n",
                       coloring.voxels.size(), means.views, means.deviation);
   if (is_carved) {
-    text += fmt::format("left of the box: {} voxels at the surface are seen, {} are not\n",
+    text += fmt::format("remaining voxels: {} at the surface are visible, {} are hidden\n",
                         coloring.counts[std::size_t(Verdict::kColored)],
                         coloring.counts[std::size_t(Verdict::kHidden)]);
   } else {
-    text += fmt::format("of {} judged: {} background, {} hidden, {} inconsistent\n",
+    text += fmt::format("{} voxels tested: {} background, {} hidden, {} inconsistent\n",
                         coloring.judged, coloring.counts[std::size_t(Verdict::kBackground)],
                         coloring.counts[std::size_t(Verdict::kHidden)],
                         coloring.counts[std::size_t(Verdict::kInconsistent)]);
   }
   if (request.levels > 0 && !is_carved) {
-    text += fmt::format("coarse to fine: {} levels before, {} voxels of them judged\n",
+    text += fmt::format("coarse to fine: {} coarser levels first, with {} voxels tested\n",
                         request.levels, coloring.judged_coarse);
   }
   text += fmt::format("{:.1f} ms on {}, {} MB\n", coloring.milliseconds,
                       name_of(request.settings.target), (report.bytes + (1u << 20) - 1) >> 20);
   if (const auto& full = report.against_full) {
     text += fmt::format(
-        "of the {} that all voxels give in {:.1f} ms: {} lost ({:.3f} %), {} added; IoU {:.5f}\n",
+        "compared with testing all voxels, {} coloured in {:.1f} ms: {} lost ({:.3f} %), {} added; "
+        "IoU {:.5f}\n",
         full->full, full->milliseconds, full->lost,
         100 * double(full->lost) / double(std::max<std::int64_t>(1, full->full)), full->added,
         full->iou());
   }
   if (const auto& errors = report.left_out) {
     text += fmt::format(
-        "{}, which was left out: RMS {:.2f} ({:.2f} %) over the {:.1f} % of its object that voxels "
-        "cover;\n  {:.1f} % as much beside it\n",
+        "{} was left out: RMS {:.2f} ({:.2f} %) over the {:.1f} % of its object that voxels "
+        "cover;\n"
+        "  voxels outside it cover {:.1f} % of the object's area\n",
         printable(input.left_out->name, kLongPath), errors->rms, errors->rms_percent,
         100 * errors->covered, 100 * errors->beside);
   }
   if (const auto& truth = report.truth) {
     text += fmt::format(
         "truth: {} voxels are inside, {} are not proved empty: IoU {:.4f}\n"
-        "surface, voxels: {:.2f} to the truth (at most {:.2f}), {:.2f} from it (at most {:.2f})\n",
+        "distances of the surface in voxels: {:.2f} to the truth (at most {:.2f}), {:.2f} from it "
+        "(at most {:.2f})\n",
         truth->inside, truth->not_empty, truth->iou, truth->surface.to_truth_mean,
         truth->surface.to_truth_most, truth->surface.from_truth_mean,
         truth->surface.from_truth_most);
   }
   const std::int64_t alone = coloring.counts[std::size_t(Verdict::kAlone)];
   if (alone > 0) {
-    text += fmt::format("Left out: {} voxels that one picture alone sees (--alone keep).\n", alone);
+    text += fmt::format("Left out: {} voxels that only one picture sees (--alone keep).\n", alone);
   }
   if (!coloring.is_finished) {
     text += fmt::format(
-        "Left out: passes after {}, though the last one carved voxels: some may be left that more "
-        "would carve.\n",
+        "Left out: passes after {}, although the last one carved voxels: more passes might carve "
+        "more.\n",
         coloring.passes);
   }
   if (std::ranges::any_of(input.set.pictures,
                           [](const auto& picture) { return picture.matte.pixels.empty(); })) {
     text +=
-        "Left out: background. Pictures without masks are the object's everywhere "
+        "Left out: background. In pictures without masks every pixel counts as the object "
         "(--matte-above).\n";
   }
   return text;

@@ -23,7 +23,8 @@ Matrix3d matrix_at(const std::vector<double>& numbers, std::size_t first) {
 Result<void> check_intrinsic(const Matrix3d& k, const std::string& place) {
   const bool is_triangular = k(1, 0) == 0 && k(2, 0) == 0 && k(2, 1) == 0;
   if (!is_triangular || !(k(0, 0) > 0) || !(k(1, 1) > 0) || !(k(2, 2) > 0)) {
-    return fail(place, "K is no camera matrix: zero below a positive diagonal",
+    return fail(place,
+                "K is not a camera matrix: it must be 0 below the diagonal and positive on it",
                 "give the focal lengths, the skew and the principal point, in pixels");
   }
   return {};
@@ -34,11 +35,11 @@ Result<Matrix3d> rotation_of(const Matrix3d& r, const std::string& place) {
   constexpr double kFewDigits = 1e-5;
   const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(off <= kFewDigits)) {
-    return fail(place, fmt::format("R is no rotation: an entry of R^T R - I is {:.3g}", off),
-                "give perpendicular rows of length 1");
+    return fail(place, fmt::format("R is not a rotation: an entry of R^T R - I is {:.3g}", off),
+                "give R perpendicular rows of length 1");
   }
   if (r.determinant() < 0) {
-    return fail(place, "R is a mirror: its determinant is -1",
+    return fail(place, "R is a mirror, not a rotation: its determinant is -1",
                 "change the sign of one of its rows");
   }
   const Eigen::JacobiSVD<Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -49,9 +50,9 @@ Result<NamedCamera> camera_of_row(const NumberRow& row) {
   const std::string place = fmt::format("line {}", row.line);
   if (row.name.empty() || row.numbers.size() != kNumbers) {
     return fail(place,
-                fmt::format("a camera is a picture's name and {} numbers, and there are {}",
+                fmt::format("a camera needs a picture's name and {} numbers, but there are {}",
                             kNumbers, row.numbers.size()),
-                "write name, K, R and t, matrices by rows");
+                "write the name, then K, R and t, the matrices row by row");
   }
   const Matrix3d k = matrix_at(row.numbers, 0);
   if (const auto legal = check_intrinsic(k, place); !legal) return tl::unexpected(legal.error());
@@ -69,13 +70,15 @@ Result<std::vector<NamedCamera>> parse_cameras(std::string_view text) {
   const bool has_count =
       !rows->empty() && rows->front().name.empty() && rows->front().numbers.size() == 1;
   if (!has_count) {
-    return fail("line 1", "the number of cameras stands alone in the first line", "write it there");
+    return fail("line 1", "the first line must be the number of cameras and nothing else",
+                "write this number into the first line");
   }
   const double count = rows->front().numbers.front();
   if (count != double(rows->size() - 1)) {
     return fail(fmt::format("line {}", rows->front().line),
-                fmt::format("it says {:g} cameras, and there are {}", count, rows->size() - 1),
-                "make the number and the lines agree");
+                fmt::format("the first line announces {:g} cameras, but there are {}", count,
+                            rows->size() - 1),
+                "make the number agree with the lines");
   }
   std::vector<NamedCamera> cameras;
   for (std::size_t i = 1; i < rows->size(); ++i) {

@@ -50,16 +50,19 @@ Result<std::vector<double>> numbers_of(const Line& line, std::size_t first, std:
                                        const char* file) {
   const std::string place = fmt::format("{}, line {}", file, line.number);
   if (line.words.size() < first + count) {
-    return fail(place, fmt::format("has {} words of {}", line.words.size(), first + count),
-                "export the model again as text");
+    return fail(
+        place,
+        fmt::format("has {} of the {} words that are needed", line.words.size(), first + count),
+        "export the model from COLMAP again, as text");
   }
   std::vector<double> numbers;
   for (std::size_t i = first; i < first + count; ++i) {
     const auto number = number_of(line.words[i]);
     if (!number) {
       constexpr std::size_t kShort = 40;
-      return fail(place, in_quotes(std::string(line.words[i].substr(0, kShort))) + " is no number",
-                  "export the model again as text");
+      return fail(place,
+                  in_quotes(std::string(line.words[i].substr(0, kShort))) + " is not a number",
+                  "export the model from COLMAP again, as text");
     }
     numbers.push_back(*number);
   }
@@ -78,16 +81,15 @@ constexpr Model kModels[] = {{"SIMPLE_PINHOLE", 1, 0}, {"PINHOLE", 2, 0}, {"SIMP
 Result<Matrix3d> lens_of(const Line& line) {
   const std::string place = fmt::format("cameras.txt, line {}", line.number);
   if (line.words.size() < 2) {
-    return fail(place, "a lens is a number, a model, a width, a height and parameters",
-                "export the model again as text");
+    return fail(place, "a camera needs a number, a model, a width, a height and parameters",
+                "export the model from COLMAP again, as text");
   }
   const auto model = std::ranges::find(kModels, line.words[1], &Model::name);
   if (model == std::end(kModels)) {
     constexpr std::size_t kShort = 40;
-    return fail(
-        place,
-        in_quotes(std::string(line.words[1].substr(0, kShort))) + " is no model of a pinhole",
-        "undistort the pictures (colmap image_undistorter), which makes it PINHOLE");
+    return fail(place,
+                in_quotes(std::string(line.words[1].substr(0, kShort))) + " is not a pinhole model",
+                "undistort the pictures (colmap image_undistorter), which makes it PINHOLE");
   }
   const auto read = numbers_of(line, 4, model->focal + 2 + model->distortion, "cameras.txt");
   if (!read) return tl::unexpected(read.error());
@@ -97,7 +99,7 @@ Result<Matrix3d> lens_of(const Line& line) {
   }
   for (std::size_t i = model->focal + 2; i < read->size(); ++i) {
     if ((*read)[i] == 0) continue;
-    return fail(place, "the lens is distorted, and a pinhole is not",
+    return fail(place, "the camera model has distortion, which a pinhole has not",
                 "undistort the pictures (colmap image_undistorter), which makes it PINHOLE");
   }
   Matrix3d k;
@@ -113,7 +115,7 @@ Result<std::map<std::string_view, Matrix3d>> lenses_of(std::string_view text) {
     if (!lens) return tl::unexpected(lens.error());
     if (!lenses.emplace(line.words[0], *lens).second) {
       return fail(fmt::format("cameras.txt, line {}", line.number),
-                  "a lens of this number has been there before", "give each its own number");
+                  "another camera has the same number", "give each camera its own number");
     }
   }
   return lenses;
@@ -126,19 +128,20 @@ Result<NamedCamera> camera_of(const Line& line,
   if (!read) return tl::unexpected(read.error());
   if (line.words.size() != 10) {
     return fail(place,
-                "a picture is ten words: its number, four of a turn, three of t, a lens, a name",
-                "export the model again; names have no blanks");
+                "a picture needs ten words: its number, four numbers of the rotation, three of t, "
+                "the camera's number and a name",
+                "export the model again; names must have no blanks");
   }
   const std::vector<double>& n = *read;
   const Eigen::Quaterniond turn(n[0], n[1], n[2], n[3]);
   constexpr double kFewDigits = 1e-3;
   if (!(std::abs(turn.norm() - 1) <= kFewDigits)) {
-    return fail(place, fmt::format("the quaternion is of length {:.3g}", turn.norm()),
-                "give one of length 1");
+    return fail(place, fmt::format("the length of the quaternion is {:.3g}", turn.norm()),
+                "give a quaternion of length 1");
   }
   const auto lens = lenses.find(line.words[8]);
   if (lens == lenses.end()) {
-    return fail(place, "cameras.txt has no lens of this number", "export both files together");
+    return fail(place, "cameras.txt has no camera with this number", "export both files together");
   }
   NamedCamera camera{std::string(line.words[9]), {}};
   camera.camera.intrinsic = lens->second;
@@ -159,7 +162,8 @@ Result<std::vector<NamedCamera>> parse_colmap(std::string_view cameras, std::str
     if (lines[i].words.empty()) {
       if (i + 1 >= lines.size()) break;
       return fail(fmt::format("images.txt, line {}", lines[i].number),
-                  "is empty where a picture should be", "export the model again as text");
+                  "is empty, but should describe a picture",
+                  "export the model from COLMAP again, as text");
     }
     auto camera = camera_of(lines[i], *lenses);
     if (!camera) return tl::unexpected(camera.error());
@@ -168,8 +172,8 @@ Result<std::vector<NamedCamera>> parse_colmap(std::string_view cameras, std::str
   std::ranges::sort(all, {}, &NamedCamera::picture);
   const auto twice = std::ranges::adjacent_find(all, {}, &NamedCamera::picture);
   if (twice != all.end()) {
-    return fail("images.txt", "two pictures are called " + in_quotes(twice->picture),
-                "give each a name of its own");
+    return fail("images.txt", "two pictures have the name " + in_quotes(twice->picture),
+                "give each picture its own name");
   }
   return all;
 }

@@ -19,7 +19,7 @@ Result<Matches> parse_matches(std::string_view text) {
   for (const NumberRow& row : *rows) {
     if (!row.name.empty() || row.numbers.size() != 4) {
       return fail(fmt::format("line {}", row.line + skipped),
-                  fmt::format("a match is 4 numbers, and there are {}{}", row.numbers.size(),
+                  fmt::format("a match needs 4 numbers, but there are {}{}", row.numbers.size(),
                               row.name.empty() ? "" : " after a word"),
                   "write x and y of the left picture, then of the right one");
     }

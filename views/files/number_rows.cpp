@@ -33,7 +33,7 @@ Result<NumberRow> row_of(std::string_view line, std::uint64_t number) {
     } else if (is_first) {
       row.name = word;
     } else {
-      return fail(fmt::format("line {}", number), in_quotes(word) + " is no finite number",
+      return fail(fmt::format("line {}", number), in_quotes(word) + " is not a finite number",
                   "write decimal numbers");
     }
     is_first = false;

@@ -322,8 +322,8 @@ std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
 
 Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
   if (points.size() < 6)
-    return fail("the points", fmt::format("there are {}, and 6 are needed", points.size()),
-                "give more");
+    return fail("the points", fmt::format("there are {}, but 6 are needed", points.size()),
+                "give more points");
   std::vector<Vector3d> world;
   std::vector<Vector2d> pixels;
   for (const SeenPoint& point : points) {
@@ -342,19 +342,19 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   // Points in one plane leave three more degrees of freedom than the scale.
   if (!(svd.singularValues()[10] > 1e-10 * svd.singularValues()[0]))
-    return fail("the points", "they lie in a plane, which leaves the lens open",
-                "give points of two planes, or what the lens is");
+    return fail("the points", "they are in one plane, which does not determine the lens",
+                "give points of two planes, or give the lens");
   const Eigen::Matrix<double, 12, 1> entries = svd.matrixV().col(11);
   const Eigen::Matrix<double, 3, 4> there = entries.reshaped<Eigen::RowMajor>(3, 4);
   Eigen::Matrix<double, 3, 4> projection = from_pixels.inverse() * there * from_world;
   if (projection.leftCols<3>().determinant() < 0) projection = -projection;
   if (!(projection.leftCols<3>().determinant() > 0))
-    return fail("the points", "no camera sees them so", "give points in general position");
+    return fail("the points", "no camera sees them in this way", "give points in general position");
   PinholeCamera camera;
   take_apart(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
   camera.centre = -projection.leftCols<3>().inverse() * projection.col(3);
   if (!camera.intrinsic.allFinite() || !camera.centre.allFinite())
-    return fail("the points", "no camera sees them so", "give points in general position");
+    return fail("the points", "no camera sees them in this way", "give points in general position");
   return camera;
 }
 
@@ -374,14 +374,14 @@ Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQues
   const std::size_t least = question.known == LensKnown::kAll ? 4 : 6;
   if (points.size() < least) {
     return fail("the camera",
-                fmt::format("{} glyphs are seen, and {} decide it", points.size(), least),
-                "take a picture of more of them");
+                fmt::format("{} glyphs are seen, but {} are needed", points.size(), least),
+                "take a picture that shows more glyphs");
   }
   // Without this limit, noise of a thousandth of the wall's size would be taken for its depth.
   constexpr double kFlat = 0.02;
   if (question.known != LensKnown::kAll && flatness(points) < kFlat) {
     return fail("the camera",
-                "all glyphs that are seen are in one plane, which leaves the lens open",
+                "all glyphs that are seen are in one plane, which does not determine the lens",
                 "give the lens (--fov), or take a picture of both panels");
   }
   auto pose = Search(points, question).run();
@@ -389,8 +389,9 @@ Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQues
   if (!pose || std::size_t(pose->inliers) < enough) {
     return fail(
         "the camera",
-        fmt::format("{} of {} glyphs agree on one", pose ? pose->inliers : 0, points.size()),
-        "check that the wall is the one that was asked for (--grid, --pitch, --first)");
+        fmt::format("only {} of {} glyphs agree on one camera", pose ? pose->inliers : 0,
+                    points.size()),
+        "check that the wall is the one that the options describe (--grid, --pitch, --first)");
   }
   return *pose;
 }

@@ -74,24 +74,26 @@ std::array<bool, kGlyphs> Wall::identities() const {
 
 Result<Wall> make_wall(const WallLayout& layout) {
   if (layout.panels != 1 && layout.panels != 2)
-    return fail("--panels", "a wall has 1 or 2", "give 1 or 2");
+    return fail("--panels", "a wall has 1 or 2 panels", "give 1 or 2");
   if (layout.columns < 1 || layout.rows < 1 || layout.columns > kGlyphs || layout.rows > kGlyphs)
     return fail("--grid", fmt::format("a panel has 1 to {} columns and rows", kGlyphs),
                 "give 6x10");
   const int glyphs = layout.panels * layout.columns * layout.rows;
   if (layout.first < 0 || layout.first > kGlyphs - glyphs) {
-    return fail("--grid",
-                fmt::format("{} glyphs from number {} on, and the codes are {}", glyphs,
-                            layout.first, kGlyphs),
-                "ask for fewer, or a smaller --first");
+    return fail(
+        "--grid",
+        fmt::format("the wall needs {} glyphs from number {} on, but there are only {} codes",
+                    glyphs, layout.first, kGlyphs),
+        "ask for fewer glyphs, or a smaller --first");
   }
   for (const auto& [option, size] :
        {std::pair{"--pitch", layout.pitch}, {"--diameter", layout.diameter}}) {
     if (!(size > 0 && size <= 100))
-      return fail(option, "a size is more than 0, and at most 100 m", "give millimetres");
+      return fail(option, "a size must be more than 0 and at most 100 m",
+                  "give the size in millimetres");
   }
   if (!(layout.diameter <= 0.875 * layout.pitch)) {
-    return fail("--diameter", "there must be paper of an eighth of the pitch between glyphs",
+    return fail("--diameter", "the gap between glyphs must be at least an eighth of the pitch",
                 fmt::format("give at most {:.6g} mm", 875 * layout.pitch));
   }
   Wall wall{layout, panels_of(layout), {}};
@@ -113,10 +115,10 @@ Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre) {
   const double width = panel.width * pixels_per_metre, height = panel.height * pixels_per_metre;
   constexpr double kMostSide = 16384;
   if (!(width >= 1 && height >= 1))
-    return fail("--dpi", "a panel would have no pixel", "ask for more of them");
+    return fail("--dpi", "a panel would have no pixel", "ask for more pixels");
   if (width <= kMostSide && height <= kMostSide && width * height <= kMostSheetPixels) return {};
   return fail("--dpi", fmt::format("a panel would have {:.0f} x {:.0f} px", width, height),
-              "ask for fewer to an inch, or smaller glyphs (--pitch, --diameter)");
+              "ask for fewer pixels per inch, or smaller glyphs (--pitch, --diameter)");
 }
 
 Image<Rgba8> draw_panel(const Wall& wall, int panel, double pixels_per_metre) {

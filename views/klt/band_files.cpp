@@ -36,7 +36,7 @@ Result<std::string> cube_of(const std::string& header_path) {
     std::error_code error;
     if (fs::is_regular_file(stem + extension, error)) return stem + extension;
   }
-  return fail("", "there is no file with its numbers beside it",
+  return fail("", "the file with its samples is not beside it",
               "put " + fs::path(stem).filename().string() + ".img there");
 }
 
@@ -117,7 +117,7 @@ Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64
   if (bytes <= most_bytes) return {};
   constexpr double kMegabyte = 1 << 20;
   return fail("", fmt::format("{} would take {:.3g} MB", what, double(bytes) / kMegabyte),
-              fmt::format("allow for it with --max-mb {}", (bytes >> 20) + 1));
+              fmt::format("allow more memory with --max-mb {}", (bytes >> 20) + 1));
 }
 
 Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes) {
@@ -131,7 +131,7 @@ Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_
     } else if (one->width != all.width || one->height != all.height) {
       return in_file(path, {{},
                             {},
-                            fmt::format("is {} x {}, and {} is {} x {}", one->width, one->height,
+                            fmt::format("is {} x {}, but {} is {} x {}", one->width, one->height,
                                         paths.front(), all.width, all.height),
                             "give bands of one size"});
     }
@@ -139,7 +139,7 @@ Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_
     if (all.count > int(kMostBands)) {
       return in_file(
           path,
-          {{}, {}, fmt::format("there are more than {} bands", kMostBands), "choose some of them"});
+          {{}, {}, fmt::format("there are more than {} bands", kMostBands), "choose fewer bands"});
     }
     const auto fits = check_planes(std::uint64_t(all.width), std::uint64_t(all.height),
                                    std::uint64_t(all.count), most_bytes, "the bands");

@@ -35,14 +35,14 @@ Result<std::map<std::string, std::string>> fields_of(std::string_view text) {
     const std::size_t equals = row.find('=');
     if (trimmed(row).empty() || trimmed(row).front() == ';') continue;
     if (equals == std::string_view::npos) {
-      return fail(fmt::format("line {}", line), "is no 'name = value'",
-                  "write what the cube has, a line each");
+      return fail(fmt::format("line {}", line), "is not of the form 'name = value'",
+                  "write one property of the cube in each line");
     }
     std::string value(trimmed(row.substr(equals + 1)));
     if (!value.empty() && value.front() == '{' && value.back() != '}') {
       const std::size_t brace = text.find('}', at);
       if (brace == std::string_view::npos)
-        return fail(fmt::format("line {}", line), "opens a brace that nothing closes", "add a '}'");
+        return fail(fmt::format("line {}", line), "has a '{' that is not closed", "add a '}'");
       value += text.substr(at, brace + 1 - at);
       at = std::min(text.find('\n', brace), text.size());
     }
@@ -67,9 +67,9 @@ Result<std::uint64_t> number_in(const Fields& fields, const std::string& name, s
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
     return fail("'" + name + "'",
-                fmt::format("must be a whole number from {} to {}, and is {}", least, most,
+                fmt::format("must be a whole number from {} to {}, but is {}", least, most,
                             in_quotes(text)),
-                "write what the cube has");
+                "write the value that the cube has");
   }
   return value;
 }
@@ -151,7 +151,7 @@ std::uint64_t CubeHeader::bytes_of_sample() const {
 
 Result<CubeHeader> parse_cube_header(std::string_view text) {
   if (trimmed(text.substr(0, std::min(text.find('\n'), text.size()))) != "ENVI")
-    return fail("line 1", "is not 'ENVI'", "give a header in ENVI's form");
+    return fail("line 1", "is not 'ENVI'", "give a header in ENVI's format");
   const auto fields = fields_of(text);
   if (!fields) return tl::unexpected(fields.error());
   constexpr std::uint64_t kMostSide = 16384, kMostOffset = std::uint64_t(1) << 32;
@@ -175,8 +175,8 @@ Result<CubeHeader> parse_cube_header(std::string_view text) {
   }
   const auto known = type_of(type);
   if (!known) {
-    return fail("'data type'", fmt::format("{} is none that is read", type),
-                "save as 1, 2, 3, 4, 5, 12 or 13: bytes, whole numbers or floats");
+    return fail("'data type'", fmt::format("{} is not supported", type),
+                "save the cube as type 1, 2, 3, 4, 5, 12 or 13: bytes, whole numbers or floats");
   }
   header.type = *known;
   header.big_endian = order == 1;
@@ -189,9 +189,10 @@ Result<CubeHeader> parse_cube_header(std::string_view text) {
   if (const auto found = fields->find("band names"); found != fields->end()) {
     header.names = names_in(found->second);
     if (header.names.size() != header.bands) {
-      return fail("'band names'",
-                  fmt::format("are {}, and there are {} bands", header.names.size(), header.bands),
-                  "name each of them, or none");
+      return fail(
+          "'band names'",
+          fmt::format("has {} names, but there are {} bands", header.names.size(), header.bands),
+          "name all bands, or none");
     }
   }
   return header;
@@ -225,8 +226,8 @@ std::vector<std::byte> cube_bytes(const Bands& bands) {
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes) {
   if (bytes >= header.bytes() && bytes - header.bytes() <= kMostBeyondCube) return {};
   return fail("the cube",
-              fmt::format("has {} bytes, and its header asks for {}", bytes, header.bytes()),
-              "give the whole file, or a header that is its own");
+              fmt::format("has {} bytes, but its header requires {}", bytes, header.bytes()),
+              "give the complete file, or the header that belongs to it");
 }
 
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes) {

@@ -35,14 +35,15 @@ Result<void> check_bands(const Bands& bands) {
   if (bands.count() < 1)
     return fail("the bands", "there are none", "give pictures, one for each band");
   if (bands.pixels() < 2)
-    return fail("the bands", "one pixel does not vary", "give pictures of two pixels or more");
+    return fail("the bands", "a single pixel has no variance",
+                "give pictures of at least two pixels");
   // The sum of the squares of all samples must not overflow.
   const double most = std::sqrt(std::numeric_limits<double>::max() /
                                 (4.0 * double(bands.pixels()) * bands.count()));
   for (const Band& band : bands.bands) {
     if (band.samples.size() != bands.pixels()) {
       return fail(band.name,
-                  fmt::format("has {} samples, and {} x {} are needed", band.samples.size(),
+                  fmt::format("has {} samples, but {} x {} are needed", band.samples.size(),
                               bands.width, bands.height),
                   "give bands of one size");
     }
@@ -51,7 +52,7 @@ Result<void> check_bands(const Bands& bands) {
       return fail(band.name,
                   fmt::format("the sample of column {}, row {} is {}", i % std::size_t(bands.width),
                               i / std::size_t(bands.width), band.samples[i]),
-                  "give numbers that are finite and not huge");
+                  "give samples that are finite and not too large");
     }
   }
   return {};
@@ -101,8 +102,8 @@ Result<Klt> klt_of(const Bands& bands) {
   Moments moments = moments_of(bands);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moments.covariance);
   if (solver.info() != Eigen::Success)
-    return fail("the bands", "their covariance has no eigenvalues that could be found",
-                "scale the bands to numbers of one size");
+    return fail("the bands", "the eigenvalues of their covariance cannot be computed",
+                "scale the bands to numbers of similar size");
   Klt klt{std::move(moments.mean), std::move(moments.covariance),
           solver.eigenvalues().reverse().cwiseMax(0), solver.eigenvectors().rowwise().reverse()};
   for (Eigen::Index i = 0; i < klt.vectors.cols(); ++i) make_positive(klt.vectors.col(i));

@@ -150,20 +150,21 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
     return fail(source, fmt::format("byte {}: {}", at, what),
                 "make it with glassbox views layers build");
   };
-  if (!is_layers(bytes)) return bad(0, "this is no layered depth image of version 1");
-  if (bytes.size() < kHeaderBytes) return bad(bytes.size(), "the file ends in its header");
+  if (!is_layers(bytes)) return bad(0, "this is not a layered depth image of version 1");
+  if (bytes.size() < kHeaderBytes) return bad(bytes.size(), "the file ends inside its header");
   Reader in(bytes);
   in.skip(kMagic.size());
   const auto width = in.take<std::uint32_t>(), height = in.take<std::uint32_t>();
   if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide)
-    return bad(in.at(), fmt::format("a picture of {} x {} pixels; 1 to {} each way are possible",
-                                    width, height, kMaxImageSide));
+    return bad(in.at(),
+               fmt::format("the picture has {} x {} pixels; 1 to {} in each direction are possible",
+                           width, height, kMaxImageSide));
   const auto kind = in.take<std::uint32_t>();
   LensNumbers numbers;
   for (double& number : numbers) number = in.take<double>();
   StoredLayers layers;
   const std::optional<Lens> lens = lens_of(kind, numbers);
-  if (!lens) return bad(in.at(), fmt::format("lens {}; there are 0, 1 and 2", kind));
+  if (!lens) return bad(in.at(), fmt::format("the lens is {}, but must be 0, 1 or 2", kind));
   layers.camera.lens = *lens;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -179,7 +180,7 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
   const bool has_length =
       in.left() == wanted || in.left() == wanted + section || in.left() == wanted + 2 * section;
   if (!has_length)
-    return bad(in.at(), fmt::format("{} pixels and {} samples take {} bytes more, and {} follow",
+    return bad(in.at(), fmt::format("{} pixels and {} samples need {} more bytes, but {} follow",
                                     offsets - 1, samples, wanted, in.left()));
   LayeredImage& image = layers.image;
   image.camera = layer_camera(*view);
@@ -193,7 +194,8 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
     image.normal.resize(samples);
     for (SampleNormal& n : image.normal) {
       for (std::int8_t* number : {&n.x, &n.y, &n.z}) *number = in.take<std::int8_t>();
-      if (in.take<std::int8_t>() != 0) return bad(in.at() - 1, "a normal has a fourth number");
+      if (in.take<std::int8_t>() != 0)
+        return bad(in.at() - 1, "the fourth number of a normal is not 0");
     }
   }
   if (in.left() > 0 && in.take_word(kTriangles)) {
@@ -201,7 +203,7 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
     for (std::uint32_t& number : image.triangle) number = in.take<std::uint32_t>();
   }
   if (in.left() > 0)
-    return bad(in.at(), "neither normals follow nor triangles, or in another order");
+    return bad(in.at(), "neither normals nor triangles follow, or their order is wrong");
   if (const auto good = check(image, source); !good) return tl::unexpected(good.error());
   return layers;
 }

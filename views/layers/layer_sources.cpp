@@ -41,9 +41,9 @@ Result<SourcePicture> read_picture(const std::string& folder, const NamedCamera&
   if (!distance) return tl::unexpected(distance.error());
   if (color->width != distance->width || color->height != distance->height) {
     return fail(beside.string(),
-                fmt::format("has {} x {} distances for {} x {} pixels", distance->width,
-                            distance->height, color->width, color->height),
-                "give each pixel its distance");
+                fmt::format("has {} x {} distances, but the picture has {} x {} pixels",
+                            distance->width, distance->height, color->width, color->height),
+                "give one distance for each pixel");
   }
   return SourcePicture{named.picture, {}, {}, std::move(*color), std::move(*distance)};
 }
@@ -54,7 +54,7 @@ Result<Camera> camera_of_pinhole(const PinholeCamera& pinhole, int width, int he
                                  std::optional<double> far) {
   const Matrix3d& k = pinhole.intrinsic;
   if (k(0, 1) != 0) {
-    return fail("K", fmt::format("has the skew {:g}: its pixels are no rectangles", k(0, 1)),
+    return fail("K", fmt::format("has the skew {:g}: its pixels are not rectangles", k(0, 1)),
                 "rectify the picture first");
   }
   // The pixel of (X, Y, Z) is (fx X/Z + cx, fy Y/Z + cy), y down.
@@ -79,7 +79,7 @@ Result<std::vector<NamedCamera>> read_cameras(const std::string& file) {
   if (!bytes) return tl::unexpected(bytes.error());
   auto cameras = parse_cameras({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!cameras) return tl::unexpected(in_file(file, cameras.error()));
-  if (cameras->empty()) return fail(file, "names no camera", "give at least one");
+  if (cameras->empty()) return fail(file, "names no camera", "give at least one camera");
   return cameras;
 }
 
@@ -96,7 +96,8 @@ Result<std::vector<SourcePicture>> read_source_pictures(const std::string& file)
     pictures.push_back(std::move(*picture));
   }
   if (!std::isfinite(nearest))
-    return fail(file, "none of its pictures has a distance", "look at the .pfm files beside them");
+    return fail(file, "none of its pictures has a distance",
+                "check the .pfm files beside the pictures");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     SourcePicture& picture = pictures[i];
     auto camera = camera_of_pinhole((*cameras)[i].camera, picture.color.width, picture.color.height,

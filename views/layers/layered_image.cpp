@@ -28,7 +28,8 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
       camera.height > kMaxImageSide)
     return bad(fmt::format("has {} x {} pixels", camera.width, camera.height));
   const Eigen::Matrix4d& m = camera.screen_from_world;
-  if (!m.allFinite() || !m.inverse().allFinite()) return bad("has a camera without an inverse");
+  if (!m.allFinite() || !m.inverse().allFinite())
+    return bad("has a camera whose matrix has no inverse");
   const std::size_t pixels = std::size_t(camera.width) * std::size_t(camera.height);
   if (image.first.size() != pixels + 1 || image.color.size() != image.depth.size())
     return bad(fmt::format("has {} offsets for {} pixels, {} colours for {} depths",
@@ -45,13 +46,13 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
     const std::string where = fmt::format("pixel {}, from the bottom left,", pixel);
     const std::uint32_t begin = image.first[pixel], end = image.first[pixel + 1];
     if (begin > end || end > image.depth.size())
-      return bad(fmt::format("{} has its samples from {} to {}", where, begin, end));
+      return bad(fmt::format("{} has its samples from number {} to number {}", where, begin, end));
     for (std::size_t i = begin; i < end; ++i) {
       const float depth = image.depth[i];
       if (!std::isfinite(depth) || !(depth > 0))
         return bad(fmt::format("{} has the depth {}", where, depth));
       if (i > begin && !(image.depth[i - 1] < depth))
-        return bad(fmt::format("{} has samples that do not go from back to front", where));
+        return bad(fmt::format("{} has samples that are not in order from back to front", where));
       if (!image.normal.empty() && !is_legal(image.normal[i]))
         return bad(fmt::format("{} has a normal whose length is not 1", where));
     }

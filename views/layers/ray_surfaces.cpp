@@ -124,7 +124,7 @@ std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   });
 }
 
-// As formulas/surface.h asks for it.
+// The fragment where a ray hits, with the members that formulas/surface.h needs.
 struct RaySurfaces::RayFragment : UnwatchedFragment {
   using Float = float;
   static constexpr std::size_t kChannels = 3;

@@ -234,14 +234,15 @@ std::size_t SecondEye::warp(const LayerView& layer, const View& centre, const St
 Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings, int layers) {
   const std::string option = "--second-eye";
   if (settings.show != Show::kColor)
-    return fail(option, "it carries colours from eye to eye, not what --show shows",
-                "leave one of them out");
+    return fail(option, "it warps colours from eye to eye, but not the output of --show",
+                "leave one of the two options out");
   if (layers == 1) return {};
   if (settings.samples > 1)
-    return fail(option, "a sample of a layer has one depth", "leave out --samples, or take warp:1");
+    return fail(option, "a sample of a layer has only one depth",
+                "leave --samples out, or use warp:1");
   if (const Material* glass = seen_through(scene))
-    return fail(option, "material \"" + printable(glass->name) + "\" is seen through",
-                "take warp:1, which carries it with what is behind it");
+    return fail(option, "material \"" + printable(glass->name) + "\" is transparent",
+                "use warp:1, which warps it together with the surface behind it");
   return {};
 }
 

@@ -21,24 +21,26 @@ Result<void> check_calibration(const Calibration& calibration) {
   const double focal = calibration.focal_px, baseline = calibration.baseline,
                offset = calibration.offset_px;
   if (!(focal > 0 && std::isfinite(focal))) {
-    return fail("--calibration", fmt::format("{:g} px is no focal length", focal),
-                "give F,B,OFFSET, F above 0");
+    return fail("--calibration", fmt::format("{:g} px is not a focal length", focal),
+                "give F,B,OFFSET with F above 0");
   }
   if (!(baseline > 0 && std::isfinite(baseline))) {
     return fail("--calibration",
-                fmt::format("{:g} is no baseline: without one there is no depth", baseline),
-                "give F,B,OFFSET, B above 0");
+                fmt::format("{:g} is not a baseline: depth needs a baseline above 0", baseline),
+                "give F,B,OFFSET with B above 0");
   }
   if (!std::isfinite(offset)) {
-    return fail("--calibration", "the offset is not finite", "give F,B,OFFSET, 0 for none");
+    return fail("--calibration", "the offset is not finite",
+                "give F,B,OFFSET, with 0 for no offset");
   }
   // A parallax is between 2^-24 px (the smallest part of a pixel) and 2^15 px (the widest picture).
   // The product divided by it must be a float of full precision.
   constexpr double kLeast = 1e-30, kMost = 1e30;
   if (!(focal * baseline >= kLeast && focal * baseline <= kMost)) {
-    return fail("--calibration",
-                fmt::format("depths of F B = {:g} have no room in 32 bits", focal * baseline),
-                "give the baseline in a unit of its size");
+    return fail(
+        "--calibration",
+        fmt::format("depths for F B = {:g} do not fit into 32-bit floats", focal * baseline),
+        "give the baseline in another unit");
   }
   return {};
 }

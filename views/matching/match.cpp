@@ -175,26 +175,26 @@ Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& 
     return fail("the pair",
                 fmt::format("the pictures are {} x {} and {} x {}", left.width, left.height,
                             right.width, right.height),
-                "match two of one size, rectified");
+                "give two rectified pictures of one size");
   }
   if (left.width < 2 || left.height < 2) {
     return fail("the pair", fmt::format("the pictures are {} x {}", left.width, left.height),
-                "match pictures of at least 2 x 2 pixels");
+                "give pictures of at least 2 x 2 pixels");
   }
   if (settings.range.first >= left.width || settings.range.last <= -left.width) {
     return fail("--range",
-                fmt::format("{},{} leads beside pictures of {} columns", settings.range.first,
+                fmt::format("{},{} leads outside of pictures with {} columns", settings.range.first,
                             settings.range.last, left.width),
-                "take disparities below the width");
+                "give disparities below the width");
   }
   DenseMatch match;
   match.bytes = bytes_of_match(left.width, left.height, settings);
   if (match.bytes > max_bytes) {
     return fail("--range",
-                fmt::format("{} x {} pixels of {} disparities take {} MB, more than the {} allowed",
+                fmt::format("{} x {} pixels with {} disparities take {} MB, but {} MB are allowed",
                             left.width, left.height, settings.range.count(), match.bytes >> 20,
                             max_bytes >> 20),
-                "take a shorter range, smaller pictures, or more --max-mb");
+                "use a shorter range, smaller pictures, or a larger --max-mb");
   }
   if (settings.threads == 0) {
     run(left, right, settings, match);

@@ -102,7 +102,7 @@ Result<SurfaceView> view_of(const Surface& surface, const Calibration& calibrati
                             int height) {
   if (surface.vertices.empty()) {
     return fail("the surface", "no pixel has a depth",
-                "look at --calibration: F B/(disparity + OFFSET) has to be above 0");
+                "check --calibration: F B/(disparity + OFFSET) must be above 0");
   }
   const auto [farthest, nearest] = std::ranges::minmax(surface.vertices, {}, &Surface::Vertex::z);
   const Principal centre = principal_of(calibration, width, height);

@@ -321,19 +321,20 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
                                        const PolygonColoringSettings& settings) {
   if (LiveSurface::is_too_large(occupancy.grid())) {
     return fail("--resolution",
-                fmt::format("{} voxels have more cells than polygons can be numbered",
+                fmt::format("{} voxels have more cells than there are numbers for polygons",
                             occupancy.grid().voxels()),
                 "ask for larger voxels");
   }
   if (occupancy.full() == 0) {
-    return fail("the voxels", "none is full, so there is no surface",
-                "raise --threshold, or look with `glassbox views voxels` at what is coloured");
+    return fail("the voxels", "none of them is coloured, so there is no surface",
+                "raise --threshold, or see with `glassbox views voxels` which voxels are coloured");
   }
   const std::int64_t polygons = LiveSurface::count_polygons(occupancy);
   const double bytes = polygon_bytes(occupancy.grid(), double(polygons));
   const auto refused = [&](const std::string& what) {
-    return fail("--max-mb", fmt::format("{} polygons{} take more memory than that", polygons, what),
-                "take larger voxels or smaller pictures, or allow more");
+    return fail("--max-mb",
+                fmt::format("{} polygons{} need more memory than the limit", polygons, what),
+                "use larger voxels or smaller pictures, or allow more memory");
   };
   if (bytes > settings.most_bytes) return refused("");
   const auto start = std::chrono::steady_clock::now();
@@ -344,7 +345,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   LiveSurface surface(set, occupancy, settings.threads, for_layers);
   const bool fits = surface.layer_bytes() <= for_layers &&
                     (!settings.carves || Carving(set, surface, settings).run(result, for_layers));
-  if (!fits) return refused(" and the layered images of them");
+  if (!fits) return refused(" and their layered images");
   result.full = surface.occupancy().full();
   for (const IdLayers& layers : surface.layers()) result.samples += layers.sample_count();
   const Occupancy& solid = surface.occupancy();

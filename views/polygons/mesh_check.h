@@ -17,7 +17,7 @@ struct MeshCheck {
   std::int64_t degenerate = 0;
   std::int64_t duplicates = 0;  // corners at the same place as another one
   std::int64_t pinched = 0;     // corners around which the triangles are more than one fan
-  std::int64_t corners = 0;     // that a triangle uses
+  std::int64_t corners = 0;     // that at least one triangle uses
   // Corners - edges + triangles: 2 for each closed piece, minus 2 for each handle.
   std::int64_t euler = 0;
   double volume = 0;  // enclosed by the closed surface, in cubic lattice units

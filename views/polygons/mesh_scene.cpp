@@ -35,10 +35,10 @@ Result<void> check_floats(const VoxelGrid& grid) {
   }
   if (farthest * 0x1p-23 < grid.size * kLeastStep / 4) return {};
   return fail("--box",
-              fmt::format("voxels of {:.3g} at {:.3g} from the origin: the floats of a file do not "
-                          "tell their corners apart",
+              fmt::format("voxels of size {:.3g} are {:.3g} from the origin: the file's floats "
+                          "cannot distinguish their corners",
                           grid.size, farthest),
-              "take larger voxels, or a world whose origin is near the object");
+              "use larger voxels, or a world whose origin is near the object");
 }
 
 Result<Scene> scene_of(const PolygonColoring& coloring) {

@@ -53,13 +53,13 @@ Result<fs::path> camera_file_in(const fs::path& folder) {
   if (found.size() > 1) {
     return tl::unexpected(Error{folder.string(), "",
                                 fmt::format("has {} files *_par.txt", found.size()),
-                                "name the one to read"});
+                                "name the file that is to be read"});
   }
   if (is_file(folder / "cameras.txt") && is_file(folder / "images.txt"))
     return folder / "cameras.txt";
-  return tl::unexpected(Error{folder.string(), "",
-                              "has no cameras: neither *_par.txt nor cameras.txt and images.txt",
-                              "make a folder with: glassbox views ring SCENE -o DIR"});
+  return tl::unexpected(
+      Error{folder.string(), "", "has no cameras: neither *_par.txt nor cameras.txt and images.txt",
+            "a folder with cameras is made by: glassbox views ring SCENE -o DIR"});
 }
 
 Result<std::vector<NamedCamera>> cameras_of(const fs::path& file) {
@@ -80,10 +80,9 @@ Result<std::vector<NamedCamera>> choose(std::vector<NamedCamera> all, const std:
   std::vector<NamedCamera> some;
   for (const std::size_t index : chosen) {
     if (index >= all.size()) {
-      return tl::unexpected(
-          Error{file, "",
-                fmt::format("has {} cameras, and number {} is asked for", all.size(), index + 1),
-                "count from 1"});
+      return tl::unexpected(Error{
+          file, "", fmt::format("has {} cameras, so there is no number {}", all.size(), index + 1),
+          "give a number from 1 on"});
     }
     some.push_back(all[index]);
   }
@@ -139,7 +138,7 @@ private:
     } else if (pixels_in(path) > bytes_left_ / sizeof(Rgba8)) {
       return tl::unexpected(
           Error{path.string(), "",
-                fmt::format("the pictures would take more than the {} MB that are allowed",
+                fmt::format("the pictures take more than the {} MB that are allowed",
                             options_.most_bytes >> 20),
                 "allow more with --max-mb, or choose fewer pictures"});
     }
@@ -163,9 +162,9 @@ private:
       if (mask->width != picture.color.width || mask->height != picture.color.height) {
         return tl::unexpected(
             Error{path->string(), "",
-                  fmt::format("is {} x {}, and its picture is {} x {}", mask->width, mask->height,
+                  fmt::format("is {} x {}, but its picture is {} x {}", mask->width, mask->height,
                               picture.color.width, picture.color.height),
-                  "make the mask of the picture's size"});
+                  "make the mask as large as the picture"});
       }
       picture.matte = matte_by(*mask, [](const Rgba8& pixel) { return brightest(pixel) >= 128; });
       return {};
@@ -232,8 +231,8 @@ Result<WorldBox> parse_box(std::string_view text) {
                         (*rows)[1].numbers.size() == 3 && (*rows)[0].name.empty() &&
                         (*rows)[1].name.empty();
   if (!has_form) {
-    return fail("", "a box is two lines of three numbers",
-                "write its corners of least and of greatest coordinates");
+    return fail("", "a box needs two lines of three numbers",
+                "write the corner of least coordinates, then the corner of greatest");
   }
   WorldBox box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -262,7 +261,8 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
   if (cameras->empty() || cameras->size() > std::size_t(kMostRingViews)) {
     return tl::unexpected(Error{
         file.string(), "",
-        fmt::format("has {} cameras of 1 to {}", cameras->size(), kMostRingViews), "choose some"});
+        fmt::format("has {} cameras, but 1 to {} are possible", cameras->size(), kMostRingViews),
+        "choose other cameras"});
   }
   PictureSet set{file.string(), {}, {}};
   Reader reader(file, options);
@@ -300,7 +300,7 @@ Result<PictureSetWriter> PictureSetWriter::open(const std::string& folder) {
   if (!error) fs::remove(fs::path(folder) / kBoxFile, error);
   if (error) {
     return tl::unexpected(Error{folder, "", "cannot be written to: " + error.message(),
-                                "name a folder that may be written"});
+                                "name a folder that can be written to"});
   }
   return PictureSetWriter(folder);
 }
@@ -313,7 +313,8 @@ Result<void> PictureSetWriter::add(const CalibratedPicture& picture) {
     std::error_code error;
     fs::remove(stale, error);
     if (error)
-      return tl::unexpected(Error{stale, "", "cannot be removed: " + error.message(), "remove it"});
+      return tl::unexpected(
+          Error{stale, "", "cannot be removed: " + error.message(), "remove it yourself"});
   }
   if (const auto written = write_image(path.string(), picture.color); !written) return written;
   if (!picture.matte.pixels.empty()) {

@@ -19,12 +19,12 @@ Result<void> check_options(const RingOptions& options) {
   if (options.views < 1 || options.elevations.empty() ||
       std::int64_t(options.views) * std::int64_t(options.elevations.size()) > kMostRingViews) {
     return fail("--views", fmt::format("a ring has 1 to {} pictures", kMostRingViews),
-                "ask for a number of them in that range");
+                "ask for a number in this range");
   }
   if (!(options.fov_degrees > 0 && options.fov_degrees < 180))
     return fail("--fov", "the angle of view must be between 0 and 180 degrees", "give 30");
   if (!(options.arc_degrees > 0 && options.arc_degrees <= 360))
-    return fail("--arc", "an arc is more than 0 and at most 360 degrees",
+    return fail("--arc", "an arc must be more than 0 and at most 360 degrees",
                 "give 180 for half a ring");
   for (const double elevation : options.elevations) {
     if (std::abs(elevation) < 90) continue;
@@ -32,16 +32,16 @@ Result<void> check_options(const RingOptions& options) {
                 "give 20, or several: 20,-20");
   }
   if (options.distance && !(*options.distance > 0 && std::isfinite(*options.distance)))
-    return fail("--distance", "a distance must be positive", "leave it out");
+    return fail("--distance", "the distance must be positive", "leave it out");
   if (options.pair_separation &&
       !(*options.pair_separation > 0 && std::isfinite(*options.pair_separation)))
-    return fail("--pairs", "two cameras of a pair are apart", "give a positive separation");
+    return fail("--pairs", "the two cameras of a pair must be apart", "give a positive separation");
   if (!std::isfinite(options.start_degrees) || std::abs(options.start_degrees) > kMostDegrees)
     return fail("--start",
-                fmt::format("the first camera's angle is at most {} degrees", kMostDegrees),
-                "give 0 for the front");
+                fmt::format("the first camera's angle must be at most {} degrees", kMostDegrees),
+                "give 0 to begin at the front");
   if (!(options.up.norm() > 0) || !std::isfinite(options.up.norm()))
-    return fail("--up", "up must be a direction, with a length that is a number", "give 0,1,0");
+    return fail("--up", "up must be a direction of finite length, not 0", "give 0,1,0");
   if (options.target && !options.target->allFinite())
     return fail("--look-at", "the target must be three numbers", "leave it out");
   return {};
@@ -106,8 +106,8 @@ std::array<Vector3d, 8> corners_of(const WorldBox& box) {
 Result<View> view_of(const PinholeCamera& camera, int width, int height, double near, double far) {
   const Matrix3d& k = camera.intrinsic;
   if (k(0, 1) != 0) {
-    return fail("K", "its axes are skewed, and the engine's pixels are rectangles",
-                "take pictures of a camera without skew");
+    return fail("K", "its axes are skewed, but the engine's pixels are rectangles",
+                "use a camera without skew");
   }
   FrustumLens lens;
   lens.left = -k(0, 2) / k(0, 0) * near;
@@ -142,7 +142,8 @@ Result<std::vector<RingView>> ring_views(const Scene& scene, const RingOptions& 
     radius = std::max(radius, (Vector3d(p.x, p.y, p.z) - target).norm());
   });
   if (!(radius > 0) || !std::isfinite(radius))
-    return fail("the scene", "it draws nothing that a ring could go round", "take another one");
+    return fail("the scene", "it has nothing visible that a ring could go around",
+                "use another scene");
   const Vector3d axis = options.up.normalized();
   const auto [first, second] = plane_of(axis);
   const double distance = options.distance.value_or(

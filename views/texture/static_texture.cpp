@@ -59,7 +59,7 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
   constexpr int kMostSide = 16384;
   const auto refused = [&](const std::string& cause, const char* remedy) {
     return fail("--texels",
-                fmt::format("{} triangles of {} texels take a texture of {} x {}{}",
+                fmt::format("{} triangles of {} texels need a texture of {} x {}{}",
                             triangles.size(), texels, atlas.width(), atlas.height(), cause),
                 remedy);
   };

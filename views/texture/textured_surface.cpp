@@ -48,7 +48,7 @@ Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet
                                             int neighbours) {
   if (numbers_of(scene) == 0)
     return fail("the mesh", "it has no polygons",
-                "give one with faces, as `glassbox views polygons` writes it");
+                "give a mesh with faces, such as `glassbox views polygons` writes");
   auto renderer = std::make_unique<UnlitRenderer>(scene);
   auto seen = SeenPolygons::of(scene, set, *renderer);
   if (!seen) return tl::unexpected(seen.error());

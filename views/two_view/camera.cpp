@@ -12,8 +12,8 @@ namespace glassbox::views {
 // X_screen = W/2 (a X/Z - s Y/Z) + left + W/2 (1 - b), Y_screen = H/2 c Y/Z + top + H/2 (1 + d).
 Result<PinholeCamera> camera_of(const View& view) {
   if (!view.perspective) {
-    return fail("the camera", "a parallel projection has no centre, and so no epipoles",
-                "take a perspective one");
+    return fail("the camera", "a parallel projection has no centre, and therefore no epipoles",
+                "use a perspective camera");
   }
   const auto& clip = view.clip_from_eye;
   const double half_width = double(view.viewport.width()) / 2;

@@ -30,14 +30,14 @@ int count(const std::vector<bool>& chosen) {
 }
 
 tl::unexpected<Error> no_model(int matches) {
-  return fail("the matches", fmt::format("no sample of the {} decides a model", matches),
-              "give more, in general position");
+  return fail("the matches", fmt::format("none of the {} samples determines a model", matches),
+              "give more matches, in general position");
 }
 
 tl::unexpected<Error> few_inliers(int inliers, double threshold) {
   return fail("the matches",
-              fmt::format("{} of them agree within {} px, and 8 are needed", inliers, threshold),
-              "give better ones, or a larger threshold");
+              fmt::format("{} of them agree within {} px, but 8 are needed", inliers, threshold),
+              "give better matches, or a larger threshold");
 }
 
 // `refine(inliers)` returns a model and its F. The inliers are selected again with the new F, until
@@ -138,8 +138,8 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
   const auto chosen =
       pose_in_front(nearest_essential(found->model), inliers_of(matches, found->is_inlier));
   if (!chosen) {
-    return fail("the matches", "as many of them lie behind the cameras as in front of them",
-                "give matches of points that are nearer, or pictures from places further apart");
+    return fail("the matches", "as many of their points are behind the cameras as in front of them",
+                "give matches of nearer points, or pictures from places further apart");
   }
   PoseEstimate estimate{chosen->pose, found->is_inlier, 0, found->samples, 0};
   const auto rig = [&](const RelativePose& pose) {

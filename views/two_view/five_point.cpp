@@ -200,8 +200,7 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
   const auto fit = linear_fit(calibrated, 5);
   if (!fit) return tl::unexpected(fit.error());
   if (fit->rank() < 5) {
-    return fail("the matches",
-                "they say less than five equations do: some are combinations of others",
+    return fail("the matches", "they give fewer than five independent equations",
                 "give matches in general position");
   }
   const Basis basis = turned_basis(fit->kernel.rightCols(4));

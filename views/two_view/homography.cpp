@@ -12,8 +12,8 @@ namespace glassbox::views {
 // Uses p_r x H p_l = 0, which gives two independent equations for each match.
 Result<Eigen::Matrix3d> fit_homography(const Matches& matches) {
   if (matches.size() < 4) {
-    return fail("the matches", fmt::format("there are {}, and 4 are needed", matches.size()),
-                "give more");
+    return fail("the matches", fmt::format("there are {}, but 4 are needed", matches.size()),
+                "give more matches");
   }
   return normalised(matches).and_then([&](const Normalised& from) -> Result<Eigen::Matrix3d> {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(Eigen::Index(2 * matches.size()), 9);
@@ -30,8 +30,7 @@ Result<Eigen::Matrix3d> fit_homography(const Matches& matches) {
     const Eigen::Matrix3d h = (from.right.inverse() * there * from.left).normalized();
     const double determinant = h.determinant();
     if (determinant == 0) {
-      return fail("the matches", "they lie on a line, or on points of one",
-                  "give points in general position");
+      return fail("the matches", "their points are on a line", "give points in general position");
     }
     return determinant < 0 ? Eigen::Matrix3d(-h) : h;
   });

@@ -26,7 +26,7 @@ Svd3 decomposed(const Matrix3d& matrix) {
 }
 
 tl::unexpected<Error> not_finite() {
-  return fail("the matches", "a coordinate is not finite, or too large to be multiplied",
+  return fail("the matches", "a coordinate is not finite, or too large for the computation",
               "leave that match out");
 }
 
@@ -54,8 +54,8 @@ Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pic
   // The mean of equal points may differ from them by its rounding error.
   const double rounding = double(matches.size()) * std::numeric_limits<double>::epsilon();
   if (!(distance > rounding * centre.norm())) {
-    return fail("the matches", fmt::format("all points of the {} picture are the same one", side),
-                "give points that differ");
+    return fail("the matches", fmt::format("all points of the {} picture are the same", side),
+                "give different points");
   }
   const double scale = std::sqrt(2.0) / distance;
   Matrix3d matrix;
@@ -104,7 +104,8 @@ int LinearFit::rank() const {
 Result<LinearFit> linear_fit(const Matches& matches, int least) {
   if (int(matches.size()) < least) {
     return fail("the matches",
-                fmt::format("there are {}, and {} are needed", matches.size(), least), "give more");
+                fmt::format("there are {}, but {} are needed", matches.size(), least),
+                "give more matches");
   }
   const auto rows = design_matrix(matches);
   if (!is_finite(rows)) return not_finite();

@@ -45,16 +45,16 @@ Matrix3d of_positive_scale(const Matrix3d& homography, int width, int height) {
 Result<Rectification> rectification_of(const StereoRig& rig, int width, int height) {
   const Vector3d baseline = rig.pose.translation;
   if (baseline.norm() == 0) {
-    return fail("the cameras", "they stand in one place, and have no epipolar lines",
-                "take pictures from two places");
+    return fail("the cameras", "both are at the same place, so there are no epipolar lines",
+                "use pictures from two places");
   }
   const bool in_left = shows(rig.left_intrinsic, baseline, width, height);
   const bool in_right = shows(rig.right_intrinsic, rig.pose.rotation * baseline, width, height);
   if (in_left || in_right) {
     return fail("the cameras",
-                "one sees the other's place in its picture: lines through a point "
+                "one camera sees the other in its picture: the epipolar lines meet in a point, and "
                 "cannot be made parallel",
-                "take pictures from places beside each other");
+                "use pictures from places beside each other");
   }
   const double sign = baseline.x() < 0 ? -1 : 1;
   const Vector3d gaze =

@@ -34,8 +34,7 @@ Result<std::vector<Matrix3d>> seven_point(const Matches& pixels) {
   const auto fit = linear_fit(from->matches, 7);
   if (!fit) return tl::unexpected(fit.error());
   if (fit->rank() < 7) {
-    return fail("the matches",
-                "they say less than seven equations do: some are combinations of others",
+    return fail("the matches", "they give fewer than seven independent equations",
                 "give matches in general position");
   }
   const auto kernel = fit->kernel.rightCols(2);

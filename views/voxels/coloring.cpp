@@ -92,12 +92,13 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
                            const ColoringPlan& plan) {
   constexpr int kMostLevels = 6;
   if (request.levels < 0 || request.levels > kMostLevels)
-    return fail("--levels", fmt::format("coarser levels are 0 to {}", kMostLevels), "give 2");
+    return fail("--levels",
+                fmt::format("the number of coarser levels must be 0 to {}", kMostLevels), "give 2");
   if (plan.order == Order::kCarve && (request.levels > 0 || request.direction)) {
     return fail(request.levels > 0 ? "--levels" : "--direction",
                 request.order == Order::kCarve
-                    ? "is of one sweep, and carving goes along all six directions"
-                    : "is of one sweep, and cameras all around the box need carving",
+                    ? "is for a single sweep, but carving sweeps along all six directions"
+                    : "is for a single sweep, but cameras all around the box need carving",
                 "leave it out, or ask for --order sweep");
   }
   for (const CalibratedPicture& picture : set.pictures) {
@@ -105,20 +106,19 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
                                           picture.color.width, picture.color.height);
     if (is_finite(lens)) continue;
     if (projection_of(picture.camera).cast<float>().allFinite())
-      return fail("--box", "the box is too large for the cameras' numbers",
-                  "give it in the units that the cameras are in");
-    return fail(picture.name, "its camera's numbers are too large to place voxels with",
+      return fail("--box", "the box is too large for the numbers of the cameras",
+                  "give the box in the units of the cameras");
+    return fail(picture.name, "the numbers of its camera are too large to project voxels",
                 "give K, R and t in the units of the box");
   }
   const double bytes = double(plan.bytes);
   if (bytes <= double(request.most_bytes)) return {};
   return fail(
       request.size_option,
-      fmt::format("{} x {} x {} voxels and {} pictures would take {:.0f} MB, and {} MB are "
-                  "allowed",
+      fmt::format("{} x {} x {} voxels and {} pictures take {:.0f} MB, but {} MB are allowed",
                   plan.grid.count[0], plan.grid.count[1], plan.grid.count[2], set.pictures.size(),
                   std::ceil(bytes / 1048576), request.most_bytes >> 20),
-      "take larger voxels, or allow more with --max-mb");
+      "use larger voxels, or allow more with --max-mb");
 }
 
 void add_voxels(const Sweep& sweep, std::vector<ColoredVoxel>& voxels) {
@@ -229,7 +229,8 @@ std::string_view name_of(Alone alone) {
 }
 
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request) {
-  if (set.pictures.empty()) return fail("the pictures", "there are none", "give some");
+  if (set.pictures.empty())
+    return fail("the pictures", "there are none", "give at least one picture");
   Visit visit = visit_of(set, request);
   auto grid = grid_of(request.box, request.voxel_size, visit.axes);
   if (!grid) {

@@ -10,9 +10,10 @@ namespace glassbox::views {
 
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes) {
   if (!(size > 0) || !std::isfinite(size))
-    return fail(kVoxelOption, "a voxel's edge must be positive", "give one in world units");
+    return fail(kVoxelOption, "a voxel's edge must be positive", "give a length in world units");
   if (!((box.high - box.low).minCoeff() > 0) || !box.low.allFinite() || !box.high.allFinite()) {
-    return fail("--box", "the box is empty", "give its corners of least and greatest coordinates");
+    return fail("--box", "the box is empty",
+                "give the corners of least and of greatest coordinates");
   }
   Vector3d low = Vector3d::Constant(INFINITY), high = Vector3d::Constant(-INFINITY);
   for (const Vector3d& p : corners_of(box)) {
@@ -31,9 +32,9 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
     const double along = std::ceil((high[axis] - low[axis]) / size - kRounding);
     if (!(along <= kMostVoxelsAlong)) {
       return fail(kVoxelOption,
-                  fmt::format("the box would have {:.4g} voxels along an axis, and {} is the most",
-                              along, kMostVoxelsAlong),
-                  "take larger voxels or a smaller box");
+                  fmt::format("the box has {:.4g} voxels along an axis, but {} are the most", along,
+                              kMostVoxelsAlong),
+                  "use larger voxels or a smaller box");
     }
     grid.count[std::size_t(axis)] = std::max(1, int(along));
   }

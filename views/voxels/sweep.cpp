@@ -225,8 +225,8 @@ void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Bl
                 block.rows.data() + r * asked_.size()};
   };
   const VoxelBox box = box_of_runs(runs);
-  // Runs that are far apart or short have little in common, so they are judged whole. Those in the
-  // cells of a coarser level are like that.
+  // If runs are short or far apart, testing the box around them saves little, so each run is tested
+  // by itself. Runs in the cells of a coarser level are like that.
   constexpr std::int64_t kMostEmpty = 2, kLeastParts = 4;
   if (!is_one_axis || voxels_of(box) > kMostEmpty * voxels ||
       voxels < kLeastParts * kPart * std::int64_t(runs.size())) {

@@ -43,7 +43,7 @@ function pairButton(pair, index) {
 }
 
 function shortFinding({differences, verdict, error}) {
-  if (!differences) return verdict === "different" ? "not the same kind of picture" : error.cause;
+  if (!differences) return verdict === "different" ? "another kind of picture" : error.cause;
   return `${count(differences.differing_pixels, "pixel")}, largest ${largestText(differences)}`;
 }
 
@@ -64,7 +64,7 @@ function showFindings(pair) {
   pairButtonAt(manifest.pairs.indexOf(pair))?.setAttribute("aria-current", "true");
   byId("details").replaceChildren(...[
     section("Reasons", sentences(pair.reasons?.slice(1))),
-    section("What may be behind it", sentences(pair.hints)),
+    section("Likely causes", sentences(pair.hints)),
     section("Notes", sentences(pair.notes)),
     section("Tolerance", toleranceText(pair)),
     section("Metrics", metricsTable(pair.metrics)),

@@ -32,21 +32,22 @@ std::optional<std::string> peer_cannot_draw(const BenchScene& bench) {
   const Scene& scene = bench.scene;
   const int samples = bench.settings.samples;
   if (samples != 1 && samples != kPeerSamples) {
-    return fmt::format("the peer has 1 or {} samples of a pixel, not {}", kPeerSamples, samples);
+    return fmt::format("the peer draws with 1 or {} samples per pixel, not with {}", kPeerSamples,
+                       samples);
   }
   if (has_lines_or_points(scene)) {
-    return "the peer's lines and points have other pixels";
+    return "the peer's lines and points cover other pixels";
   }
   if (std::ranges::any_of(scene.textures, [](const Texture& texture) {
         return magnifies_elsewhere(texture.sampler);
       })) {
-    return "a texture is magnified by another filter than it is minified, which the peer changes "
-           "elsewhere";
+    return "a texture has different filters for magnification and minification, and the peer "
+           "switches between them at another size";
   }
   if (std::ranges::any_of(scene.images, [](const Image<Rgba8>& image) {
         return std::max(image.width, image.height) > kPeerTextureSide;
       })) {
-    return fmt::format("the peer's textures have at most {} texels a side", kPeerTextureSide);
+    return fmt::format("the peer's textures have at most {} texels on a side", kPeerTextureSide);
   }
   return std::nullopt;
 }

@@ -27,7 +27,7 @@ Function symbol(void* library, const char* name) {
 }
 
 tl::unexpected<Error> unusable(const std::string& cause) {
-  return fail(kLibrary, cause, "install Debian 12's libosmesa6, or leave --against out");
+  return fail(kLibrary, cause, "install libosmesa6 of Debian 12, or leave --against out");
 }
 
 }  // namespace
@@ -35,7 +35,8 @@ tl::unexpected<Error> unusable(const std::string& cause) {
 Result<std::unique_ptr<OsMesa>> OsMesa::open() {
   std::unique_ptr<OsMesa> mesa(new OsMesa);
   mesa->library_ = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-  if (mesa->library_ == nullptr) return unusable("Mesa without a display is not installed");
+  if (mesa->library_ == nullptr)
+    return unusable("Mesa's library for drawing without a display is not installed");
   if (const auto made = mesa->make_context(); !made) return tl::unexpected(made.error());
   if (const auto found = mesa->find_functions(); !found) return tl::unexpected(found.error());
   return mesa;

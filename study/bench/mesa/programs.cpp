@@ -31,7 +31,7 @@ Result<GlProgram> GlPrograms::make(const Ingredients& ingredients) const {
   gl_.LinkProgram(program.name);
   gl::Int linked = 0;
   gl_.GetProgramiv(program.name, gl::kLinkStatus, &linked);
-  if (linked == 0) return refused("the shaders do not fit together");
+  if (linked == 0) return refused("the shaders cannot be linked");
   const auto uniform = [&](const char* name) { return gl_.GetUniformLocation(program.name, name); };
   program.clip_from_object = uniform("clip_from_object");
   program.eye_from_object = uniform("eye_from_object");
@@ -57,7 +57,7 @@ Result<gl::Uint> GlPrograms::compile(gl::Enum kind, const std::string& text) con
   if (compiled != 0) return shader;
   std::array<char, 1000> log{};
   gl_.GetShaderInfoLog(shader, gl::Size(log.size()), nullptr, log.data());
-  return refused(std::string("a shader was not accepted: ") + log.data());
+  return refused(std::string("a shader was refused: ") + log.data());
 }
 
 void GlPrograms::set_lights(gl::Uint program) const {

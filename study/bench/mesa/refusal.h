@@ -8,7 +8,7 @@
 namespace glassbox::study {
 
 inline tl::unexpected<Error> refused(const std::string& cause) {
-  return fail("OpenGL", cause, "try another Mesa, or leave --against out");
+  return fail("OpenGL", cause, "try another version of Mesa, or leave --against out");
 }
 
 }  // namespace glassbox::study

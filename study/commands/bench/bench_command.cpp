@@ -68,11 +68,12 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox bench room forest --against opencv --threads 2\n"
       "  glassbox bench room --stereo anaglyph --json -\n"
       "  glassbox bench --scaling triangles --most 1000000\n\n"
-      "Times are medians after three frames that are not measured (of OpenCV's task one);\n"
-      "docs/benchmark.md says what is in them.\n\n" +
+      "Times are medians. Three frames run before the measured ones (one with --against opencv);\n"
+      "docs/benchmark.md says what the times include.\n\n" +
       bench_scene_help() + "\n" + builtin_help());
-  command.add_option("SCENE", scenes_,
-                     "of the benchmark, built-in, or a glTF, GLB, OBJ or PLY file [S1 to R12]");
+  command.add_option(
+      "SCENE", scenes_,
+      "a scene of the benchmark, a built-in scene, or a glTF, GLB, OBJ or PLY file [S1 to R12]");
   add_measure_options(command);
   add_engine_options(command);
   const std::string outputs = "Other outputs";
@@ -83,11 +84,11 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 void BenchCommand::add_measure_options(CLI::App& command) {
-  add_choice<std::optional<Peer>>(command, "--against", against_,
-                                  {{"mesa", Peer::kMesa}, {"opencv", Peer::kOpencv}},
-                                  "draw with this too, in alternation, and compare the pictures; "
-                                  "opencv: match pairs of pictures, as views match does");
-  command.add_option("--frames", frames_, "measured frames of each side [9]")
+  add_choice<std::optional<Peer>>(
+      command, "--against", against_, {{"mesa", Peer::kMesa}, {"opencv", Peer::kOpencv}},
+      "a peer that draws the same frames in turn, and whose pictures are compared; opencv: compare "
+      "the matching of picture pairs instead (see views match)");
+  command.add_option("--frames", frames_, "measured frames of Glassbox and of the peer [9]")
       ->check(CLI::Range(1, kMostFrames))
       ->type_name("N");
   add_bench_drawing(command, drawing_);
@@ -95,20 +96,21 @@ void BenchCommand::add_measure_options(CLI::App& command) {
   add_choice(
       command, "--scaling", scaling_,
       choices_of({ScaledBy::kTriangles, ScaledBy::kPixels, ScaledBy::kThreads, ScaledBy::kTile}),
-      "how time grows with this, in place of scenes");
+      "instead of scenes, measure how time grows with this quantity");
   command
       .add_option_function<std::string>(
           "--most", [this](const std::string& text) { most_ = parse_number("--most", text); },
-          "end --scaling there [30 million triangles, 16384 x 16384 pixels]")
+          "largest value that --scaling measures [30 million triangles, 16384 x 16384 pixels]")
       ->type_name("N");
   command.add_flag("--floor", floor_,
-                   "measure the machine too, and how far each scene is from what it allows");
+                   "measure the machine's speed too, and compare each time with the least that "
+                   "this machine allows");
 }
 
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
   add_choice(command, "--engine", engine_.engine,
-             choices_of({EngineKind::kTile, EngineKind::kStaged}), "which one draws [tile]")
+             choices_of({EngineKind::kTile, EngineKind::kStaged}), "the engine that draws [tile]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -122,9 +124,11 @@ void BenchCommand::add_engine_options(CLI::App& command) {
 Result<void> BenchCommand::check_options() const {
   if (engine_.engine == EngineKind::kStaged && !threads_.empty() &&
       threads_ != std::vector<int>{1}) {
-    return fail("--threads", "the staged engine has one thread", "leave one of the two out");
+    return fail("--threads", "--engine staged always uses one thread", "leave one of the two out");
   }
-  if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");
+  if (!(most_ >= 0))
+    return fail("--most", "is not a number above 0",
+                "give the largest number to measure, such as 1e6");
   return check_report_outputs(html_output_, json_output_);
 }
 
@@ -137,7 +141,8 @@ study::MeasureOptions BenchCommand::measure_options(int threads) const {
 Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& report,
                                          Progress& progress) const {
   if (const auto missing = missing_asset(name)) {
-    report.notes.push_back(fmt::format("{} is left out: {} is not there.", name, *missing));
+    report.notes.push_back(
+        fmt::format("{} is left out: the file {} does not exist.", name, *missing));
     return {};
   }
   progress.phase("loading " + name);
@@ -157,7 +162,7 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
     if (!measured) return tl::unexpected(measured.error());
     report.results.push_back(std::move(*measured));
   }
-  if (alone) report.notes.push_back(fmt::format("{} is drawn alone: {}.", name, *alone));
+  if (alone) report.notes.push_back(fmt::format("{} is drawn without the peer: {}.", name, *alone));
   return {};
 }
 
@@ -190,7 +195,7 @@ void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) cons
 // Measures the matching of stereo pairs, instead of the drawing of scenes.
 int BenchCommand::run_matching() {
   if (scaling_ || floor_ || html_output_ || drawing_.anaglyph || drawing_.samples) {
-    return refuse(fail("--against opencv", "pairs are matched, and nothing is measured of drawing",
+    return refuse(fail("--against opencv", "it measures the matching of picture pairs, not drawing",
                        "leave out --scaling, --floor, --html, --samples and --stereo")
                       .value());
   }

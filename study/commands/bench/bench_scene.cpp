@@ -81,13 +81,13 @@ void add_bench_drawing(CLI::App& command, BenchDrawing& drawing) {
   command
       .add_option_function<std::string>(
           "--size", [&drawing](const std::string& text) { drawing.size = parse_size(text); },
-          "of the picture [1920x1080]")
+          "size of the picture in pixels [1920x1080]")
       ->type_name("WxH");
-  add_choice<std::optional<int>, int>(command, "--samples", drawing.samples,
-                                      {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
-                                      "samples of each pixel [as the scene has them: 1]");
+  add_choice<std::optional<int>, int>(
+      command, "--samples", drawing.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
+      "samples per pixel [what the benchmark's scene asks for, else 1]");
   add_choice(command, "--stereo", drawing.anaglyph, {{"anaglyph", true}},
-             "draw two eyes, each into its own channels");
+             "draw two eyes, each into its own colour channels");
 }
 
 std::vector<std::string> words_of(const BenchDrawing& drawing) {

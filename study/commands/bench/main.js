@@ -48,8 +48,8 @@ function barSection() {
   const peer = results.find((result) => result.peer)?.peer, floors = results.some((result) => result.floor_ms);
   place.style.height = `${4 + results.length * (peer ? 3.9 : 3)}rem`;
   return element("section", {}, element("h2", {}, "Time of a frame"),
-    peer ? element("p", {}, `The peer is ${peer}, the ratio its time over that of Glassbox.`) : null,
-    floors ? element("p", {}, "The floor is what the bytes that must move take at the memory's bandwidth.") : null, place);
+    peer ? element("p", {}, `The peer is ${peer}; the ratio is its time divided by that of Glassbox.`) : null,
+    floors ? element("p", {}, "The floor is the time that the memory needs to move the necessary bytes.") : null, place);
 }
 
 // A line marks where the curve bends.
@@ -57,7 +57,7 @@ function curveChart(theme, {by, points, bend}) {
   const x = logarithmicAxis(points.map((point) => point.x)), y = logarithmicAxis(points.map(({ms}) => ms));
   return pointChart({
     x: titled(x, by), y: titled(y, "ms"),
-    lines: bend && {bend: references(x, "top", theme.quiet, [[bend.at, "it bends here"]])},
+    lines: bend && {bend: references(x, "top", theme.quiet, [[bend.at, "the exponent changes here"]])},
     datasets: [{data: points.map((point) => ({x: point.x, y: point.ms, point})), showLine: true, borderColor: theme.series[0], backgroundColor: theme.series[0], pointRadius: 4}],
     told: ({point}) => [`${point.x.toLocaleString("en")} ${by}`, `${milliseconds(point.ms)} (${point.ms_quartiles.map(threeDigits).join(" to ")})`],
   });

@@ -121,7 +121,7 @@ private:
         is_missing_ = peer.error().cause == kPeerIsMissing;
         report_.notes.push_back(
             is_missing_ ? fmt::format("OpenCV is left out: {}.", peer.error().message())
-                        : fmt::format("{} has nothing of {}, {}: {}.", name_of(paths), pair.about,
+                        : fmt::format("{} did not match {}, {}: {}.", name_of(paths), pair.about,
                                       counted(threads, "thread"), peer.error().message()));
         continue;
       }
@@ -182,7 +182,9 @@ std::string matching_text(const MatchingReport& report) {
                           one.cpu_ms, one.wall_ms, bad[0], bad[1], bad[2], one.visible.rms);
     }
   }
-  text += "\nOff by more, of what both pictures show; a pixel without disparity counts.\n";
+  text +=
+      "\nShare of the pixels that both pictures show whose disparity is off by more than 0.5, 1 "
+      "and 2 px;\na pixel without disparity counts as off.\n";
   for (const std::string& note : report.notes) text += wrapped("", note);
   return text;
 }

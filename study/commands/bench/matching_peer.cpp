@@ -22,7 +22,7 @@ namespace {
 
 // The Python interpreter that Debian's package is made for; another one in PATH has other modules.
 constexpr const char* kPython = "/usr/bin/python3";
-constexpr int kMissing = 3;  // the script's exit code if OpenCV is missing
+constexpr int kMissing = 3;  // exit code of kScript if OpenCV is not installed
 constexpr ProcessLimits kPeerLimits{.seconds = 600};
 
 // Prints "version V", then "CPU WALL" in milliseconds for each repetition. Writes the disparities
@@ -55,7 +55,9 @@ Result<std::string> run_script(const std::vector<std::string>& words) {
     return fail("OpenCV", kPeerIsMissing, "apt install python3-opencv, or leave --against out");
   }
   if (outcome.status != 0) {
-    return fail("OpenCV", outcome.timed_out ? "it was not done in time" : "it could not match",
+    return fail("OpenCV",
+                outcome.timed_out ? "it took longer than the time limit"
+                                  : "it failed to match the pictures",
                 "leave --against out");
   }
   return outcome.said;
@@ -68,7 +70,8 @@ Result<Image<float>> read_disparity(const std::filesystem::path& path, int width
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   Image<float> disparity(width, height);
   if (bytes.size() != 2 * disparity.pixels.size()) {
-    return fail("OpenCV", "its disparities are of another size", "leave --against out");
+    return fail("OpenCV", "its disparity map has another size than the pictures",
+                "leave --against out");
   }
   for (std::size_t i = 0; i < disparity.pixels.size(); ++i) {
     const auto low = std::uint8_t(bytes[2 * i]), high = std::uint8_t(bytes[2 * i + 1]);
@@ -123,7 +126,7 @@ Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>
     match.wall_ms.push_back(wall);
   }
   if (word != "version" || int(match.cpu_ms.size()) != frames) {
-    return fail("OpenCV", "it did not say how long it took", "leave --against out");
+    return fail("OpenCV", "it did not report its times", "leave --against out");
   }
   auto disparity = read_disparity(out, left.width, left.height, range.first);
   if (!disparity) return tl::unexpected(disparity.error());

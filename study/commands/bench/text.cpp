@@ -44,7 +44,7 @@ std::string remarks(const Measurement& result) {
   std::string text;
   const std::string where =
       fmt::format("{}, {}: ", result.scene, counted(result.threads, "thread"));
-  if (result.samples > 1) text += fmt::format("{}{} samples of a pixel\n", where, result.samples);
+  if (result.samples > 1) text += fmt::format("{}{} samples per pixel\n", where, result.samples);
   if (result.against) text += where + match_text(result.against->match) + "\n";
   if (result.stereo) {
     text += fmt::format("{}both eyes in one run take {} ms, {} times one eye's {} ms\n", where,
@@ -53,14 +53,14 @@ std::string remarks(const Measurement& result) {
                         three_digits(result.stereo->mono_ms));
     if (const auto& eye = result.stereo->warped) {
       text += fmt::format(
-          "{}the second one warped from the first, {} times one eye's {} ms of processor time; "
-          "{:.2f} % of it differ by more than {}/255\n",
+          "{}with the right eye warped from the left one, {} times one eye's {} ms of processor "
+          "time; {:.2f} % of its pixels are off by more than {}/255\n",
           where, three_digits(eye->both_warped_ms / eye->one_eye_ms), three_digits(eye->one_eye_ms),
           100 * double(eye->warped.wrong) / double(eye->pixels), views::kVisibleDifference);
     }
   }
   if (result.rejected_ms) {
-    text += fmt::format("{}{} ms where whole objects may be rejected\n", where,
+    text += fmt::format("{}{} ms if whole objects may be rejected\n", where,
                         three_digits(*result.rejected_ms));
   }
   return text;
@@ -112,7 +112,8 @@ std::string match_text(const study::PictureMatch& match) {
   if (!match.same()) {
     return fmt::format(
         "NOT the same picture: {} pixels covered, {} by the peer; {} differ in coverage and {} in "
-        "colour, {} of them at edges, where {} may; elsewhere colours differ by up to {}/255",
+        "colour, {} of them at edges, where {} are allowed; elsewhere colours differ by up to "
+        "{}/255",
         match.covered, match.peer_covered, match.coverage_differs, match.color_differs,
         match.at_edges(), match.allowed_at_edges(), match.largest_away_from_edges);
   }
@@ -130,18 +131,19 @@ std::string match_text(const study::PictureMatch& match) {
 std::string scaling_text(const Scaling& scaling) {
   std::string text;
   if (scaling.ratios) {
-    text = fmt::format("{:.3g} times the {} take {:.3g} times as long", scaling.ratios->x,
+    text = fmt::format("{:.3g} times as many {} take {:.3g} times as long", scaling.ratios->x,
                        name_of(scaling.by), scaling.ratios->ms);
   }
   if (scaling.law) {
     text = fmt::format("time grows as {}^{:.2f}", name_of(scaling.by), scaling.law->exponent);
   }
   if (scaling.bend) {
-    text += fmt::format("; it bends at {:.3g}: ^{:.2f} before, ^{:.2f} after", scaling.bend->at,
-                        scaling.bend->before.exponent, scaling.bend->after.exponent);
+    text +=
+        fmt::format("; the exponent changes at {:.3g}: {:.2f} before, {:.2f} after",
+                    scaling.bend->at, scaling.bend->before.exponent, scaling.bend->after.exponent);
   }
   if (scaling.bytes_per_triangle) {
-    text += fmt::format("; {:.0f} bytes a triangle", *scaling.bytes_per_triangle);
+    text += fmt::format("; {:.0f} bytes per triangle", *scaling.bytes_per_triangle);
   }
   if (!scaling.stopped.empty()) text += (text.empty() ? "" : "; ") + scaling.stopped;
   return text;

@@ -53,7 +53,7 @@ std::string judged(const char* kind, const std::string& name, const Outcome& out
   std::string text =
       fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number_text(outcome.error),
                   outcome.passes() ? "<=" : ">", number_text(outcome.bound), unit,
-                  outcome.passes() ? "within the bound" : "beyond it");
+                  outcome.passes() ? "within the bound" : "above the bound");
   if (!outcome.seen.empty()) text += wrapped("        ", outcome.seen);
   return text;
 }
@@ -62,13 +62,13 @@ std::string sweep_text(const SweepResult& result) {
   std::string text = fmt::format("\n{}: {}\n", result.what.name, result.what.title);
   text += wrapped("  ", result.what.question);
   text += wrapped("  bound  ", result.what.bound);
-  text += wrapped("  gives up at  ", result.what.tolerance);
+  text += wrapped("  fails at  ", result.what.tolerance);
   for (const SweepSeries& series : result.series) {
     const bool within = study::within_bounds(series);
-    text += fmt::format(
-        "\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
-        series.gives_up ? "gives up at " + number_text(*series.gives_up) : "never gives up",
-        within ? "" : "; BEYOND ITS BOUND");
+    text +=
+        fmt::format("\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
+                    series.gives_up ? "fails at " + number_text(*series.gives_up) : "never fails",
+                    within ? "" : "; ABOVE ITS BOUND");
     text += fmt::format("    {:>12} {:>12} {:>12}\n", "at", "error", "bound");
     for (const study::SweepPoint& point : series.points) {
       text += fmt::format("    {:>12.6g} {:>12} {:>12}\n", point.parameter,
@@ -120,9 +120,11 @@ std::string extremes_text(const ExtremesReport& report) {
       in_pictures += !each.drawn.empty();
     }
     text += fmt::format(
-        "\n{} of {} cases hold: ours within its bound, naive code beyond it; {} of {} "
-        "mutants caught. {} are drawn as well, by both engines and for every target.\n"
-        "study extremes --case ID shows one in full.\n",
+        "\n"
+        "{} of {} cases hold: our code is within the bound, and naive code is above it.\n"
+        "{} of {} mutants are caught. {} cases are also drawn, by both engines and for every "
+        "target.\n"
+        "glassbox study extremes --case ID shows one case in full.\n",
         hold, report.cases.size(), caught, mutants, in_pictures);
   }
   for (const SweepResult& each : report.sweeps) text += sweep_text(each);

@@ -21,7 +21,7 @@ function told(experiment, configuration, threads) {
     const unit = timeUnit(experiment), [lower, upper] = time.ns_quartiles.map((ns) => digits(ns / unit.ns));
     lines.push(`${digits(time.ns / unit.ns)} ${unit.name} (${lower} to ${upper}) a ${experiment.item}, ${count(threads, "thread")}`);
     lines.push({front: "on the Pareto front", dominated: "dominated"}[time.standing]);
-    if (time.disturbed > 0) lines.push("disturbed: the machine did something else meanwhile");
+    if (time.disturbed > 0) lines.push("disturbed: another program used the machine meanwhile");
   }
   return lines;
 }

@@ -25,7 +25,7 @@ const explains = ({explains: range, ratio}) => range && number(ratio) >= range[0
 function explanationOf(each) {
   if (!each.explanation) return "not explained.";
   const known = `${each.explanation} (ratios from ${digits(each.explains[0])} to ${digits(each.explains[1])}).`;
-  return explains(each) ? known : `not explained, and by another ratio than this accounts for: ${known}`;
+  return explains(each) ? known : `not explained: the ratio is another one than the known reason explains: ${known}`;
 }
 
 // Each explanation once, with the configurations that it explains.
@@ -33,7 +33,7 @@ function findingsOf({configurations}) {
   const found = configurations.filter(({finding}) => finding);
   const items = [...new Set(found.map(explanationOf))].map((text) => {
     const places = found.filter((each) => explanationOf(each) === text).map((each) => `${each.series} at ${digits(each.parameter, 6)} (ratio ${digits(each.ratio)})`);
-    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text, ` Here: ${places.join("; ")}.`);
+    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text, ` Found at: ${places.join("; ")}.`);
   });
   return items.length ? element("ul", {className: "findings"}, ...items) : null;
 }

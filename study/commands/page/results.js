@@ -15,7 +15,7 @@ const withUnit = (name, unit) => unit ? `${name} [${unit}]` : name;
 function digits(value, places = 3) {
   const plain = number(value);
   if (plain === Infinity) return "∞";
-  if (Number.isNaN(plain)) return "no number";
+  if (Number.isNaN(plain)) return "not a number";
   if (plain === 0) return "0";
   const power = Math.floor(Math.log10(Math.abs(plain)));
   if (power >= -3 && power < 6) return Number(plain.toPrecision(places)).toString();

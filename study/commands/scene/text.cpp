@@ -78,14 +78,16 @@ std::string second_eyes_text(const SecondEyes& eyes) {
                     percent(eye.holes), fmt::format("{:.3g}", eye.both_warped_ms),
                     times(eye.both_warped_ms)});
   }
-  rows.push_back({"the left one twice", fmt::format("{:.3g}", one.left.rms),
+  rows.push_back({"the left eye twice", fmt::format("{:.3g}", one.left.rms),
                   fmt::to_string(one.left.largest), percent(one.left.wrong), "",
                   fmt::format("{:.3g}", one.one_eye_ms), "1.00"});
   text += table(rows, 1);
   return text +
-         wrapped("  ", fmt::format("eyes {:.4g} apart, window at {:.4g}; errors against the "
-                                   "right eye drawn, of its {} pixels",
-                                   2 * eyes.pair.half_separation, eyes.pair.window, one.pixels));
+         wrapped(
+             "  ",
+             fmt::format("the eyes are {:.4g} apart, with the window at {:.4g}; errors are "
+                         "differences from the drawn picture of the right eye, over its {} pixels",
+                         2 * eyes.pair.half_separation, eyes.pair.window, one.pixels));
 }
 
 }  // namespace
@@ -97,23 +99,26 @@ std::string curve_text(const CurveReport& report) {
       "", fmt::format("{}, {} x {}; {}; {}; glassbox {}", printable(report.scene, kLongestMessage),
                       report.size.width, report.size.height, report.origin.machine,
                       report.origin.compiler, report.origin.version));
-  text += wrapped("", "Errors are those of the whole picture, against it " + curve.reference_is);
-  text += wrapped("", fmt::format("Positions are off by {:.2g} px at most, of {} vertices against "
-                                  "50 digits",
+  text += wrapped(
+      "", "Errors are those of the whole picture, compared with the picture " + curve.reference_is);
+  text += wrapped("", fmt::format("The largest error of a position on the screen is {:.2g} px, "
+                                  "over {} vertices, compared with 50 digits",
                                   curve.position_error, curve.vertices));
-  text += "\nEach knob alone\n" + table_of(singles(curve), unit);
+  text += "\nEach option alone\n" + table_of(singles(curve), unit);
   const auto best = front(curve);
-  text += fmt::format("\nThe front: {} of {} ways with one thread, {} pictures\n", best.size(),
-                      std::ranges::count_if(
-                          curve.points, [](const CurvePoint& p) { return p.standing.has_value(); }),
-                      curve.different);
+  text += fmt::format(
+      "\nThe Pareto front: {} of {} ways with one thread, which give {} different pictures\n",
+      best.size(),
+      std::ranges::count_if(curve.points,
+                            [](const CurvePoint& p) { return p.standing.has_value(); }),
+      curve.different);
   text += table_of(best, unit);
   text += second_eyes_text(report.second_eyes);
-  if (!curve.left_out.empty()) text += "\nLeft out\n";
+  if (!curve.left_out.empty()) text += "\nNot varied\n";
   for (const study::NotTurned& each : curve.left_out)
     text += wrapped(fmt::format("  {}: ", name_of(each.knob)), each.why);
   for (const std::string& fault : curve.faults) {
-    text += wrapped("\nA fault of glassbox: ", fault + " makes another picture; please report it");
+    text += wrapped("\nA bug of glassbox: ", fault + " changes the picture; please report it");
   }
   return text;
 }

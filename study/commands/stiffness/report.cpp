@@ -72,7 +72,7 @@ std::string errors_text(const StiffNumber& number) {
 
 std::string doubt_text(std::uint64_t tests) {
   if (tests == 0) return "no depth test of this picture depends on it";
-  return fmt::format("{} of this picture may go the other way", counted(tests, "depth test"));
+  return fmt::format("{} of this picture may be decided wrongly", counted(tests, "depth test"));
 }
 
 std::string number_lines(const Scene& scene, const StiffnessReport& report,
@@ -82,7 +82,8 @@ std::string number_lines(const Scene& scene, const StiffnessReport& report,
   std::string text =
       fmt::format("{}{:<34}{:>12}{:>24}{:>14}\n", number.passes() ? "! " : "  ", number.name,
                   condition_text(number.condition), bound, pixels_text(number));
-  text += wrapped("      bound  ", number.formula + " (" + number.source + ")");
+  text += wrapped("      bound  ", number.formula);
+  text += wrapped("      source ", number.source);
   if (number.place) {
     text += wrapped("      worst  ", place_text(scene, *number.place));
     const std::string command = command_for(report, *number.place);
@@ -146,8 +147,8 @@ std::string stiffness_text(const Scene& scene, const StiffnessReport& report) {
   for (const StiffNumber& number : report.found.numbers) {
     text += number_lines(scene, report, number);
   }
-  if (report.found.numbers.empty()) text += "  nothing of the scene is in this picture\n";
-  text += "left out\n";
+  if (report.found.numbers.empty()) text += "  no part of the scene is in this picture\n";
+  text += "not examined\n";
   for (const std::string& one : report.found.left_out) text += wrapped("  ", one);
   return text;
 }

@@ -37,9 +37,9 @@ Outcome judge(LookAt look_at_under_test) {
     const auto view = look_at_under_test(eye, target, up);
     if (!view) continue;
     ++answered;
-    worst.see(HUGE_VAL, 0, "a roll was made up where up lies along the gaze");
+    worst.see(HUGE_VAL, 0, "a roll was invented where up is along the gaze");
   }
-  return worst.outcome(fmt::format("{} of 4 undefined rolls answered", answered));
+  return worst.outcome(fmt::format("{} of 4 undefined rolls got an answer", answered));
 }
 
 // A ball seen by a camera whose up is nearly parallel to its gaze, compared with axes computed in

@@ -45,14 +45,14 @@ ExtremeCase c02_eye_is_target() {
       .name = "The eye is the target",
       .construction = "eye = target at three places; 2^-1070 apart; one ulp apart",
       .stage = "look-at",
-      .right = "an error and no matrix; one ulp apart is looked along like any other direction",
+      .right = "an error and no matrix; a distance of one ulp gives a direction like any other",
       .unit = "cameras",
       .oracle = Oracle::kProperty,
       .ours = {"look_at", [] { return judge(look_at); }},
       .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
       .mutants = {{"only equal points are refused", [] { return judge(equality_alone); }},
                   {"refused below a distance of 1e-6", [] { return judge(least_distance); }}},
-      .not_drawn = "two equal points are refused, and there is no camera to draw by",
+      .not_drawn = "two equal points are refused, so there is no camera to draw with",
   };
 }
 

@@ -138,14 +138,14 @@ ExtremeCase c03_numbers_that_are_none() {
   using namespace c03;
   return {
       .id = "C-03",
-      .name = "Zero, NaN, infinity and subnormals at the door",
+      .name = "Zero, NaN, infinity and subnormals as input",
       .construction =
-          "13 ups, eyes, angles, planes and matrices with 0, NaN, infinity or 2^-1060; 4 sound "
+          "13 ups, eyes, angles, planes and matrices with 0, NaN, infinity or 2^-1060; 4 valid "
           "ones with subnormal parts, with and without flush to zero",
       .stage = "look-at",
       .right =
-          "all 13 refused, all 4 accepted, and the same bytes, as far as floats hold them, however "
-          "subnormals are treated",
+          "all 13 are refused and all 4 accepted, with the same bytes, as far as floats can hold "
+          "them, for every treatment of subnormals",
       .unit = "answers",
       .oracle = Oracle::kProperty,
       .ours = {"look_at, perspective, inverse_affine",

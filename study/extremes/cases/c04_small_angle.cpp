@@ -50,14 +50,14 @@ ExtremeCase c04_small_angle() {
       .construction = "rotations by 0.1 .. 1e-7 rad about the three axes, taken apart again",
       .stage = "axis and angle",
       .right =
-          "4 u of the angle: sine and cosine are known to an ulp each, the arctangent to 2 "
+          "4 u of the angle: sine and cosine are right to one ulp each, the arctangent to 2 "
           "(base/trig.h)",
       .unit = "of the angle",
       .oracle = Oracle::kExtended,
       .ours = {"arctangent of sine over cosine", [] { return judge(by_arctangent); }},
       .naive = {"arccosine of the trace, in float", [] { return judge(by_arccosine_in_float); }},
       .mutants = {{"acos of the trace, in double", [] { return judge(by_arccosine); }}},
-      .not_drawn = "an angle is read off a matrix; no picture is made of it",
+      .not_drawn = "the result is the angle of a matrix, and not a picture",
   };
 }
 

@@ -56,7 +56,7 @@ ExtremeCase c05_half_turn() {
           "and angle",
       .stage = "look-at",
       .right =
-          "the UVN matrix in 50 digits, to 36 u; any axis will do at 180 degrees, and the picture "
+          "the UVN matrix in 50 digits, to 36 u; at 180 degrees any axis is right, and the picture "
           "is continuous there",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
@@ -64,7 +64,8 @@ ExtremeCase c05_half_turn() {
       .naive = {"v x t over its length, arccosine", [] { return judge(by_the_book); }},
       .mutants = {{"acos for the angle", [] { return judge(with_arccosine); }}},
       .not_drawn =
-          "any axis across the two directions is right, so that no picture is the right one",
+          "any axis perpendicular to the two directions is right, so there is no single right "
+          "picture",
   };
 }
 

@@ -101,7 +101,7 @@ ExtremeCase c06_mirror_trap() {
       .unit = "NDC",
       .oracle = Oracle::kExtended,
       .ours = {"look_at and perspective", [] { return judge(ours); }},
-      .naive = {"S3.37 to the letter", [] { return judge(slide_37); }},
+      .naive = {"slide S3.37, followed literally", [] { return judge(slide_37); }},
       .mutants = {{"U = N x up instead of up x N", [] { return judge(u_reversed); }},
                   {"V = U x N instead of N x U", [] { return judge(v_reversed); }}},
       .drawn = judge_drawn,

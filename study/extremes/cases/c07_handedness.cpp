@@ -88,11 +88,12 @@ ExtremeCase c07_handedness() {
           "and their reflections behind",
       .stage = "projection",
       .right =
-          "what is in front is seen, at its side of the picture, and what is behind is not (E12)",
+          "points in front are seen, on their side of the picture, and points behind are not "
+          "(erratum E12)",
       .unit = "points",
       .oracle = Oracle::kProperty,
       .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return judge(with_adaptor); }},
-      .naive = {"T_pers as it stands", [] { return judge(without_adaptor); }},
+      .naive = {"T_pers without a change", [] { return judge(without_adaptor); }},
       .mutants = {{"half a turn about y instead of the reflection",
                    [] { return judge(turned_round); }},
                   {"the sign of w alone", [] { return judge(w_negated); }}},

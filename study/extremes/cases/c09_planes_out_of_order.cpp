@@ -106,7 +106,8 @@ ExtremeCase c09_planes_out_of_order() {
       .ours = {"perspective_degrees", [] { return judge(ours); }},
       .naive = {"f / (f - n) in float, unchecked", [] { return judge(unchecked); }},
       .mutants = {{"n = f passes", [] { return judge(equal_planes_pass); }},
-                  {"n > f is swapped in silence", [] { return judge(swapped_when_out_of_order); }}},
+                  {"n > f is swapped without an error",
+                   [] { return judge(swapped_when_out_of_order); }}},
       .drawn = judge_drawn,
   };
 }

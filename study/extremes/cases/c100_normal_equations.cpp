@@ -49,8 +49,8 @@ ExtremeCase c100_normal_equations() {
       .construction = "60 pairs of cameras, 20 matches without noise, in pixels",
       .stage = "two views",
       .right =
-          "64 u times the condition of the normalised system: A^T A has its square, some 10^10 for "
-          "raw pixels, and float has 10^7",
+          "64 u times the condition number of the normalised system; A^T A has its square, about "
+          "10^10 for raw pixels, but a float resolves only 10^7",
       .unit = "of |E|",
       .oracle = Oracle::kAnalytic,
       .ours = {"singular values of normalised points", [] { return judge(by_singular_values); }},
@@ -60,7 +60,7 @@ ExtremeCase c100_normal_equations() {
                    [] { return judge(normalised_by_normal_equations<float>); }},
                   {"normal equations of pixels in double",
                    [] { return judge(naive::matrix_by_normal_equations<double>); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

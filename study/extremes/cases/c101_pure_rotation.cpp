@@ -50,15 +50,17 @@ ExtremeCase c101_pure_rotation() {
           "px",
       .stage = "two views",
       .right =
-          "E is 0, and any direction of T fits: the pair is named and not estimated, by residuals "
-          "and what a model's freedom costs (Torr 2002)",
+          "E is 0, and any direction of T fits: the pair is reported as such instead of estimated, "
+          "by residuals and a cost for each model's freedom (Torr 2002)",
       .unit = "pairs",
       .oracle = Oracle::kProperty,
       .ours = {"three models compared", [] { return judge(by_criterion); }},
-      .naive = {"whatever eight points allow", [] { return judge(naive::always_general); }},
-      .mutants = {{"freedom costs nothing", [] { return judge(by_fit_alone); }},
-                  {"a homography is a plane", [] { return judge(naive::turned_is_a_plane); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .naive = {"the solution for eight points, without a check",
+                [] { return judge(naive::always_general); }},
+      .mutants = {{"no cost for a model's freedom", [] { return judge(by_fit_alone); }},
+                  {"every homography counts as a plane",
+                   [] { return judge(naive::turned_is_a_plane); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

@@ -62,21 +62,24 @@ ExtremeCase c102_planar_scene() {
   return {
       .id = "C-102",
       .name = "All points on a plane",
-      .construction = "30 pairs of cameras, 20 matches of a plane without noise, and of any points",
+      .construction =
+          "30 pairs of cameras, 20 matches without noise, of points on a plane and of points in "
+          "any position",
       .stage = "two views",
       .right =
-          "the system's rank is 6, of any points 8; five calibrated points have the right E among "
-          "their solutions all the same, to 1e-6 (roots of degree 10 lose half the digits)",
+          "the rank of the system is 6, and 8 for points in any position; the solutions for five "
+          "calibrated points contain the right E in both cases, to 1e-6 (roots of degree 10 lose "
+          "half of the digits)",
       .unit = "answers",
       .oracle = Oracle::kAnalytic,
       .ours = {"rank by singular values, five points",
                [] { return judge(by_singular_values, five_points); }},
       .naive = {"as many equations as matches, eight points",
                 [] { return judge(of_equations, eight_points); }},
-      .mutants = {{"only an exact 0 is nothing", [] { return judge(of_zeros, five_points); }},
-                  {"eight points for five",
+      .mutants = {{"only an exact 0 counts as 0", [] { return judge(of_zeros, five_points); }},
+                  {"eight points instead of five",
                    [] { return judge(by_singular_values, eight_points); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

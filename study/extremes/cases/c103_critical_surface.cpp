@@ -76,11 +76,12 @@ ExtremeCase c103_critical_surface() {
           "ninth, or nearly, and no homography fits",
       .unit = "pairs",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the gap of the last singular values", [] { return judge(by_gap); }},
-      .naive = {"whatever eight points allow", [] { return judge(eight_points_do); }},
-      .mutants = {{"the rank alone", [] { return judge(by_rank); }},
-                  {"planes alone are degenerate", [] { return judge(by_homography); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .ours = {"the gap between the last two singular values", [] { return judge(by_gap); }},
+      .naive = {"the solution for eight points, without a check",
+                [] { return judge(eight_points_do); }},
+      .mutants = {{"only the rank is checked", [] { return judge(by_rank); }},
+                  {"only planes count as degenerate", [] { return judge(by_homography); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

@@ -64,19 +64,19 @@ ExtremeCase c104_too_few_points() {
   using namespace c104;
   return {
       .id = "C-104",
-      .name = "Seven matches, or eight that are fewer",
+      .name = "Fewer than eight different matches",
       .construction =
-          "eight good matches; seven; one eight times; two that are the same; seven on nearly one "
-          "line of sight; an infinite pixel; 10 pairs of cameras",
+          "eight good matches; seven; one match eight times; eight with two equal ones; seven of "
+          "eight almost on one line of sight; an infinite pixel; 10 pairs of cameras",
       .stage = "two views",
-      .right = "the good ones are accepted, nothing else: the system has to have rank 8",
+      .right = "only the good ones are accepted: the system must have rank 8",
       .unit = "lists",
       .oracle = Oracle::kProperty,
       .ours = {"eight, finite, of rank 8", [] { return judge(of_rank_eight); }},
-      .naive = {"eight are there", [] { return judge(eight_are_there); }},
-      .mutants = {{"the rank is not asked", [] { return judge(is_solved); }},
-                  {"left points that differ will do", [] { return judge(left_points_differ); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .naive = {"eight matches are enough", [] { return judge(eight_are_there); }},
+      .mutants = {{"the rank is not checked", [] { return judge(is_solved); }},
+                  {"only the left points must differ", [] { return judge(left_points_differ); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

@@ -50,7 +50,7 @@ ExtremeCase c105_four_poses() {
       .naive = {"the first", [] { return judge(naive::first_of_four); }},
       .mutants = {{"one rotation, both signs of T", [] { return judge(naive::one_rotation); }},
                   {"in front of the left camera", [] { return judge(naive::in_front_of_left); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

@@ -34,7 +34,7 @@ ExtremeCase c106_rank_first() {
   using namespace c106;
   return {
       .id = "C-106",
-      .name = "Rank before carrying back",
+      .name = "Rank before transforming back",
       .construction = "60 pairs of cameras, 20 calibrated matches with the noise of 1/2 px",
       .stage = "two views",
       .right =
@@ -43,11 +43,11 @@ ExtremeCase c106_rank_first() {
           "similarity does not keep",
       .unit = "of |E|^3",
       .oracle = Oracle::kAnalytic,
-      .ours = {"carried back, then made essential", [] { return judge(after); }},
-      .naive = {"made essential, then carried back",
+      .ours = {"transformed back, then made essential", [] { return judge(after); }},
+      .naive = {"made essential, then transformed back",
                 [] { return judge(naive::essential_made_before_carrying_back); }},
       .mutants = {{"rank 2 alone", [] { return judge(naive::essential_of_rank_two); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

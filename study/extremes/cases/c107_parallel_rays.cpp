@@ -69,19 +69,20 @@ ExtremeCase c107_parallel_rays() {
       .name = "Parallel lines of sight",
       .construction =
           "disparities from 40 px to -40 px with a 0 in between, focal length 800 px, baseline "
-          "0.1; "
-          "20 pairs of turned cameras before what is infinitely far",
+          "0.1; 20 pairs of turned cameras that see infinitely far points",
       .stage = "two views",
       .right =
-          "f B/d in front, a direction with w = 0 at 0, a point behind the cameras that says so "
-          "below; lines are parallel where the sine between them is below 8 u",
+          "f B/d in front of the cameras; for 0, a direction with w = 0; below 0, a point that is "
+          "reported as behind the cameras; lines are parallel if the sine between them is below 8 "
+          "u",
       .unit = "points",
       .oracle = Oracle::kAnalytic,
       .ours = {"midpoint with a flag", [] { return judge(flagged); }},
       .naive = {"a quotient", [] { return judge(naive::by_division); }},
-      .mutants = {{"parallel lines are divided by 0", [] { return judge(never_at_infinity); }},
-                  {"beyond 1000 is infinitely far", [] { return judge(at_infinity_too_soon); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .mutants = {{"a division by 0 for parallel lines", [] { return judge(never_at_infinity); }},
+                  {"everything beyond 1000 counts as infinitely far",
+                   [] { return judge(at_infinity_too_soon); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

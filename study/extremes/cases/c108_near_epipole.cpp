@@ -46,9 +46,10 @@ Outcome judge(Foretold foretold) {
     }
     const double measured = std::sqrt((squares - sum * sum / kSamples) / (kSamples - 1));
     const double said = foretold(point, rig, kSigma);
-    worst.see(std::abs(said / measured - 1), kBound,
-              fmt::format("{:.2g} of the distance beside the epipole: {:.3g} measured, {:.3g} said",
-                          aside, measured, said));
+    worst.see(
+        std::abs(said / measured - 1), kBound,
+        fmt::format("at {:.2g} of the distance from the epipole: {:.3g} measured, {:.3g} predicted",
+                    aside, measured, said));
   }
   return worst.outcome();
 }
@@ -59,22 +60,22 @@ ExtremeCase c108_near_epipole() {
   using namespace c108;
   return {
       .id = "C-108",
-      .name = "Beside the epipole",
+      .name = "Points near the epipole",
       .construction =
-          "a camera that moves 1 ahead, points 5 away and 0.02 to 0.3 of that aside; 4000 pairs of "
-          "pixels each, with a noise of 1/100 px",
+          "a camera that moves 1 ahead, points at the distance 5 and 0.02 to 0.3 of it to the "
+          "side; 4000 pairs of pixels each, with a noise of 1/100 px",
       .stage = "two views",
       .right =
-          "the depth's deviation is what (J^T J)^-1 says, J the pixels' derivatives by the point, "
-          "to "
-          "4/sqrt(8000): it grows without bound towards the epipole",
+          "the standard deviation of the depth follows from (J^T J)^-1, to 4/sqrt(8000), where J "
+          "has the derivatives of the pixels with respect to the point; it grows without bound "
+          "towards the epipole",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
       .ours = {"covariance of the point", [] { return judge(by_covariance); }},
       .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return judge(by_parallel_law); }},
       .mutants = {{"noise in one picture alone", [] { return judge(one_picture_alone); }},
                   {"by the sine at the camera", [] { return judge(by_sine_at_camera); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

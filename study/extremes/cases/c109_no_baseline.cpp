@@ -40,7 +40,7 @@ Outcome judge(Foretold foretold) {
               fmt::format("baseline {}", baseline), condition);
   }
   const bool said = std::isinf(foretold(rig_at({0, 0, 0})));
-  worst.see(said ? 0 : 1, 0, "no baseline: nothing says that there is no depth");
+  worst.see(said ? 0 : 1, 0, "no baseline: the result does not say that there is no depth");
   return worst.outcome();
 }
 
@@ -50,19 +50,21 @@ ExtremeCase c109_no_baseline() {
   using namespace c109;
   return {
       .id = "C-109",
-      .name = "A baseline that goes to nothing",
-      .construction = "a point 5 away, a noise of 1/2 px, baselines from 0.1 to 1e-6, and none",
+      .name = "A baseline that goes to 0",
+      .construction =
+          "a point at the distance 5, a noise of 1/2 px, baselines from 0.1 to 1e-6, and none",
       .stage = "two views",
       .right =
-          "the depth's deviation is Z^2 sqrt(2) sigma/(f B), to 4 (B/Z)^2 for the angle and 16 u "
-          "(Z/B)^2 for the inverse; without baseline it is infinite",
+          "the standard deviation of the depth is Z^2 sqrt(2) sigma/(f B), to 4 (B/Z)^2 for the "
+          "angle and 16 u (Z/B)^2 for the inverse; without a baseline it is infinite",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
       .ours = {"covariance of the point", [] { return judge(by_covariance); }},
-      .naive = {"the reprojection is near, so is the point", [] { return judge(by_reprojection); }},
-      .mutants = {{"the baseline's root", [] { return judge(with_root_of_baseline); }},
-                  {"without baseline nothing is off", [] { return judge(never_infinite); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+      .naive = {"a small reprojection error counts as a small error of the point",
+                [] { return judge(by_reprojection); }},
+      .mutants = {{"the square root of the baseline", [] { return judge(with_root_of_baseline); }},
+                  {"without a baseline the error is 0", [] { return judge(never_infinite); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

@@ -43,7 +43,11 @@ Outcome judge(views::MatchingCost cost, int window) {
   settings.window = window;
   settings.left_right.reset();
   const double before = wrong_percent(settings, false), after = wrong_percent(settings, true);
-  return {after, 0.5, {}, fmt::format("{:.3g} % wrong, and {:.3g} % before", after, before)};
+  return {
+      after,
+      0.5,
+      {},
+      fmt::format("{:.3g} % of the pixels wrong, and {:.3g} % before the change", after, before)};
 }
 
 }  // namespace c110
@@ -58,7 +62,7 @@ ExtremeCase c110_gain_and_offset() {
           "noise of 0 to 127 at disparity 9; the right picture times 1.3, plus 40, and a tenth "
           "darker at its sides",
       .stage = "matching",
-      .right = "at most 0.5 % of the pixels are wrong: what is darker stays darker",
+      .right = "at most 0.5 % of the pixels are wrong: a darker pixel stays darker",
       .unit = "per cent",
       .oracle = Oracle::kProperty,
       .ours = {"census", [] { return judge(MatchingCost::kCensus, 3); }},
@@ -66,7 +70,7 @@ ExtremeCase c110_gain_and_offset() {
       .mutants = {{"squared differences", [] { return judge(MatchingCost::kSsd, 3); }},
                   {"absolute differences of a wider square",
                    [] { return judge(MatchingCost::kSad, 5); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+      .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }
 

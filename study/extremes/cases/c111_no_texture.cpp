@@ -38,8 +38,10 @@ Outcome judge(const views::MatchSettings& settings) {
     pixel.r = pixel.g = pixel.b = std::uint8_t(pixel.g + 1);
   }
   silent = 30 - answered(clear, noisy);
-  return must_be_zero(guessed + silent,
-                      fmt::format("{} of 60 pixels guessed, {} of 30 left out", guessed, silent));
+  return must_be_zero(
+      guessed + silent,
+      fmt::format("{} of 60 pixels guessed, {} of 30 clear pixels without an answer", guessed,
+                  silent));
 }
 
 views::MatchSettings by_confidence(float least) {
@@ -56,22 +58,20 @@ ExtremeCase c111_no_texture() {
       .id = "C-111",
       .name = "A blank wall and a repeated pattern",
       .construction =
-          "stripes of a period of 8 px and a blank wall, each with a code of noise; 32 "
-          "disparities, "
-          "four periods",
+          "stripes with a period of 8 px and a blank wall, each with noise of one code; 32 "
+          "disparities, which are four periods",
       .stage = "matching",
       .right =
-          "nothing is answered: the second best cost, neighbours apart, is as good as the best, "
-          "but for "
-          "noise, which leaves 1/11 of itself in a mean of 121 pixels; "
-          "clear noise is answered everywhere",
+          "no disparity is given: the second-best cost (neighbours excluded) is as good as the "
+          "best, except for noise, of which a mean of 121 pixels leaves 1/11; a picture of clear "
+          "noise gets a disparity everywhere",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"peak ratio of at least 1/4", [] { return judge(by_confidence(0.25f)); }},
       .naive = {"the winner", [] { return judge(by_confidence(0)); }},
-      .mutants = {{"only equal costs are unclear", [] { return judge(by_confidence(1e-6f)); }},
+      .mutants = {{"only equal costs count as unclear", [] { return judge(by_confidence(1e-6f)); }},
                   {"peak ratio of 1", [] { return judge(by_confidence(0.9999f)); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+      .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }
 

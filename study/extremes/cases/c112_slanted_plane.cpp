@@ -70,7 +70,7 @@ Outcome judge(Answer answer) {
     }
   }
   const double rms = std::sqrt(squares / all);
-  return {rms, 0.25, {}, fmt::format("{} of {} pixels answered", answered, all)};
+  return {rms, 0.25, {}, fmt::format("{} of {} pixels have a disparity", answered, all)};
 }
 
 double part_of_pixel(double refined, double) {
@@ -96,16 +96,15 @@ ExtremeCase c112_slanted_plane() {
       .construction = "disparities 4 + x/10 + y/20 of smooth noise, 160 x 60 px",
       .stage = "matching",
       .right =
-          "RMS of at most 1/4 px: whole pixels cannot have less than 1/sqrt(12) = 0.289, which is "
-          "a "
-          "staircase's",
+          "RMS of at most 1/4 px: whole pixels cannot be better than 1/sqrt(12) = 0.289, the error "
+          "of a staircase",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
-      .ours = {"part of a pixel", [] { return judge(part_of_pixel); }},
+      .ours = {"fractions of a pixel", [] { return judge(part_of_pixel); }},
       .naive = {"whole pixels", [] { return judge(whole_pixels); }},
-      .mutants = {{"the part with the other sign", [] { return judge(other_way); }},
-                  {"the part cut off", [] { return judge(cut_off); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+      .mutants = {{"the fraction with the opposite sign", [] { return judge(other_way); }},
+                  {"the fraction cut off", [] { return judge(cut_off); }}},
+      .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }
 

@@ -54,19 +54,18 @@ ExtremeCase c113_beside_the_picture() {
       .id = "C-113",
       .name = "No match in the range or in the picture",
       .construction =
-          "a wall at disparity 12, sought from 10 to 20; one at -4, sought from -8 to 8",
+          "a wall at disparity 12, searched from 10 to 20; one at -4, searched from -8 to 8",
       .stage = "matching",
       .right =
-          "pixels of the first ten columns, whose matches lie beside the right picture, are "
-          "without "
-          "disparity; negative ones are found",
+          "pixels of the first ten columns, whose matches are outside of the right picture, have "
+          "no disparity; negative disparities are found",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"invalid where nothing can be", [] { return judge(ours); }},
+      .ours = {"invalid where no match is possible", [] { return judge(ours); }},
       .naive = {"clamped into the picture", [] { return judge(naive::match_clamped); }},
       .mutants = {{"holes are filled", [] { return judge(filled); }},
-                  {"from 0 on", [] { return judge(of_positive_ones); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+                  {"only disparities from 0 on", [] { return judge(of_positive_ones); }}},
+      .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }
 

@@ -50,10 +50,11 @@ Outcome judge(auto rms_by, auto depth_by) {
   Worst worst;
   const double right = std::sqrt(9.0 / 3), rms = subject.rms(disparity, truth);
   worst.see(std::abs(rms / right - 1), 0x1p-22,
-            fmt::format("RMS {:.4g} px for {:.4g}", rms, right));
+            fmt::format("RMS {:.4g} px instead of {:.4g}", rms, right));
   for (const double d : {100.0, 40.0, 8.0}) {
     const double z = 994.978 * 193.001 / (d + 31.086), said = subject.depth(d, kMotorcycle);
-    worst.see(std::abs(said / z - 1), 0x1p-22, fmt::format("{:.5g} mm for {:.5g} mm", said, z));
+    worst.see(std::abs(said / z - 1), 0x1p-22,
+              fmt::format("{:.5g} mm instead of {:.5g} mm", said, z));
   }
   return worst.outcome();
 }
@@ -66,21 +67,20 @@ ExtremeCase c114_unknown_truth() {
       .id = "C-114",
       .name = "Unknown truth and an offset",
       .construction =
-          "a truth of 10, 0, +inf, NaN, 20, 2, +inf px, where 0 and what is not finite is unknown; "
-          "the "
-          "motorcycle's calibration: f 994.978 px, B 193.001 mm, offset 31.086 px",
+          "a truth of 10, 0, +inf, NaN, 20, 2, +inf px, where 0 and numbers that are not finite "
+          "are unknown; the motorcycle's calibration: f 994.978 px, B 193.001 mm, offset 31.086 px",
       .stage = "matching",
       .right = "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"what is known, with the offset", [] { return judge(of_known, with_offset); }},
+      .ours = {"the known pixels, with the offset", [] { return judge(of_known, with_offset); }},
       .naive = {"all pixels, f B/d",
                 [] { return judge(naive::rms_of_all, naive::depth_without_offset); }},
-      .mutants = {{"only NaN is unknown", [] { return judge(nan_is_unknown, with_offset); }},
-                  {"0 is a disparity", [] { return judge(zero_is_far, with_offset); }},
+      .mutants = {{"only NaN counts as unknown", [] { return judge(nan_is_unknown, with_offset); }},
+                  {"0 counts as a disparity", [] { return judge(zero_is_far, with_offset); }},
                   {"the offset is forgotten",
                    [] { return judge(of_known, naive::depth_without_offset); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+      .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }
 

@@ -115,14 +115,13 @@ ExtremeCase c115_klt() {
       .id = "C-115",
       .name = "A large mean, equal eigenvalues",
       .construction =
-          "three bands of 48 x 48 whose samples are 10^6 + k/16; a cloud that varies alike along "
-          "two "
-          "directions, and the same turned, 20 times",
+          "three bands of 48 x 48 whose samples are 10^6 + k/16; a cloud that varies equally along "
+          "two directions, and the same turned, 20 times",
       .stage = "components of bands",
       .right =
-          "covariance: 2 W roundings, and 4 u 10^6 of a deviation from differences to the mean; "
-          "the "
-          "space of two components: what the covariance is off by over the gap of the eigenvalues",
+          "covariance: 2 W rounding errors, and 4 u 10^6 of a deviation for the differences from "
+          "the mean; the space of two components: the error of the covariance divided by the gap "
+          "between the eigenvalues",
       .unit = "of the trace, radian",
       .oracle = Oracle::kInteger,
       .ours = {"two passes, angles of spaces",
@@ -139,12 +138,12 @@ ExtremeCase c115_klt() {
                    }},
                   {"divided by N - 1",
                    [] { return judge(naive::covariance_of_a_sample, views::angle_between); }},
-                  {"the mean stays",
+                  {"the mean is not subtracted",
                    [] { return judge(naive::covariance_about_zero, views::angle_between); }},
                   {"angles of vectors",
                    [] { return judge(two_passes, naive::largest_angle_of_vectors); }},
                   {"arc cosines", [] { return judge(two_passes, naive::angle_by_cosine); }}},
-      .not_drawn = "numbers of pictures are what it asks for: no engine draws components",
+      .not_drawn = "the input is the numbers of pictures: no engine draws components",
   };
 }
 

@@ -56,8 +56,8 @@ ExtremeCase c11_accumulated_rotation() {
       .naive = {"never repaired", [] { return judge(nothing); }},
       .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
       .not_drawn =
-          "the products are made by whoever turns a camera; a pose that has drifted as far as the "
-          "naive one is refused by make_view",
+          "the program that turns the camera makes the products; make_view refuses a pose that has "
+          "drifted as far as the naive one",
   };
 }
 

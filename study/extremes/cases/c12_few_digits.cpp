@@ -75,7 +75,7 @@ ExtremeCase c12_few_digits() {
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"make_view", [] { return judge(ours); }},
-      .naive = {"taken for a rotation", [] { return judge(taken_for_rigid); }},
+      .naive = {"used as a rotation without a repair", [] { return judge(taken_for_rigid); }},
       .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
       .not_drawn =
           "a rotation of so few digits moves a picture of 16384 px by less than the snap does",

@@ -74,7 +74,7 @@ Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
   const int wrong_faces = wrong_faces_seen(observer);
   Outcome outcome = wrong_of(inward, all, "normals point inwards");
   outcome.error += wrong_faces;
-  outcome.seen += "; " + std::to_string(wrong_faces) + " pixels show a back";
+  outcome.seen += "; " + std::to_string(wrong_faces) + " pixels show a back face";
   return outcome;
 }
 
@@ -139,8 +139,8 @@ ExtremeCase c17_mirrored_model() {
           "cubes under 200 rotations and scales by -3 .. 3 of each axis, half of them mirrors",
       .stage = "normals",
       .right =
-          "every outward normal stays outward, and fronts stay in front: normals and winding "
-          "follow the sign of the determinant",
+          "every outward normal stays outward, and front faces stay front faces: normals and "
+          "winding follow the sign of the determinant",
       .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
       .ours = {"normal_transform", [] { return judge(by_cofactors); }},

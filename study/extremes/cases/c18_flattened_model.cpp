@@ -56,8 +56,8 @@ ExtremeCase c18_flattened_model() {
       .construction = "scale (2, 3, 0), alone and turned by 77 degrees",
       .stage = "normals",
       .right =
-          "what is left of a face has the plane's normal, to 10 u; what is left of none has the "
-          "zero vector, not NaN",
+          "a face that still has an area has the plane's normal, to 10 u; a face without area has "
+          "the zero vector, not NaN",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"normal_transform", [] { return judge(by_cofactors); }},

@@ -76,7 +76,7 @@ ExtremeCase c20_way_back() {
       .naive = {"inverse 4x4 matrix in float", [] { return judge(inverse_in_float); }},
       .mutants = {{"standard depth", [] { return judge(standard_depth); }}},
       .not_drawn =
-          "the way back is taken by whoever asks where a pixel lies; a picture is the way there",
+          "a picture needs only the way to the screen; the way back says where a pixel is in space",
   };
 }
 

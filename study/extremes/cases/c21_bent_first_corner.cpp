@@ -67,14 +67,14 @@ ExtremeCase c21_bent_first_corner() {
   using namespace c21;
   return {
       .id = "C-21",
-      .name = "First corners all but on a line",
+      .name = "First corners almost on a line",
       .construction =
           "hexagons of size 2 whose second corner sticks out by 0.1 .. 1e-4, all coordinates moved "
           "by up to 1e-4",
       .stage = "face normals",
       .right =
-          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not ask how large "
-          "one corner is",
+          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not depend on the "
+          "size of one corner",
       .unit = "radian",
       .oracle = Oracle::kExtended,
       .ours = {"newell_vector", [] { return judge(newell_in_double); }},

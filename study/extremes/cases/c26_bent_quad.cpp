@@ -46,7 +46,7 @@ Outcome judge(auto deviation_by, auto diagonal_by) {
     unsteady += diagonals.size() != 1;
   }
   if (unsteady > 0) worst.see(HUGE_VAL, 0, "the diagonal depends on where the list begins");
-  return worst.outcome(fmt::format("{} of 3 diagonals unsteady", unsteady));
+  return worst.outcome(fmt::format("{} of 3 diagonals depend on the first corner", unsteady));
 }
 
 double deviation_from_mean_plane(const Polygon& polygon) {

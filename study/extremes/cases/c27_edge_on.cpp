@@ -37,7 +37,7 @@ Outcome judge(Faces facing) {
     wrong += found != Facing::kEdgeOn;
     culled += found == Facing::kBack;
   }
-  return wrong_of(wrong, kFaces, "edge-on faces taken for front or back",
+  return wrong_of(wrong, kFaces, "edge-on faces judged wrongly",
                   fmt::format("; {} culled", culled));
 }
 

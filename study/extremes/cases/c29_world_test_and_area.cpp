@@ -65,7 +65,7 @@ Outcome judge(Culls culls) {
   }
   // A subject must not pass by culling nothing: about half of the 20000 faces are back faces.
   if (culled < 5000) return must_be_zero(HUGE_VAL, "hardly anything culled");
-  return wrong_of(lost, all, "culled faces would have been drawn as fronts");
+  return wrong_of(lost, all, "culled faces would have been drawn as front faces");
 }
 
 bool ours(std::span<const Point<Object>> face, const ObjectViewer& viewer, double margin) {
@@ -113,8 +113,8 @@ ExtremeCase c29_world_test_and_area() {
       .construction = "20000 random triangles of 1 .. 2^-12 units, 3 .. 8 away, in 640 x 480 px",
       .stage = "back faces",
       .right =
-          "nothing is culled whose snapped area would be drawn as a front: the test in space keeps "
-          "a margin for the snap",
+          "no face is culled whose snapped triangle would be drawn as a front face: the test in "
+          "space keeps a margin for the snap",
       .unit = "faces",
       .oracle = Oracle::kInteger,
       .ours = {"certainly_back with snapping_margin", [] { return judge(ours); }},

@@ -62,8 +62,8 @@ ExtremeCase c36_all_six_planes() {
       .id = "C-36",
       .name = "All six planes cut",
       .construction =
-          "a triangle across the frustum's diagonal that becomes nine corners, and one that "
-          "contains the whole screen",
+          "a triangle across the frustum's diagonal that gets nine corners, and one that contains "
+          "the whole screen",
       .stage = "clip",
       .right = "the rational area: three and six vertices (Sutherland and Hodgman 1974)",
       .unit = "twice NDC area",

@@ -112,8 +112,9 @@ ExtremeCase c37_layers_inverse() {
           "float depth, and warped to an eye 140 units off",
       .stage = "layers",
       .right =
-          "2^-24 of what the depth moves the point by, which its rounding costs, and 2^-48 of the "
-          "condition of C1 for an inverse in double; depth is near/distance",
+          "2^-24 of the distance by which the depth moves the point, for the rounding of the "
+          "depth, and 2^-48 of the condition number of C1 for an inverse in double; depth is "
+          "near/distance",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"near/distance, C1^-1 in double",
@@ -123,7 +124,7 @@ ExtremeCase c37_layers_inverse() {
                    [] { return judge(standard_depth, standard_in_double); }},
                   {"near/distance, C1^-1 in float",
                    [] { return judge(near_over_distance, inverse_in_float); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

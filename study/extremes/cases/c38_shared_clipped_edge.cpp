@@ -43,7 +43,7 @@ Outcome judge(Clips clips) {
   }
   const std::string how_far =
       fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
-  return wrong_of(mismatches, edges, "shared edges cut at two places",
+  return wrong_of(mismatches, edges, "shared edges cut at two different places",
                   mismatches > 0 ? how_far : "");
 }
 
@@ -99,10 +99,11 @@ ExtremeCase c38_shared_clipped_edge() {
       .id = "C-38",
       .name = "A shared edge, clipped",
       .construction =
-          "50000 edges through the near plane, each of two triangles that walk it in opposite "
-          "directions",
+          "50000 edges through the near plane, each shared by two triangles that pass it in "
+          "opposite directions",
       .stage = "clip",
-      .right = "both cut it at the same bits: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
+      .right =
+          "both cut it at the same point, bit for bit: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
       .unit = "edges",
       .oracle = Oracle::kInteger,
       .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},

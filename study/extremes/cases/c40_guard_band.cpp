@@ -151,7 +151,7 @@ ExtremeCase c40_guard_band() {
           "triangles with corners 32767.99 .. 1e30 px from the centre of a 256 x 256 picture, "
           "every eighth pixel",
       .stage = "clip",
-      .right = "the exact triangle's pixels, but for those within 2^-7 px of its edges",
+      .right = "the exact triangle's pixels, except those within 2^-7 px of its edges",
       .unit = "pixels",
       .oracle = Oracle::kExtended,
       .ours = {"clip_triangle by the guard band", [] { return judge(ours); }},

@@ -48,13 +48,13 @@ ExtremeCase c41_near_plane_dialects() {
       .stage = "clip",
       .right =
           "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at n f/(2 f - "
-          "n) (E16)",
+          "n) (erratum E16)",
       .unit = "points",
       .oracle = Oracle::kRational,
       .ours = {"clip_planes of the dialect", [] { return judge(of_the_dialect); }},
       .naive = {"z >= 0 for every dialect", [] { return judge(always_zero); }},
       .mutants = {{"z >= -w for every dialect", [] { return judge(always_minus_w); }}},
-      .not_drawn = "a renderer has one dialect of matrices, and no picture is drawn in the other",
+      .not_drawn = "the renderer has one dialect of matrices, and draws no picture in the other",
   };
 }
 

@@ -40,9 +40,9 @@ Outcome judge(Verdict verdict) {
              (found == ClipVerdict::kReject && !clipped.empty());
     spared += found != ClipVerdict::kClip;
   }
-  if (spared < kTriangles / 10) return must_be_zero(HUGE_VAL, "hardly any clipping spared");
+  if (spared < kTriangles / 10) return must_be_zero(HUGE_VAL, "hardly any clipping avoided");
   return wrong_of(wrong, kTriangles, "triangles differ from the clipped ones",
-                  fmt::format("; clipping spared for {}", spared));
+                  fmt::format("; clipping avoided for {}", spared));
 }
 
 // Rejects a triangle if each corner is outside some plane, not the same one: it loses triangles
@@ -203,10 +203,12 @@ ExtremeCase c42_trivial_accept() {
   using namespace c42;
   return {
       .id = "C-42",
-      .name = "Clipping spared",
+      .name = "Clipping that is not needed",
       .construction = "20000 small triangles in and around the frustum",
       .stage = "clip",
-      .right = "what is accepted is what clipping returns, bit for bit; what is rejected, nothing",
+      .right =
+          "for an accepted triangle clipping returns the same, bit for bit; for a rejected one it "
+          "returns nothing",
       .unit = "triangles",
       .oracle = Oracle::kProperty,
       .ours = {"trivial_verdict of the outcodes", [] { return judge(trivial_verdict); }},

@@ -94,7 +94,7 @@ ExtremeCase c43_centre_on_edge() {
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
       .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
-      .mutants = {{"the tie rule is missing: nobody owns an edge",
+      .mutants = {{"the tie rule is missing: no triangle owns an edge",
                    with({.owns = naive::owns_none})},
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},

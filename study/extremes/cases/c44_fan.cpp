@@ -83,7 +83,7 @@ ExtremeCase c44_fan() {
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
       .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
-      .mutants = {{"the tie rule is missing: nobody owns an edge",
+      .mutants = {{"the tie rule is missing: no triangle owns an edge",
                    with({.owns = naive::owns_none})},
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"top edges are forgotten", with({.owns = naive::left_only})}},

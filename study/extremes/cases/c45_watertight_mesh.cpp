@@ -74,7 +74,7 @@ ExtremeCase c45_watertight_mesh() {
       .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
       .mutants = {{"float edges: differences from each edge's first vertex",
                    [] { return with({.inside = naive::float_difference_inside}); }},
-                  {"the tie rule is missing: nobody owns an edge",
+                  {"the tie rule is missing: no triangle owns an edge",
                    [] { return with({.owns = naive::owns_none}); }}},
       .drawn = judge_drawn,
   };

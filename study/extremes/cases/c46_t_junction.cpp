@@ -111,8 +111,8 @@ ExtremeCase c46_t_junction() {
           "one triangle on the other side",
       .stage = "coverage",
       .right =
-          "none when the vertex is inserted into the long edge; otherwise exactly the pixels of "
-          "the sliver between the snapped vertex and the edge, which no rasterizer can mend",
+          "none if the vertex is inserted into the long edge; otherwise exactly the pixels of the "
+          "sliver between the snapped vertex and the edge, which no rasterizer can close",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"the vertex inserted on both sides", [] { return judge(true, true); }},

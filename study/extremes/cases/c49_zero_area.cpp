@@ -87,7 +87,7 @@ Outcome judge(const Draws& draws) {
   return must_be_zero(
       double(faults + not_numbers),
       fmt::format(
-          "{} triangles without area; {} pixels not covered once, {} weights that are no numbers",
+          "{} triangles without area; {} pixels not covered once, {} weights that are not numbers",
           lines, faults, not_numbers));
 }
 
@@ -110,14 +110,15 @@ ExtremeCase c49_zero_area() {
       .name = "No area after snapping",
       .construction =
           "200 meshes of eight triangles, two of which are 2^-11 px high and 68 px long, so that "
-          "the snap leaves a line of most of them",
+          "the snap turns most of them into lines",
       .stage = "setup",
       .right =
-          "such triangles are dropped, for they cover no pixel; their neighbours stay watertight",
+          "such triangles are dropped, because they cover no pixel; their neighbours stay "
+          "watertight",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"dropped at setup", [] { return judge(pipeline_draws); }},
-      .naive = {"drawn all the same", [] { return judge(draws_without_dropping); }},
+      .naive = {"not dropped", [] { return judge(draws_without_dropping); }},
       .mutants = {{"triangles of less than 256 px are dropped",
                    [] { return judge(drops_small_ones); }}},
       .drawn = judge_drawn,

@@ -55,11 +55,11 @@ ExtremeCase c51_winding() {
           "a double-sided grid of 34 x 34 quads with vertices at pixel centres, every triangle "
           "wound at random",
       .stage = "setup",
-      .right = "every pixel once: triangles are turned clockwise before their edges are classed",
+      .right = "every pixel once: triangles are turned clockwise before their edges are classified",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"rule after orientation", [] { return judge(pipeline_covers); }},
-      .naive = {"edges classed in the order they came",
+      .naive = {"edges classified before the triangle is turned",
                 [] { return judge(naive::covers_with(kRuleFirst)); }},
       .mutants = {{"every edge owns its points",
                    [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}},

@@ -26,7 +26,7 @@ Outcome judge(std::int32_t (*snap)(float)) {
       }
     }
   }
-  return errors.outcome("positions elsewhere");
+  return errors.outcome("positions snapped to another place");
 }
 
 // 4,096 small triangles whose corners are up to 3/4 of a snapping step away from pixel centres,

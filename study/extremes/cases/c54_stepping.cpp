@@ -95,12 +95,12 @@ ExtremeCase c54_stepping() {
       .stage = "interpolate",
       .right =
           "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
-          "stepped as integers, and every pixel's weights computed from them anew",
+          "stepped as integers, and the weights of every pixel are computed from them",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours = {"integers stepped, floats computed anew", [] { return judge(pipeline_span); }},
       .naive = {"u += du in float", [] { return judge(stepped_span); }},
-      .mutants = {{"begun anew every 1024 pixels only",
+      .mutants = {{"restarted only every 1024 pixels",
                    [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}},
       .drawn = judge_drawn,
   };

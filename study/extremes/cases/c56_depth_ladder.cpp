@@ -22,7 +22,8 @@ Outcome judge(const DepthPath& path) {
             : distance * 0x1p-24 / path.near;
     const double confused = coarsest_confused(path, distance, around);
     worst.see(confused, kBound,
-              fmt::format("depths {:.2g} apart confused at the distance {}", confused, distance));
+              fmt::format("depths that are {:.2g} apart are confused at the distance {}", confused,
+                          distance));
   }
   return worst.outcome();
 }

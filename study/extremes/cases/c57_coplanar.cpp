@@ -69,7 +69,7 @@ Outcome judge_ties(const Drawer& by) {
     }
   }
   return must_be_zero(double(wrong),
-                      fmt::format("{} of {} pixels decide a tie otherwise", wrong, all));
+                      fmt::format("{} of {} pixels decide a tie differently", wrong, all));
 }
 
 // Two rectangles with the same computed depth; by exact numbers, the second one is nearer. The
@@ -90,7 +90,7 @@ Outcome judge_order_of_panes(const Drawer& by) {
   }
   if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
   return wrong_of(int(all.changed), int(all.shown),
-                  "pixels of panes show the one that was drawn second");
+                  "pixels of panes show the pane that was drawn second");
 }
 
 // Triangles of the plane in a picture of 256 x 256 pixels; the depths that the engine stores are
@@ -128,8 +128,8 @@ ExtremeCase c57_coplanar() {
           "of 4096 x 4096, where depth is exact",
       .stage = "interpolate",
       .right =
-          "8 u of the plane (raster/interpolate.h), so that two triangles differ by 16 u at most; "
-          "of equal depths the first stays",
+          "8 u of the plane (raster/interpolate.h), so two triangles differ by 16 u at most; with "
+          "equal depths the first one stays",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours = {"weights, differences from the nearest vertex",

@@ -78,7 +78,7 @@ ExtremeCase c59_interpenetration() {
           "line",
       .stage = "depth test",
       .right =
-          "the crossing is where it belongs, within 18 u d/|difference of the slopes| and half a "
+          "the crossing is at the right place, within 18 u d/|difference of the slopes| and half a "
           "pixel",
       .unit = "px",
       .oracle = Oracle::kAnalytic,

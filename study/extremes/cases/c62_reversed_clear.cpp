@@ -93,9 +93,10 @@ std::uint32_t raw_bits(DepthFormat, float depth) {
 
 Outcome judge_drawn(const Drawer& by) {
   const int black = runs_without_a_picture(by), far = pixels_that_show_the_far_one(by);
-  return must_be_zero(black + far, fmt::format("{} pictures stay black, {} pixels show the far "
-                                               "one of two triangles",
-                                               black, far));
+  return must_be_zero(
+      black + far,
+      fmt::format("{} pictures stay black, {} pixels show the farther of two triangles", black,
+                  far));
 }
 
 }  // namespace c62
@@ -109,18 +110,18 @@ ExtremeCase c62_reversed_clear() {
           "in each depth format an empty frame and one triangle, at the near plane, at the far "
           "plane and between; then two triangles in both orders",
       .stage = "depth test",
-      .right = "one triangle is always seen; of two the nearer one",
+      .right = "a single triangle is always seen, and of two triangles the nearer one",
       .unit = "wrong answers",
       .oracle = Oracle::kProperty,
       .ours = {"codes that grow with distance, an empty frame behind all of them",
                [] { return judge({}); }},
-      .naive = {"depth as it is, cleared to 1, less passes, for reversed depth too",
+      .naive = {"depth cleared to 1 and tested with <, for reversed depth too",
                 [] {
                   return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
                 }},
-      .mutants = {{"cleared to the far plane, which hides what lies on it",
+      .mutants = {{"cleared to the far plane's depth, which hides triangles on this plane",
                    [] { return judge({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
-                  {"the test is turned round",
+                  {"the test is reversed",
                    [] {
                      return judge(
                          {.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});

@@ -14,7 +14,7 @@ Outcome judge(DepthPath::Detour detour) {
   return {confused,
           4 * double(unit_roundoff<float>),
           {},
-          fmt::format("depths {:.2g} apart confused at the distance 1,000", confused)};
+          fmt::format("depths that are {:.2g} apart are confused at the distance 1,000", confused)};
 }
 
 // Two rectangles at right angles to the gaze, 8 u apart at the distance 1,000, in both orders: the

@@ -23,7 +23,8 @@ Outcome judge(const TexelAt& texel_at) {
       const double beside = std::max({texel - place, place - (texel + 1), 0.0});
       // A negative coordinate near 0 may be rounded when 1 is added, by 2^-25 of the texture.
       worst.see(std::min(beside, kSize - beside), kSize * 0x1p-25,
-                fmt::format("texel {} for {:.2f} at u = {}", texel, place, t), std::abs(double(t)));
+                fmt::format("texel {} instead of {:.2f} at u = {}", texel, place, t),
+                std::abs(double(t)));
     }
   }
   return worst.outcome();
@@ -50,9 +51,9 @@ ExtremeCase c67_huge_texcoords() {
           "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it",
       .stage = "texture",
       .right =
-          "the texel of the exact fraction, or one 2^-25 of the texture away: the whole part is "
-          "taken away before scaling. What float itself loses of u (the condition is |u|) was lost "
-          "before",
+          "the texel of the exact fraction, or one that is 2^-25 of the texture away: the integer "
+          "part is subtracted before scaling. The digits of u that a float cannot hold (the "
+          "condition number is |u|) are lost before that",
       .unit = "texel",
       .oracle = Oracle::kRational,
       .ours = {"wrapped, then scaled", [] { return judge(pipeline_texel); }},

@@ -130,7 +130,7 @@ Outcome judge(const LevelAt& level_at) {
       const double bound = 34 * u * exact.condition / 0.693 + 5e-8 + 4 * u * std::abs(exact.level);
       const auto level = level_at(sheet, pixel);
       worst.see(level ? std::abs(double(*level) - exact.level) : HUGE_VAL, bound,
-                fmt::format("level {:.4f} for {:.4f}", level.value_or(0), exact.level),
+                fmt::format("level {:.4f} instead of {:.4f}", level.value_or(0), exact.level),
                 exact.condition);
     });
   }
@@ -193,7 +193,7 @@ ExtremeCase c69_level_of_detail() {
       .oracle = Oracle::kRational,
       .ours = {"analytic derivatives", [] { return judge(pipeline_level); }},
       .naive = {"differences to neighbours in the picture", judge_naive},
-      .mutants = {{"1/w is taken for constant", [] { return judge(level_without_perspective); }}},
+      .mutants = {{"1/w is taken as constant", [] { return judge(level_without_perspective); }}},
       .drawn = judge_drawn,
   };
 }

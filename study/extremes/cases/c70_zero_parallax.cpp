@@ -100,8 +100,8 @@ ExtremeCase c70_zero_parallax() {
       .construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080",
       .stage = "stereo",
       .right =
-          "no parallax: matrices are composed in double and rounded once; a step of the snap at "
-          "most for the rounding of x in float",
+          "no parallax: matrices are composed in double and rounded once; the rounding of x in "
+          "float costs at most a step of the snap",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta",

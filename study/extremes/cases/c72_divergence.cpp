@@ -27,7 +27,7 @@ Outcome judge(Separation separation) {
       diverging += shown.diverges;
       ++tried;
       worst.see(shown.mm, kPupilDistanceMm,
-                fmt::format("{:.1f} mm with the window at {}", shown.mm, window));
+                fmt::format("parallax {:.1f} mm with the window at {}", shown.mm, window));
     }
   }
   return worst.outcome(fmt::format("eyes diverge in {} of {} scenes", diverging, tried));
@@ -57,22 +57,22 @@ ExtremeCase c72_divergence() {
       .name = "Eyes that would have to diverge",
       .construction =
           "a screen 2 m wide, windows at 0.5 to 30, scenes that begin at 0.8 of the window's "
-          "distance and end at twice of it, at 100 or nowhere",
+          "distance and end at twice this distance, at 100 or at infinity",
       .stage = "stereo",
       .right =
-          "the farthest point is at most 65 mm behind the screen's surface, the distance of the "
+          "the parallax of the farthest point on the screen is at most 65 mm, the distance of the "
           "pupils",
       .unit = "mm",
       .oracle = Oracle::kAnalytic,
       .ours = {"the largest separation within the budget", [] { return judge(within_budget); }},
       .naive = {"the pupils' own 65 mm", [] { return judge(pupils); }},
-      .mutants = {{"whole separation for half of it",
+      .mutants = {{"the whole separation instead of half of it",
                    [] { return judge(with_diameter_for_radius); }},
-                  {"only what is in front of the window counts",
+                  {"only points in front of the window count",
                    [] { return judge(looking_in_front_only); }}},
       .not_drawn =
-          "it is a number that is chosen before a pair is drawn: its picture is that of any other "
-          "separation (C-70, C-73)",
+          "the result is a separation, which is chosen before a pair is drawn; a pair with it is "
+          "drawn like any other (C-70, C-73)",
   };
 }
 

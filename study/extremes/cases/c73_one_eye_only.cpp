@@ -103,7 +103,7 @@ ExtremeCase c73_one_eye_only() {
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"culled where neither eye sees it", judge_ours},
-      .naive = {"kept where both eyes see it",
+      .naive = {"kept only where both eyes see it",
                 [] {
                   return judge_culled([](const auto& left, const auto& right, const View&) {
                     return seen_by(left) && seen_by(right);

@@ -42,7 +42,7 @@ Outcome judge(EyeView eye, bool formula) {
   }
   if (!formula) return must_be_zero(worst, fmt::format("{} px", worst));
   return must_be_zero(
-      worst, fmt::format("{:.3f} px in a corner; the formula says so within {:.2g} px", worst,
+      worst, fmt::format("{:.3f} px in a corner; the formula agrees within {:.2g} px", worst,
                          off_formula));
 }
 
@@ -90,7 +90,7 @@ ExtremeCase c75_toe_in() {
       .ours = {"skewed frusta", [] { return judge(eye_view, false); }},
       .naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }},
       .mutants = {{"one camera toed in", [] { return judge(one_toed_in, false); }},
-                  {"the eyes' rows of y differ by a rounding or two",
+                  {"the eyes' rows of y differ by one or two rounding errors",
                    [] { return judge(heights_of_their_own, false); }}},
       .drawn = judge_drawn,
   };

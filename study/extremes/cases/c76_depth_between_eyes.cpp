@@ -107,7 +107,7 @@ ExtremeCase c76_depth_between_eyes() {
                    [] {
                      return judge(naive::anaglyph_with_colour_cleared(eyes().right, kBackground));
                    }},
-                  {"the masks are interchanged",
+                  {"the masks are exchanged",
                    [] {
                      return judge(
                          make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask)

@@ -65,7 +65,7 @@ Outcome judge(Mixes mixes, const AnaglyphMatrix& matrix) {
   return {double(worst),
           1,
           {},
-          fmt::format("{} of {} channels more than a byte off{}", wrong, 3 * mixed, where)};
+          fmt::format("{} of {} channels more than one code off{}", wrong, 3 * mixed, where)};
 }
 
 Bytes pipeline_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
@@ -191,14 +191,15 @@ ExtremeCase c77_dubois_negatives() {
       .construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)",
       .stage = "anaglyph",
       .right =
-          "mixed in light, clamped, encoded, within a byte: the float sum may fall on the other "
-          "side of a byte's edge. White stays 255",
+          "mixed in linear light, clamped and encoded, to within one code, because the float sum "
+          "may round to the next code. White stays 255",
       .unit = "bytes",
       .oracle = Oracle::kRational,
-      .ours = {"in light, clamped after the matrix", [] { return judge(pipeline_mix, dubois()); }},
-      .naive = {"on bytes, which wrap round", [] { return judge(wrapping_mix, dubois()); }},
+      .ours = {"in linear light, clamped after the matrix",
+               [] { return judge(pipeline_mix, dubois()); }},
+      .naive = {"on bytes, which wrap around", [] { return judge(wrapping_mix, dubois()); }},
       .mutants = {{"negatives are not clamped", [] { return judge(unclamped_mix, dubois()); }},
-                  {"mixed as encoded", [] { return judge(gamma_mix, dubois()); }},
+                  {"mixed without decoding", [] { return judge(gamma_mix, dubois()); }},
                   {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
                   {"a misprint: -0.62 for -0.062",
                    [] { return judge(pipeline_mix, with_misprint()); }}},

@@ -35,11 +35,11 @@ Outcome outcome_of(const OrderEvidence& evidence) {
   const char* verdict = evidence.order == EyeOrder::kInOrder   ? "in order"
                         : evidence.order == EyeOrder::kSwapped ? "swapped"
                                                                : "unknown";
-  return {
-      votes > 0 ? double(evidence.swapped) / votes : 1,
-      1.0 / 3,
-      {},
-      fmt::format("{}: {} windows for, {} against", verdict, evidence.in_order, evidence.swapped)};
+  return {votes > 0 ? double(evidence.swapped) / votes : 1,
+          1.0 / 3,
+          {},
+          fmt::format("{}: {} windows for this order, {} against it", verdict, evidence.in_order,
+                      evidence.swapped)};
 }
 
 Outcome judge_pair(const Image<Rgba8>& left, const Image<Rgba8>& right) {
@@ -75,20 +75,20 @@ ExtremeCase c78_eyes_swapped() {
   using namespace c78;
   return {
       .id = "C-78",
-      .name = "Each eye has the other one's picture",
+      .name = "Left and right pictures exchanged",
       .construction = "the room as a pair and as an anaglyph, with its disparity",
       .stage = "stereo",
       .right =
-          "near things lie further left in the right eye's picture: of the textured windows at "
-          "most a third fit better with the eyes interchanged",
+          "near objects are further left in the right eye's picture: at most a third of the "
+          "textured windows fit better with the eyes exchanged",
       .unit = "of the windows",
       .oracle = Oracle::kProperty,
       .ours = {"pair and anaglyph as drawn", judge_ours},
-      .naive = {"the pictures interchanged",
+      .naive = {"the pictures exchanged",
                 [] { return judge_pair(room().eyes.right, room().eyes.left); }},
-      .mutants = {{"the anaglyph's eyes interchanged",
+      .mutants = {{"the anaglyph's eyes exchanged",
                    [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
-                  {"channel swap: red and blue interchanged, as BGR files have them",
+                  {"red and blue exchanged, as in BGR files",
                    [] { return judge_anaglyph(red_and_blue_interchanged()); }}},
       .drawn = judge_drawn,
       .pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},

@@ -35,7 +35,8 @@ Outcome judge(const std::function<Filter()>& make) {
           low_pass_share(kFrames) * (1 + 1e-12),
           {},
           monotone ? fmt::format("{:.4f} of the step in one frame", worst)
-                   : fmt::format("{:.4f} in one frame, {:.4f} the wrong way", worst, backwards)};
+                   : fmt::format("{:.4f} in one frame, {:.4f} in the wrong direction", worst,
+                                 backwards)};
 }
 
 }  // namespace c79
@@ -59,7 +60,7 @@ ExtremeCase c79_window_step() {
                    };
                  });
                }},
-      .naive = {"the window as it is",
+      .naive = {"the window without smoothing",
                 [] { return judge([] { return [](double f) { return f; }; }); }},
       .mutants = {{"low-pass of f",
                    [] {

@@ -55,10 +55,11 @@ Outcome judge(Warp warp) {
     if (error > worst) worst = error, worst_x = x;
   }
   if (seen < kWidth / 4) return must_be_zero(HUGE_VAL, fmt::format("only {} samples", seen));
-  return {worst,
-          1.0 / 16,
-          {},
-          fmt::format("{:.3g} px at column {}, of {} samples that are seen", worst, worst_x, seen)};
+  return {
+      worst,
+      1.0 / 16,
+      {},
+      fmt::format("{:.3g} px at column {}, over {} samples that are seen", worst, worst_x, seen)};
 }
 
 Columns ours(const views::LayeredImage& image, const views::LayerCamera& to) {
@@ -107,19 +108,20 @@ ExtremeCase c80_layers_drift() {
       .id = "C-80",
       .name = "Drift of an incremental warp",
       .construction =
-          "a row of 8192 samples, 2 to 40 units away, warped by additions to an eye 0.35 units "
-          "beside, turned by 0.03 radian; how far a sample is drawn beside its place",
+          "a row of 8192 samples, 2 to 40 units away, warped by additions to an eye 0.35 units to "
+          "the side and turned by 0.03 radian; the error is the distance of a drawn sample from "
+          "its right place",
       .stage = "layers",
       .right =
           "1/16 px: 64 additions from one start to the next, each of which rounds x w and w by u "
           "at most: 2 * 64 * 2^-24 * 8192 px",
       .unit = "px",
       .oracle = Oracle::kExtended,
-      .ours = {"begun anew every 64 px", [] { return judge(ours); }},
-      .naive = {"begun once a row", [] { return judge(never_anew); }},
-      .mutants = {{"begun anew every 2048 px", [] { return judge(seldom_anew); }},
-                  {"all but w begun anew", [] { return judge(without_w); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .ours = {"restarted every 64 px", [] { return judge(ours); }},
+      .naive = {"started once in each row", [] { return judge(never_anew); }},
+      .mutants = {{"restarted every 2048 px", [] { return judge(seldom_anew); }},
+                  {"restarted, except w", [] { return judge(without_w); }}},
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

@@ -30,15 +30,16 @@ Outcome judge(const Holes& holes) {
     const int here = holes(layer_camera_of(eye), zoom);
     if (here <= most) return;
     most = here;
-    where = fmt::format("{:.1f} % magnified {} times by {}", 100.0 * here / (kSide * kSide), m, by);
+    where = fmt::format("{:.1f} % holes when magnified {} times by {}",
+                        100.0 * here / (kSide * kSide), m, by);
   };
   for (const int m : {1, 2, 4}) {
     LayerEye nearer{.width = kSide, .height = kSide, .focal = kSide, .near = 0.5};
     LayerEye zoomed = nearer;
     nearer.at = {0, 0, -8 + 8.0 / m};
     zoomed.focal = kSide * m;
-    see(nearer, 1, "going there", m);
-    see(zoomed, m, "the lens", m);
+    see(nearer, 1, "moving nearer", m);
+    see(zoomed, m, "a longer lens", m);
   }
   return must_be_zero(most, where);
 }
@@ -62,20 +63,22 @@ ExtremeCase c81_layers_magnified() {
   using namespace c81;
   return {
       .id = "C-81",
-      .name = "Layers looked at through a magnifier",
+      .name = "Layers seen enlarged",
       .construction =
-          "64 x 64 samples of a wall, seen 1, 2 and 4 times as large: from as much nearer, and by "
-          "a lens of as much more focal length",
+          "64 x 64 samples of a wall, seen 1, 2 and 4 times as large: by an eye that moves nearer, "
+          "and by a lens with a longer focal length",
       .stage = "layers",
-      .right = "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); of one pixel each 1 - 1/m^2",
+      .right =
+          "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per sample, a share "
+          "of 1 - 1/m^2 are holes",
       .unit = "pixels",
       .oracle = Oracle::kAnalytic,
       .ours = {"squares of the projected size", [] { return judge(ours); }},
-      .naive = {"one pixel a sample",
+      .naive = {"one pixel per sample",
                 [] { return judge_sides([](double, double) { return 1.0; }); }},
-      .mutants = {{"three pixels, whatever the size",
+      .mutants = {{"three pixels for every size",
                    [] { return judge_sides([](double, double) { return 3.0; }); }},
-                  {"focal lengths left out",
+                  {"without the focal lengths",
                    [] {
                      return judge_sides([](double, double w) { return std::max(1 / w, 1.0); });
                    }},
@@ -84,7 +87,7 @@ ExtremeCase c81_layers_magnified() {
                      return judge_sides(
                          [](double zoom, double w) { return std::max(zoom * w, 1.0); });
                    }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

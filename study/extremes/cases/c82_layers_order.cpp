@@ -157,19 +157,20 @@ ExtremeCase c82_layers_order() {
       .id = "C-82",
       .name = "Epipoles in, beside and behind",
       .construction =
-          "33 x 33 pixels with up to 5 samples each, and eyes that went ahead, back and aside, to "
-          "48 places: every sample falls on a pixel's middle, and those that meet are on one line",
+          "33 x 33 pixels with up to 5 samples each, and eyes that moved ahead, back and sideways, "
+          "to 48 places: every sample falls on a pixel centre, and samples that fall on the same "
+          "pixel are on one line",
       .stage = "layers",
       .right = "the nearest sample of each pixel, without comparing depths (S1-11)",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"occlusion-compatible order", [] { return judge(in_order); }},
-      .naive = {"the order in which it is packed", [] { return judge(as_packed); }},
-      .mutants = {{"towards the epipole also behind the camera",
+      .naive = {"the packed order", [] { return judge(as_packed); }},
+      .mutants = {{"towards the epipole even if it is behind the camera",
                    [] { return judge(without_sign); }},
                   {"rows by the epipole, columns from the left", [] { return judge(rows_alone); }},
                   {"front to back within a pixel", [] { return judge(front_to_back); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

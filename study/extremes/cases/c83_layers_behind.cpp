@@ -82,30 +82,30 @@ ExtremeCase c83_layers_behind() {
       .id = "C-83",
       .name = "Samples that the eye has passed",
       .construction =
-          "4,096 samples 0.5 to 8 units before the first eye, and a second one 4 units ahead",
+          "4,096 samples 0.5 to 8 units in front of the first eye, and a second eye 4 units ahead",
       .stage = "layers",
-      .right = "what has w <= 0 is not drawn, and all that is before the near plane is",
+      .right = "samples with w <= 0 are not drawn, and all samples beyond the near plane are",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"w <= 0 is left out",
+      .ours = {"samples with w <= 0 are left out",
                [] {
                  return worse_of(judge_order(views::LayerOrder::kDepth),
                                  judge_order(views::LayerOrder::kOcclusion));
                }},
-      .naive = {"divided by whatever w is",
+      .naive = {"divided by w without a test",
                 [one_pixel] { return judge_test([](double, double) { return true; }, one_pixel); }},
       .mutants =
-          {{"the depth alone is tested",
+          {{"only the depth is tested",
             [one_pixel] { return judge_test([](double z, double) { return z <= 1; }, one_pixel); }},
            {"w >= -1",
             [one_pixel] {
               return judge_test([](double z, double w) { return w >= -1 && z <= 1; }, one_pixel);
             }},
-           {"what is nearer than the first eye was, left out",
+           {"samples with a small positive w are left out too",
             [one_pixel] {
               return judge_test([](double z, double w) { return w >= 0.2 && z <= 1; }, one_pixel);
             }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

@@ -42,8 +42,7 @@ Outcome judge(const Merge& merge) {
     for (std::size_t i = depths.size(); i-- > 1;)
       std::swap(depths[i], depths[std::size_t(random.integer(0, int(i)))]);
   }
-  return wrong_of(wrong, kOrders, "orders",
-                  fmt::format("; {} to {} samples are left", least, most));
+  return wrong_of(wrong, kOrders, "orders", fmt::format("; {} to {} samples remain", least, most));
 }
 
 std::vector<float> ours(const std::vector<float>& depths, double epsilon) {
@@ -62,16 +61,16 @@ ExtremeCase c84_layers_merged() {
       .construction = "twelve samples of a pixel, each 0.9 epsilon behind the last, in 200 orders",
       .stage = "layers",
       .right =
-          "the same samples in every order: from the front, each that is left takes in what is "
-          "near to itself, and nothing else: six",
+          "the same samples for every order: from the front, each remaining sample absorbs those "
+          "near to itself and no others, which leaves six",
       .unit = "orders",
       .oracle = Oracle::kProperty,
       .ours = {"sorted, then merged from the front", [] { return judge(ours); }},
-      .naive = {"merged as they come", [] { return judge(naive::merged_as_they_come); }},
+      .naive = {"merged in the order of arrival", [] { return judge(naive::merged_as_they_come); }},
       .mutants = {{"each compared with its neighbour",
                    [] { return judge(naive::merged_along_the_chain); }},
-                  {"merged from behind", [] { return judge(naive::merged_from_behind); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+                  {"merged from the back", [] { return judge(naive::merged_from_behind); }}},
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

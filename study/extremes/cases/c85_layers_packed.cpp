@@ -73,13 +73,13 @@ ExtremeCase c85_layers_packed() {
       .right = "each pixel has the samples that it was given, from back to front (S1-06)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"an offset a pixel, and one more", [] { return judge(ours); }},
+      .ours = {"one offset for each pixel, and one more", [] { return judge(ours); }},
       .naive = {"counts in a byte", [] { return judge(naive::packed_by_byte_counts); }},
       .mutants = {{"empty pixels have no offset",
                    [] { return judge(naive::packed_without_empty_pixels); }},
                   {"offsets of the last samples",
                    [] { return judge(naive::packed_by_last_samples); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

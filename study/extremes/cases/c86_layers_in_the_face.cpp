@@ -42,7 +42,7 @@ Outcome judge(const Draw& draw) {
     silent += splatted.reported != (m > side);
   }
   return must_be_zero(wrong + silent,
-                      fmt::format("{} pixels, {} samples not reported or in vain", wrong, silent));
+                      fmt::format("{} wrong pixels, {} samples reported wrongly", wrong, silent));
 }
 
 Splatted ours(double m) {
@@ -74,19 +74,19 @@ ExtremeCase c86_layers_in_the_face() {
   using namespace c86;
   return {
       .id = "C-86",
-      .name = "A sample in the eye's face",
+      .name = "A sample very near the eye",
       .construction =
-          "one sample, from 1/2 to 2^-20 of its first distance: 2 to 2^20 px wide by its size law; "
-          "a surface that the first eye saw at its edge grows as far",
+          "one sample, at 1/2 to 2^-20 of its first distance: by the size formula it is 2 to 2^20 "
+          "px wide; a surface that the first eye saw edge-on grows as much",
       .stage = "layers",
       .right = "min(m, 64)^2 pixels, and a count of those that would have been larger",
       .unit = "pixels and samples",
       .oracle = Oracle::kAnalytic,
       .ours = {"cut to 64 px, and counted", [] { return judge(ours); }},
-      .naive = {"as large as it comes", [] { return judge(without_limit); }},
-      .mutants = {{"cut without a word", [] { return judge(in_silence); }},
-                  {"left out where too large", [] { return judge(left_out); }}},
-      .not_drawn = "samples are warped by views/layers; no engine takes part",
+      .naive = {"without a limit", [] { return judge(without_limit); }},
+      .mutants = {{"cut without a report", [] { return judge(in_silence); }},
+                  {"left out if too large", [] { return judge(left_out); }}},
+      .not_drawn = "views/layers warps the samples, without an engine",
   };
 }
 

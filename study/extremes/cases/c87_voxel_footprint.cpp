@@ -109,14 +109,15 @@ ExtremeCase c87_voxel_footprint() {
       .stage = "voxels",
       .right =
           "the pixels whose centres are in the box around the projection, and the centre's pixel "
-          "in any case: the deviation of no pixels is 0, and everything would be one colour",
+          "in any case: without pixels the deviation is 0, and everything would count as one "
+          "colour",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"box, at least the centre's pixel", [] { return judge(ours); }},
       .naive = {"pixels whose centres are in the box", [] { return judge(centres_alone); }},
       .mutants = {{"all pixels that the box touches", [] { return judge(all_touched); }},
-                  {"the centre's pixel alone", [] { return judge(centre_alone); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+                  {"only the centre's pixel", [] { return judge(centre_alone); }}},
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

@@ -53,17 +53,17 @@ ExtremeCase c88_threshold_ends() {
           "noise and blank pictures of three cameras over 8 x 8 x 5 voxels, without masks",
       .stage = "voxels",
       .right =
-          "nothing has a deviation below 0; all have one below infinity: the first layer is a "
-          "wall, and hides the rest",
+          "no deviation is below 0, so T = 0 colours nothing; every deviation is below infinity, "
+          "so the first layer becomes a wall that hides the rest",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"sigma < T", [] { return judge(colored_by_ours); }},
       .naive = {"sigma <= T", [] { return judge(plain<naive::PlainSweep{.below = false}>); }},
-      .mutants = {{"what is coloured hides nothing",
+      .mutants = {{"coloured voxels hide nothing",
                    [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
                   {"far layers first",
                    [] { return judge(plain<naive::PlainSweep{.nearest_first = false}>); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

@@ -15,7 +15,8 @@ Outcome judge(Colorer colored_by) {
   const int beside = differing(colored_by(twins), keys_of({{2, 0, 0}, {4, 0, 0}}));
   return must_be_zero(
       alone + beside,
-      fmt::format("{} voxels of one picture, {} beside the first layer of two", alone, beside));
+      fmt::format("{} voxels from one picture, {} voxels not in the first layer of two", alone,
+                  beside));
 }
 
 template <naive::PlainSweep kWay>
@@ -31,11 +32,12 @@ ExtremeCase c89_one_camera() {
       .id = "C-89",
       .name = "One camera, and the same one twice",
       .construction =
-          "two voxels at different depths, under one camera, and under two in one place",
+          "two voxels at different depths, seen by one camera, and by two cameras at the same "
+          "place",
       .stage = "voxels",
       .right =
-          "fewer than two pictures say nothing: no voxel; two that are the same have the first "
-          "layer of their object, and nothing behind it",
+          "fewer than two pictures give no voxel; two equal cameras give the first layer of the "
+          "object and nothing behind it",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"two pictures at least", [] { return judge(colored_by_ours); }},
@@ -43,9 +45,9 @@ ExtremeCase c89_one_camera() {
                 [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
       .mutants = {{"three pictures at least",
                    [] { return judge(plain<naive::PlainSweep{.least_views = 3}>); }},
-                  {"what is coloured hides nothing",
+                  {"coloured voxels hide nothing",
                    [] { return judge(plain<naive::PlainSweep{.hides = false}>); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

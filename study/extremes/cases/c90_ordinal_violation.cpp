@@ -86,7 +86,7 @@ Outcome judge(OrderOf order_of) {
     }
   }
   return must_be_zero(double(counterexamples + missed),
-                      fmt::format("{} of {} pairs the wrong way round, {} orders missed",
+                      fmt::format("{} of {} pairs in the wrong order, {} orders not found",
                                   counterexamples, tried, missed));
 }
 
@@ -102,17 +102,17 @@ ExtremeCase c90_ordinal_violation() {
           "may cut it; points P on the way from a camera to Q, both in the box",
       .stage = "voxels",
       .right =
-          "where an order is claimed, P comes before Q: a plane has all cameras on one side and "
-          "the box on the other (S1-15); for a ring around there is none",
+          "if an order is claimed, P comes before Q: a plane has all cameras on one side and the "
+          "box on the other (S1-15); for a ring around the box there is no order",
       .unit = "pairs and orders",
       .oracle = Oracle::kProperty,
-      .ours = {"a plane between, checked at every camera and corner",
+      .ours = {"a plane in between, checked at every camera and corner",
                [] { return judge(by_classes); }},
-      .naive = {"away from the cameras' middle", [] { return judge(whatever); }},
-      .mutants = {{"the middle of the box is asked, and not its corners",
+      .naive = {"away from the centre of the cameras", [] { return judge(whatever); }},
+      .mutants = {{"only the centre of the box is checked, not its corners",
                    [] { return judge(before_the_middle); }},
-                  {"the first camera is asked for all", [] { return judge(of_the_first); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+                  {"only the first camera is checked", [] { return judge(of_the_first); }}},
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

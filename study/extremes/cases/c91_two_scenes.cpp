@@ -33,7 +33,7 @@ Outcome judge(Colorer colored_by) {
   const int voxels = differing(found, keys_of(nearer));
   return must_be_zero(
       pixels + voxels,
-      fmt::format("{} pixels otherwise, {} voxels beside the nearer scene", pixels, voxels));
+      fmt::format("{} pixels differ, {} voxels are not in the nearer scene", pixels, voxels));
 }
 
 template <naive::PlainSweep kWay>
@@ -49,22 +49,22 @@ ExtremeCase c91_two_scenes() {
       .id = "C-91",
       .name = "Two scenes that look the same",
       .construction =
-          "two voxels of one colour side by side, and two behind each other between "
-          "them, under cameras of slopes -1 and 1",
+          "two voxels of one colour side by side, and two behind each other between them, seen by "
+          "cameras of slopes -1 and 1",
       .stage = "voxels",
       .right =
-          "both give the same pictures; found is the one whose voxels are nearest to the "
-          "cameras (S1-17), and it gives these pictures again",
+          "both scenes give the same pictures; the result is the scene whose voxels are nearest to "
+          "the cameras (S1-17), and it gives these pictures again",
       .unit = "pixels and voxels",
       .oracle = Oracle::kInteger,
       .ours = {"nearest layers first", [] { return judge(colored_by_ours); }},
-      .naive = {"what is coloured hides nothing",
+      .naive = {"coloured voxels hide nothing",
                 [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
-      .mutants = {{"one picture will do",
+      .mutants = {{"one picture is enough",
                    [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
-                  {"background is a colour like others",
+                  {"the background is a colour like any other",
                    [] { return judge(plain<naive::PlainSweep{.asks_masks = false}>); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

@@ -65,26 +65,27 @@ ExtremeCase c92_untextured() {
   return {
       .id = "C-92",
       .name = "An object of one colour",
-      .construction = "a disc of radius 8 voxels under cameras of slopes -1 and 1",
+      .construction = "a disc with a radius of 8 voxels, seen by cameras of slopes -1 and 1",
       .stage = "voxels",
       .right =
-          "it bulges towards the cameras as far as its photo hull (S1-32): the diamond that both "
-          "outlines leave, and of that what is nearest",
+          "it bulges towards the cameras as far as its photo hull (S1-32): the nearest part of the "
+          "diamond that both outlines leave",
       .unit = "voxels",
       .oracle = Oracle::kAnalytic,
-      .ours = {"voxel colouring, one view kept", [] { return judge(colored_by_ours); }},
-      .naive = {"all that both show: the whole hull",
+      .ours = {"voxel colouring that keeps voxels seen in one picture",
+               [] { return judge(colored_by_ours); }},
+      .naive = {"everything that both pictures allow: the whole hull",
                 [] { return judge(plain<naive::PlainSweep{.hides = false, .least_views = 1}>); }},
       .mutants = {{"far layers first",
                    [] {
                      return judge(
                          plain<naive::PlainSweep{.nearest_first = false, .least_views = 1}>);
                    }},
-                  {"background is a colour like others",
+                  {"the background is a colour like any other",
                    [] {
                      return judge(plain<naive::PlainSweep{.asks_masks = false, .least_views = 1}>);
                    }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

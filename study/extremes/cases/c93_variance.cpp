@@ -70,7 +70,7 @@ ExtremeCase c93_variance() {
       .naive = {"E[x^2] - E[x]^2 in float", [] { return judge(of_two_means<float>); }},
       .mutants = {{"the same in double", [] { return judge(of_two_means<double>); }},
                   {"the new mean on both sides", [] { return judge(by_the_new_mean); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

@@ -52,17 +52,18 @@ ExtremeCase c94_fine_texture() {
       .id = "C-94",
       .name = "A texture as fine as the voxels",
       .construction =
-          "a wall of 8 x 8 voxels, each two by two pixels of a checker board, under three "
-          "cameras",
+          "a wall of 8 x 8 voxels, each of 2 x 2 pixels of a checker board, seen by three cameras",
       .stage = "voxels",
-      .right = "the wall: within a picture a voxel deviates as much as between pictures (S1-34)",
+      .right =
+          "the wall is found: the colours of a voxel deviate within a picture as much as between "
+          "pictures (S1-34)",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"sigma < M + 10", [] { return judge(adaptive(1)); }},
       .naive = {"sigma < 40", [] { return judge(fixed(40)); }},
       .mutants = {{"sigma < 100", [] { return judge(fixed(100)); }},
                   {"half of M", [] { return judge(adaptive(0.5)); }}},
-      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }
 

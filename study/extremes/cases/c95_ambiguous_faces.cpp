@@ -40,8 +40,8 @@ Outcome judge(const Surface& surface) {
     see(field);
   }
   return must_be_zero(double(wrong + odd),
-                      fmt::format("{} of {} edges are not in two triangles that go opposite ways; "
-                                  "an odd Euler number {} times",
+                      fmt::format("{} of {} edges are not in two triangles of opposite direction; "
+                                  "the Euler number is odd {} times",
                                   wrong, edges, odd));
 }
 
@@ -57,8 +57,8 @@ ExtremeCase c95_ambiguous_faces() {
       .id = "C-95",
       .name = "Faces that can be cut in two ways",
       .construction =
-          "two cells with a face whose opposite corners are inside between them, two of one's "
-          "corners inside and six of the other's; 400 random fields of 4 x 4 x 4",
+          "two cells that share a face with two opposite corners inside, where one cell has two "
+          "corners inside and the other six; 400 random fields of 4 x 4 x 4",
       .stage = "polygons",
       .right = "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
       .unit = "edges",
@@ -70,13 +70,13 @@ ExtremeCase c95_ambiguous_faces() {
                  });
                }},
       .naive = {"fifteen cases", [] { return judge_table(views::naive_table()); }},
-      .mutants = {{"opposite cases are not turned round",
+      .mutants = {{"complementary cases are not reversed",
                    [] { return judge_table(naive::table_of_opposites_not_turned()); }},
-                  {"a rule for low faces, another for high ones",
+                  {"one rule for low faces, another for high ones",
                    [] { return judge_table(naive::table_by_sides()); }},
-                  {"fans, whose diagonals lie on faces",
+                  {"fans whose diagonals are on faces",
                    [] { return judge_table(naive::table_of_fans()); }}},
-      .not_drawn = "surfaces are made by views/polygons; no engine takes part",
+      .not_drawn = "views/polygons makes the surface, without an engine",
   };
 }
 

@@ -29,8 +29,8 @@ Outcome judge(const Surface& surface) {
     triangles += std::int64_t(mesh.polygons.size());
   }
   return must_be_zero(double(degenerate + duplicates + open + pinched),
-                      fmt::format("of {} triangles {} without area; {} corners at another one's "
-                                  "place, {} pinched; {} edges not of two triangles",
+                      fmt::format("{} triangles, {} of them without area; {} corners at the place "
+                                  "of another, {} pinched; {} edges not in two triangles",
                                   triangles, degenerate, duplicates, pinched, open));
 }
 
@@ -48,31 +48,31 @@ ExtremeCase c96_values_at_the_level() {
       .construction = "300 fields of 4 x 4 x 4 whole numbers from -2 to 2, cut at -1, 0 or 1",
       .stage = "polygons",
       .right =
-          "no triangle without area, no corner twice, and closed: a value at the level is an "
-          "infinitely small step above it, and corners keep off the lattice's",
+          "no triangle without area, no corner twice, and a closed surface: a value at the level "
+          "counts as infinitely little above it, and corners keep away from those of the lattice",
       .unit = "triangles, corners and edges",
       .oracle = Oracle::kProperty,
-      .ours = {"decided as if perturbed", [] { return judge(ours); }},
-      .naive = {"placed where the value is the level",
+      .ours = {"values at the level are perturbed symbolically", [] { return judge(ours); }},
+      .naive = {"corners placed exactly where the value is the level",
                 [] {
                   return judge([](const ScalarField& field, double level) {
                     return naive::placed_exactly(ours(field, level), field, level);
                   });
                 }},
-      .mutants = {{"the level moved by 1e-17, which rounding takes back",
+      .mutants = {{"the level moved by 1e-17, which rounding undoes",
                    [] {
                      return judge([](const ScalarField& field, double level) {
                        return naive::placed_exactly(ours(field, level), field, level - 1e-17);
                      });
                    }},
-                  {"corners in one place made one",
+                  {"corners at the same place merged",
                    [] {
                      return judge([](const ScalarField& field, double level) {
                        return naive::welded(
                            naive::placed_exactly(ours(field, level), field, level));
                      });
                    }}},
-      .not_drawn = "surfaces are made by views/polygons; no engine takes part",
+      .not_drawn = "views/polygons makes the surface, without an engine",
   };
 }
 

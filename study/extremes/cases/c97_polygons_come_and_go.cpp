@@ -74,23 +74,22 @@ ExtremeCase c97_polygons_come_and_go() {
       .id = "C-97",
       .name = "Polygons that come and go",
       .construction =
-          "100,000 times a polygon of 300 comes into a layered image of 32 x 32 or leaves it, a "
-          "third of them in one plane",
+          "100,000 times, one of 300 polygons is added to a layered image of 32 x 32 or removed "
+          "from it; a third of them are in one plane",
       .stage = "polygons",
-      .right = "bit for bit what a layered image is that is built of those that are left (S1-39)",
+      .right = "bit for bit the layered image that is built from the remaining polygons (S1-39)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"lists by distance, then by number",
                [] { return judge(views::IdLayers(kSide, kSide)); }},
       .naive = {"the nearest polygon of each pixel",
                 [] { return judge_naive({.keeps_all = false}); }},
-      .mutants = {{"what is hidden is not deleted",
+      .mutants = {{"hidden polygons are not removed",
                    [] { return judge_naive({.deletes_behind = false}); }},
-                  {"of equally far ones the last is in front",
+                  {"among equally far polygons the last is in front",
                    [] { return judge_naive({.breaks_ties_by_id = false}); }},
-                  {"in the order in which they came",
-                   [] { return judge_naive({.sorts = false}); }}},
-      .not_drawn = "polygons are drawn by views/polygons; no engine takes part",
+                  {"in the order of insertion", [] { return judge_naive({.sorts = false}); }}},
+      .not_drawn = "views/polygons draws the polygons, without an engine",
   };
 }
 

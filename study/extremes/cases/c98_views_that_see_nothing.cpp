@@ -74,8 +74,8 @@ Outcome judge(const Weights& weights) {
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
       if (std::isnan(sum)) error = sum;
       worst.see(error, kBound,
-                fmt::format("weights sum to {:.6g} where {} of {} views see the polygon", sum,
-                            std::ranges::count(seen, true), seen.size()));
+                fmt::format("the weights add up to {:.6g} where {} of {} views see the polygon",
+                            sum, std::ranges::count(seen, true), seen.size()));
     }
   }
   return worst.outcome();
@@ -118,25 +118,27 @@ ExtremeCase c98_views_that_see_nothing() {
   using namespace c98;
   return {
       .id = "C-98",
-      .name = "Between views, some of which do not see the polygon",
+      .name = "Views that do not see the polygon",
       .construction =
-          "14 views, directions at them, on the sides of their triangles and between, and polygons "
-          "that all, some or none of the views see",
+          "14 views; directions of these views, on the sides of their triangles and inside; "
+          "polygons that all, some or none of the views see",
       .stage = "texture",
       .right =
-          "weights of views that see it, none below 0, with the sum 1; none at all where nobody "
-          "sees it (S1-40)",
+          "only views that see the polygon have weights, none below 0, with the sum 1; there are "
+          "no weights if no view sees it (S1-40)",
       .unit = "weight",
       .oracle = Oracle::kAnalytic,
-      .ours = {"left out, divided again, and the nearest that sees it", [] { return judge(ours); }},
-      .naive = {"divided by what is left of the weights",
+      .ours = {"views left out, weights divided by their sum, else the nearest view that sees the "
+               "polygon",
+               [] { return judge(ours); }},
+      .naive = {"divided by the sum of the remaining weights, without a test",
                 [] { return judge_steps({.has_empty_sum = true}); }},
-      .mutants = {{"not divided again", [] { return judge_steps({.divides = false}); }},
+      .mutants = {{"not divided by the new sum", [] { return judge_steps({.divides = false}); }},
                   {"views that do not see it keep their weights",
                    [] { return judge_steps({.leaves_out_unseen = false}); }},
-                  {"no other view in place of the three",
+                  {"no other view instead of the three",
                    [] { return judge_steps({.falls_back = false}); }}},
-      .not_drawn = "weights are made by views/texture; no engine takes part",
+      .not_drawn = "views/texture computes the weights, without an engine",
   };
 }
 

@@ -43,7 +43,7 @@ Outcome judge(Estimator estimator) {
     condition += std::log10(views::linear_fit(noisy)->condition()) / kPairs;
   }
   return {error, 2 * best, std::pow(10, condition),
-          fmt::format("{:.3g} px, where the best estimate leaves {:.3g} px", error, best)};
+          fmt::format("{:.3g} px; the error of the best estimate is {:.3g} px", error, best)};
 }
 
 }  // namespace c99
@@ -56,17 +56,18 @@ ExtremeCase c99_raw_pixels() {
       .construction = "60 pairs of cameras of 640 x 480, 20 matches with a noise of 1/2 px",
       .stage = "two views",
       .right =
-          "normalised (Hartley 1997): from the true points to the epipolar lines at most twice as "
-          "far as by the estimate that minimises Sampson's distance of the same matches; the "
-          "condition is that of the raw system",
+          "normalised points (Hartley 1997): the distance from the true points to the epipolar "
+          "lines is at most twice that of the estimate that minimises Sampson's distance for the "
+          "same matches; the condition number is that of the raw system",
       .unit = "px",
       .oracle = Oracle::kProperty,
       .ours = {"normalised points", [] { return judge(by_normalised_points); }},
       .naive = {"pixels as they are", [] { return judge(naive::fundamental_raw); }},
-      .mutants = {{"carried back crosswise",
+      .mutants = {{"transformed back with the two matrices exchanged",
                    [] { return judge(naive::fundamental_carried_back_crosswise); }},
-                  {"not carried back", [] { return judge(naive::fundamental_not_carried_back); }}},
-      .not_drawn = "an estimate from matches, which no engine draws",
+                  {"not transformed back",
+                   [] { return judge(naive::fundamental_not_carried_back); }}},
+      .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }
 

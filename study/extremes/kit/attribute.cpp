@@ -54,7 +54,7 @@ Outcome judge_attribute(const AttributeAt& at, const JudgedTriangle& judged, int
     const double found = double(at(*setup, pixel, values));
     const double error = std::abs(found - double(exact.value)) * scale;
     const double bound = attribute_bound(exact, values) * scale;
-    const std::string where = fmt::format("{:.7g} for {:.7g} in row {}", found * scale,
+    const std::string where = fmt::format("{:.7g} instead of {:.7g} in row {}", found * scale,
                                           double(exact.value) * scale, pixel.y);
     worst.see(error, bound, where);
     if (error > farthest.error) farthest = {error, bound, {}, where};

@@ -125,8 +125,9 @@ Outcome judge_depths(const Drawer& drawer, const std::vector<ScreenTriangle>& tr
       if (id == 0) continue;
       const long double right = exact(x, y, id - 1);
       const auto depth = static_cast<long double>(std::bit_cast<float>(found.depth.at(x, y)));
-      worst.see(depth == right ? 0 : double(std::abs(depth - right) / right) * 0x1p24, roundoffs,
-                fmt::format("{:.9g} for {:.9g} at ({}, {})", double(depth), double(right), x, y));
+      worst.see(
+          depth == right ? 0 : double(std::abs(depth - right) / right) * 0x1p24, roundoffs,
+          fmt::format("{:.9g} instead of {:.9g} at ({}, {})", double(depth), double(right), x, y));
     }
   }
   return worst.count() > 0 ? worst.outcome() : must_be_zero(HUGE_VAL, "nothing was drawn");

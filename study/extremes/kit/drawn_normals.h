@@ -32,8 +32,8 @@ Specimen specimen(Mesh mesh, const Transform<World, Object>& place,
 inline constexpr double kShownNormal = 14 * 0x1p-24;
 
 // Draws the specimens side by side, seen along -z. Counts the pixels in which a channel differs
-// from that of the normal by more than half a byte and an angle of `radians`; infinite if a
-// specimen is not visible.
+// from that of the normal by more than half a step of a byte plus what an angle of `radians` can
+// change; infinite if a specimen is not visible.
 Outcome judge_normals(const Drawer& by, const std::vector<Specimen>& specimens, Shading shading,
                       double radians);
 

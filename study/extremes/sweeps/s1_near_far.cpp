@@ -65,12 +65,14 @@ Sweep s1_near_far() {
       .name = "near-far",
       .title = "Far plane over near plane",
       .question =
-          "How far may the planes lie apart before a depth format confuses what is plainly apart?",
+          "How large may this ratio be before a depth format confuses surfaces that are clearly "
+          "apart?",
       .axis = "far plane over near plane",
-      .error = "largest relative separation that is confused, half way to the far plane",
+      .error =
+          "largest relative separation of surfaces that are confused, half way to the far plane",
       .reference = "the order of the distances themselves",
       .bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (B.3)",
-      .tolerance = "a tenth of the distance is confused",
+      .tolerance = "surfaces that are a tenth of the distance apart are confused",
       .series = near_far_series};
 }
 

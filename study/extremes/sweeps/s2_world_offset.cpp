@@ -121,7 +121,7 @@ Sweep s2_world_offset() {
   using namespace s2;
   return {.name = "world-offset",
           .title = "Distance of the scene from the world's origin",
-          .question = "How far out may a scene be built before its vertices shake?",
+          .question = "How far from the origin may a scene be built before its vertices shake?",
           .axis = "offset of object and eye",
           .axis_unit = "units",
           .error = "largest error of a coordinate in eye space",

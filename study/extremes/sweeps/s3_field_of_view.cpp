@@ -82,12 +82,12 @@ Sweep s3_field_of_view() {
       .name = "field-of-view",
       .title = "Field of view",
       .question = "How narrow and how wide may a camera look before the picture's scale is wrong?",
-      .axis = "angle over what is missing to 180 degrees",
+      .axis = "angle divided by its difference from 180 degrees",
       .error = "relative error of the picture's scale, cot(angle/2)",
       .reference = "50 digits",
       .bound =
-          "8 u of double (pipeline/projection.h); by way of radians their roundings times x/sin x, "
-          "in float as well as in double",
+          "8 u of double (pipeline/projection.h); with radians, their rounding errors times x/sin "
+          "x, in float and in double",
       .tolerance = "a relative error of 1e-4: a pixel in ten thousand",
       .series = field_of_view_series};
 }

@@ -66,7 +66,7 @@ Sweep s4_up_angle() {
   return {
       .name = "up-angle",
       .title = "Angle between up and gaze",
-      .question = "How near may `up` come to the gaze before the camera rolls by itself?",
+      .question = "How small may the angle between `up` and the gaze be before the camera rolls?",
       .axis = "angle between up and gaze",
       .axis_unit = "radians",
       .error = "roll: angle between the computed and the true right-hand axis",
@@ -74,8 +74,8 @@ Sweep s4_up_angle() {
       .reference = "UVN in 50 digits",
       .bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, B.5)",
       .tolerance =
-          "a roll of a thousandth, a pixel in a thousand; or refused: look_at refuses sines below "
-          "2^-20, since nobody can have meant such an up",
+          "a roll of a thousandth, which is a pixel in a thousand; or a refusal: look_at refuses "
+          "sines below 2^-20, because no such up is intended",
       .series = up_angle_series};
 }
 

@@ -105,13 +105,13 @@ Sweep s7_nesting() {
   using namespace s7;
   return {.name = "nesting",
           .title = "Depth of nesting",
-          .question = "How many nodes may lie between a mesh and the world before it drifts away?",
+          .question = "How many nodes may be between a mesh and the world before it drifts away?",
           .axis = "nodes, each with a rotation, a scale and a translation",
-          .error = "largest error of an entry of world_from_object, which are about 1",
+          .error = "largest error of an entry of world_from_object (entries are about 1)",
           .reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings",
           .bound =
               "the recurrence of the product's rounding errors in the Frobenius norm (Higham 3.5), "
-              "that is linear in the depth",
+              "which is linear in the depth",
           .tolerance = "an error of 1e-5",
           .series = nesting_series};
 }

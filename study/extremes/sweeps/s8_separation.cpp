@@ -99,15 +99,15 @@ Sweep s8_separation() {
   return {
       .name = "separation",
       .title = "Separation of the eyes over the window's distance",
-      .question = "Between which separations is parallax what the formula says?",
+      .question = "For which separations does parallax follow the formula?",
       .axis = "separation over window distance",
       .error = "largest error of the parallax at 2 to 900, window at 10, 1920 px",
       .error_unit = "px",
-      .reference = "2 s (d/h)(1/f - 1/z), right to 5 ulps of double",
+      .reference = "2 s (d/h)(1/f - 1/z), computed to 5 ulps of double",
       .bound = "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)",
       .tolerance =
-          "a step of the snap, 1/256 px; or refused: check_pair refuses eyes further apart than "
-          "the picture is wide at the window",
+          "a step of the snap, 1/256 px; or a refusal: check_pair refuses eyes that are further "
+          "apart than the picture is wide at the window",
       .series = separation_series};
 }
 

@@ -13,7 +13,7 @@ namespace {
 using namespace glassbox;
 using test::noise;
 
-// Independent of the program's tables: IEC 61966-2-1 in double, by libm.
+// Decodes IEC 61966-2-1 in double with the C library, independently of the program's tables.
 double light_of(std::uint8_t byte) {
   const double v = byte / 255.0;
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -34,8 +34,9 @@ double row_sum(const std::array<float, 6>& row) {
   return sum;
 }
 
-// Whether a row takes light from nowhere or keeps white white. Rows are printed with three digits or more, six numbers
-// each off by at most 0.0005: their sum cannot be further from 1 than 0.003; the largest here is 0.001 away.
+// Whether every row has the sum 1, so that white stays white. Matrices are printed with three
+// digits or more; six numbers, each off by at most 0.0005, change a row's sum by at most 0.003. The
+// largest deviation here is 0.001.
 bool keeps_white(const AnaglyphMatrix& matrix) {
   return std::all_of(matrix.at.begin(), matrix.at.end(),
                      [](const auto& row) { return std::abs(row_sum(row) - 1) <= 0.0015; });
@@ -68,7 +69,7 @@ TEST_CASE("every channel belongs to exactly one eye") {
     CHECK(masks.left.r != masks.right.r);
     CHECK(masks.left.g != masks.right.g);
     CHECK(masks.left.b != masks.right.b);
-    // The glasses' name says which lens is where.
+    // The glasses' name begins with the colour of the left lens.
     CHECK(masks.left.r == (glasses.name.starts_with("red") || glasses.name.starts_with("amber")));
   }
 }
@@ -109,8 +110,8 @@ TEST_CASE(
   }
 }
 
-// White begins at 254.5/255: where the row sums keep it, greys move by 1.5e-3 of their light, which is at most
-// 0.0015 / 2.4 * 1.055 * 255 = 0.17 of a byte.
+// White begins at 254.5/255. With row sums near 1, the light of a grey changes by at most a factor
+// of 1.5e-3, which is at most 0.0015 / 2.4 * 1.055 * 255 = 0.17 of a byte.
 TEST_CASE("greys stay grey to a byte") {
   for (const auto& glasses : all_glasses()) {
     for (const auto& method : all_anaglyph_methods()) {
@@ -153,7 +154,7 @@ TEST_CASE("row sums catch a matrix read by columns where it is stored by rows (C
     CAPTURE(glasses.name);
     const auto matrix = anaglyph_matrix(AnaglyphMethod::kDubois, glasses.value);
     REQUIRE(matrix);
-    AnaglyphMatrix transposed;  // each eye's half
+    AnaglyphMatrix transposed;  // each eye's half is transposed
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t column = 0; column < 3; ++column) {
         transposed.at[row][column] = matrix->at[column][row];
@@ -166,21 +167,22 @@ TEST_CASE("row sums catch a matrix read by columns where it is stored by rows (C
 
 TEST_CASE("matrices act in linear light and results are clamped, not wrapped (C-77)") {
   const Rgba8 red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255};
-  // 2001: green of the left eye takes 0.0378 from green and 0.0206 from blue, red of the right eye 0.0435 from red.
+  // In the matrix of 2001, green of the left eye lowers the anaglyph's green by 0.0378 and its blue
+  // by 0.0206, and red of the right eye lowers its red by 0.0435.
   CHECK(one_pixel(green, red, AnaglyphMethod::kDubois2001, Glasses::kRedCyan) ==
         Rgba8{std::uint8_t(std::lround(code_of(0.500484 - 0.0434706))),
               std::uint8_t(std::lround(code_of(0.378476 - 0.0378246))), 0, 255});
-  // Blue alone asks for 1.2209 of blue.
+  // Blue alone gives 1.2209 of blue, which is clamped to 1.
   CHECK(one_pixel(blue, blue, AnaglyphMethod::kDubois2001, Glasses::kRedCyan).b == 255);
-  // A matrix on the bytes themselves would give red 128 * 0.4561 = 58.
+  // A matrix applied to the bytes themselves would give a red of 128 * 0.4561 = 58.
   const std::uint8_t half_red =
       one_pixel({128, 0, 0, 255}, {0, 0, 0, 255}, AnaglyphMethod::kDubois2001, Glasses::kRedCyan).r;
   CHECK(half_red == std::lround(code_of(0.4561 * light_of(128))));
   CHECK(half_red > 80);
 }
 
-// Float sums of six terms, each below 1.3, err by less than 6 * 2^-24 * 4 = 1.5e-6; by the transfer function's largest
-// slope, 12.92 * 255 bytes, that is 0.005 of a byte.
+// Float sums of six terms, each below 1.3, have an error below 6 * 2^-24 * 4 = 1.5e-6. Multiplied
+// by the transfer function's largest slope, 12.92 * 255 bytes, that is 0.005 of a byte.
 TEST_CASE("every matrix method agrees with the same sums in double to the byte") {
   Random random(7);
   const Image<Rgba8> left = noise(64, 16, random), right = noise(64, 16, random);

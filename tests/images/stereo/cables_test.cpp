@@ -31,7 +31,8 @@ EyeErrors leaks(const Image<Rgba8>& sent, Cable cable, Glasses glasses = Glasses
   return *found;
 }
 
-// A line of greys that swings by `bytes` around 128 with `megahertz`, or of red against cyan of the same luma.
+// Returns a line of greys that oscillates by `bytes` around 128 at `megahertz`, or a line that
+// oscillates between red and cyan of the same luma.
 enum class Swing { kLuma, kRedAgainstCyan };
 Image<Rgba8> wave(double megahertz, double bytes, Swing swing) {
   Image<Rgba8> line(640, 1);
@@ -45,7 +46,7 @@ Image<Rgba8> wave(double megahertz, double bytes, Swing swing) {
   return line;
 }
 
-// Half of the largest difference between red and cyan over the middle of a line.
+// Returns half of the range of red minus green over the middle of a line.
 double colour_swing(const Image<Rgba8>& line) {
   int low = 255, high = -255;
   for (int x = 160; x < 480; ++x) {
@@ -63,7 +64,8 @@ TEST_CASE("greys without edges and colours without edges arrive as they were sen
   for (const auto& cable : all_cables()) {
     CAPTURE(cable.name);
     CHECK(name_of(cable.value) == cable.name);
-    // Composite: the doubled carrier that demodulation leaves is at 6.34 MHz, where the filters are 50 dB down.
+    // On composite, demodulation leaves a carrier of the doubled frequency at 6.34 MHz, where the
+    // filters attenuate by 50 dB.
     const int allowed = cable.value == Cable::kComposite ? 1 : 0;
     for (const Rgba8 colour : {Rgba8{0, 0, 0, 255}, Rgba8{255, 255, 255, 255}, Rgba8{90, 90, 90, 7},
                                Rgba8{255, 0, 0, 255}, Rgba8{13, 200, 77, 255}}) {
@@ -93,7 +95,7 @@ TEST_CASE("on composite, fine luma near the subcarrier becomes colour and coarse
   CHECK(colour_swing(far) <= 2);
 }
 
-// The subcarrier of one line is the opposite of the next one's; rounding and clamping leave a few bytes.
+// The subcarrier has the opposite phase on the next line; rounding and clamping leave a few bytes.
 TEST_CASE("on composite, false colours of one line are the opposite of the next line's") {
   const Image<Rgba8> line = wave(3.4, 60, Swing::kLuma);
   Image<Rgba8> two(line.width, 2);
@@ -108,9 +110,10 @@ TEST_CASE("on composite, false colours of one line are the opposite of the next 
   CHECK(largest > 30);
 }
 
-// Red against cyan of the same luma has I and Q in the ratio 0.596 + 0.427 * 0.596 to 0.211 + 0.427 * 0.211: of the
-// difference between red and green, I brings 0.956 + 0.272 and Q 0.621 + 0.647 each. A wave at a filter's corner
-// arrives with half its size; one far below with all; one far above not at all. Rounding: 2 bytes.
+// Red against cyan of the same luma has I and Q in the ratio 0.596 + 0.427 * 0.596 to 0.211 + 0.427
+// * 0.211. To the difference between red and green, a unit of I contributes 0.956 + 0.272 and a
+// unit of Q 0.621 + 0.647. A wave at a filter's corner frequency arrives with half its amplitude,
+// one far below with all of it, and one far above with none. Rounding adds up to 2 bytes.
 TEST_CASE("chroma is cut where its cable says") {
   const auto arrives = [](double megahertz, Cable cable) {
     const Image<Rgba8> sent = wave(megahertz, 80, Swing::kRedAgainstCyan);
@@ -147,7 +150,8 @@ TEST_CASE(
   }
 }
 
-// By hand: red differs by 3 and 4 in two of four pixels, green by 6 in one, blue not.
+// Computed by hand: red differs by 3 and 4 in two of four pixels, green by 6 in one, and blue
+// nowhere.
 TEST_CASE("channel errors are root mean squares over each eye's channels") {
   const Image<Rgba8> sent(2, 2, {100, 100, 100, 255});
   Image<Rgba8> arrived = sent;

@@ -8,7 +8,8 @@ namespace {
 
 using namespace glassbox;
 
-// Thin trunks every `period` pixels, as far apart in depth as in place; or a road without edges.
+// Two test pictures: thin trunks every `period` pixels, which have many vertical edges, and a road,
+// which has none.
 Image<Rgba8> trunks(int period) {
   Image<Rgba8> picture(60, 10, {150, 170, 200, 255});
   for (int y = 0; y < picture.height; ++y) {
@@ -38,7 +39,8 @@ TEST_CASE("a forest of thin trees scores above a flat road (S0-16)") {
   CHECK(flat->displaced == flat->pixels);
 }
 
-// Both neighbours of each of the trunks at x = 6, 12, ... 54, and of the trunk at 0 its right one.
+// Edges are at both neighbours of each trunk at x = 6, 12, ... 54, and at the right neighbour of
+// the trunk at 0.
 TEST_CASE("the score counts edges that are displaced, and only those with a disparity") {
   Image<float> disparity(60, 10, 1.0f);
   auto found = stereo_information(trunks(6), disparity);
@@ -49,8 +51,8 @@ TEST_CASE("the score counts edges that are displaced, and only those with a disp
   CHECK(found->share == 190.0 / 600);
 
   for (int y = 0; y < 10; ++y) {
-    disparity.at(5, y) = 0.5f;   // half a pixel is not above half a pixel
-    disparity.at(7, y) = -0.6f;  // but this is
+    disparity.at(5, y) = 0.5f;   // not an edge with depth: it must exceed half a pixel
+    disparity.at(7, y) = -0.6f;  // exceeds half a pixel
     disparity.at(11, y) = std::numeric_limits<float>::quiet_NaN();
     disparity.at(13, y) = std::numeric_limits<float>::infinity();
   }
@@ -64,7 +66,7 @@ TEST_CASE("the score counts edges that are displaced, and only those with a disp
 
 TEST_CASE("an edge is steeper than the limit, in bytes of luma a pixel") {
   Image<Rgba8> step(3, 1, {100, 100, 100, 255});
-  step.at(2, 0) = {108, 108, 108, 255};  // half the difference of the neighbours: exactly 4
+  step.at(2, 0) = {108, 108, 108, 255};  // half the difference of its neighbours is exactly 4
   const Image<float> disparity(3, 1, 2.0f);
   CHECK(stereo_information(step, disparity)->score == 0);
   CHECK(stereo_information(step, disparity, {3.999, 0.5})->score == 1);

@@ -77,7 +77,7 @@ TEST_CASE(
     REQUIRE_FALSE(refused);
     CHECK(refused.error().place == layout.name);
     Image<Rgba8> wide;
-    wide.width = 1 << 30;  // and no rows
+    wide.width = 1 << 30;  // the image still has no rows
     CHECK(lay_out(wide, wide, layout.value).has_value() ==
           (layout.value == StereoLayout::kInterlaced));
     CHECK(lay_out({}, {}, layout.value)->pixels.empty());

@@ -18,7 +18,7 @@ struct Scene {
   Image<float> disparity;
 };
 
-// Noise, smoothed so that it survives half a pixel.
+// Returns noise, smoothed so that it can still be recognized after a shift by half a pixel.
 Image<Rgba8> texture(int width, int height, Random& random, Rgba8 tint) {
   const Image<Rgba8> rough = noise(width + 2, height + 2, random);
   Image<Rgba8> smooth(width, height);
@@ -35,8 +35,8 @@ Image<Rgba8> texture(int width, int height, Random& random, Rgba8 tint) {
   return smooth;
 }
 
-// A far wall behind the window and a near object, left of its middle, before it: each a texture of its own colour,
-// painted far to near for each eye.
+// Draws a far wall and a near object left of the middle in front of it. Each has a texture of its
+// own colour and a disparity of its own in pixels, and is painted from far to near for each eye.
 Scene near_left_of_far(int far_px, int near_px) {
   constexpr int kWidth = 160, kHeight = 60, kMargin = 20;
   Random random(77);
@@ -112,7 +112,7 @@ TEST_CASE(
     "an anaglyph whose colours are light in one eye and dark in the other is judged all the same") {
   Scene scene = near_left_of_far(4, -6);
   for (Image<Rgba8>* eye : {&scene.left, &scene.right}) {
-    for (Rgba8& pixel : eye->pixels) {  // red rises where green and blue fall
+    for (Rgba8& pixel : eye->pixels) {  // red increases where green and blue decrease
       pixel.g = std::uint8_t(255 - pixel.r);
       pixel.b = pixel.g;
     }

@@ -1,4 +1,4 @@
-// Pictures to make stereo pairs of.
+// Pictures from which stereo pairs are made.
 #pragma once
 
 #include <glassbox/base/random.h>
@@ -6,7 +6,7 @@
 
 namespace glassbox::test {
 
-// Every channel, alpha too, anything from 0 to 255.
+// Returns a picture in which every channel, alpha too, is random from 0 to 255.
 inline Image<Rgba8> noise(int width, int height, Random& random) {
   Image<Rgba8> picture(width, height);
   for (Rgba8& pixel : picture.pixels) {

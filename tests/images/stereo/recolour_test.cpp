@@ -21,7 +21,7 @@ Viewing seen(AnaglyphMethod method) {
   return *how;
 }
 
-// A few strong and a few dull colours in unequal shares.
+// Returns a picture of a few strong colours and a dull one that cover unequal areas.
 Image<Rgba8> patches() {
   Image<Rgba8> picture(8, 8, {120, 130, 140, 255});
   for (int x = 0; x < 8; ++x) {
@@ -35,7 +35,7 @@ Image<Rgba8> patches() {
 
 }  // namespace
 
-// Floats: each of the 3 sums of 3 products and the mean err by a few 2^-24.
+// Computed in floats: each of the 3 sums of 3 products and the mean has an error of a few 2^-24.
 TEST_CASE("recolouring is b + (1 - b) lerp(c, luma, k)") {
   Random random(5);
   for (int i = 0; i < 200; ++i) {
@@ -67,7 +67,7 @@ TEST_CASE("rivalry falls by exactly (1 - k)(1 - b) for the methods that clamp no
       CHECK(after->difference > 0);
     }
   }
-  // Dubois clamps noise: the law is not a tautology of the measure.
+  // Dubois clamps the noise, so the law must fail there: the measure does not fulfil it trivially.
   const Viewing dubois = seen(kDubois);
   const double before = measure_recolour(left, right, dubois, {})->rivalry;
   CHECK(std::abs(measure_recolour(left, right, dubois, {0.5, 0})->rivalry - before / 2) > 1e-4);
@@ -135,7 +135,8 @@ TEST_CASE(
     "the Pareto curve goes from no change to grey: rivalry falls in even steps, difference grows") {
   Random random(12);
   const Image<Rgba8> left = noise(80, 64, random), right = patches();
-  const Image<Rgba8> pair[2] = {left, noise(80, 64, random)};  // more than 4096 colours: grouped
+  // more than 4096 colours, which are grouped
+  const Image<Rgba8> pair[2] = {left, noise(80, 64, random)};
   for (const Image<Rgba8>* eye : {&pair[0], &right}) {
     const auto suggestion = suggest_recolour(*eye, *eye, seen(kMask), 0.05, 9);
     REQUIRE(suggestion);

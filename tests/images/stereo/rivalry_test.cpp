@@ -15,7 +15,8 @@ using namespace glassbox;
 using test::noise;
 using enum AnaglyphMethod;
 
-// White, grey, red, green, blue, yellow, cyan, magenta: what the averages of B.6 are over.
+// White, grey, red, green, blue, yellow, cyan, magenta: the colours of the averages in the table of
+// B.6.
 constexpr Linear kColours[] = {{1, 1, 1}, {0.5f, 0.5f, 0.5f}, {1, 0, 0}, {0, 1, 0},
                                {0, 0, 1}, {1, 1, 0},          {0, 1, 1}, {1, 0, 1}};
 
@@ -34,7 +35,7 @@ double mean_rivalry(AnaglyphMethod method) {
 
 using Matrix = std::vector<std::vector<double>>;
 
-// Solves square systems by Gauss-Jordan elimination with row exchanges.
+// Solves a x = b for square matrices a by Gauss-Jordan elimination with row exchanges.
 Matrix solve(Matrix a, const Matrix& b) {
   const std::size_t n = a.size();
   for (std::size_t i = 0; i < n; ++i) a[i].insert(a[i].end(), b[i].begin(), b[i].end());
@@ -56,8 +57,9 @@ Matrix solve(Matrix a, const Matrix& b) {
   return a;
 }
 
-// What the eyes would get of the two pictures without glasses, in XYZ, made as well as light through the lenses can in
-// the sense of least squares, all coordinates weighing the same; then each row scaled to keep white.
+// Returns the matrix whose light through the lenses comes closest, in the sense of least squares in
+// XYZ with equal weights, to what the eyes would see of the two pictures without glasses. Then each
+// row is scaled to keep white.
 AnaglyphMatrix least_squares() {
   std::array<std::array<double, 3>, 6> through{};
   std::array<std::array<double, 6>, 6> wanted{};
@@ -109,15 +111,15 @@ TEST_CASE(
   CHECK(content_measure({0, 0, 0}) == 1);
   CHECK(content_measure({0.25f, 0.5f, 0.125f}) == 0.5);
   CHECK(content_measure({0.5f, 0.125f, 0.0625f}) == 0.25);
-  // The other glasses' own good colours.
+  // The other glasses have good and bad colours of their own.
   CHECK(content_measure({1, 1, 0}, Glasses::kAmberBlue) == 0);
   CHECK(content_measure({1, 0, 1}, Glasses::kAmberBlue) == 1);
   CHECK(content_measure({1, 0, 1}, Glasses::kGreenMagenta) == 0);
   CHECK(content_measure({1, 1, 0}, Glasses::kGreenMagenta) == 1);
 }
 
-// Half of the last digit printed. B.6 prints .062 for dubois2001, which is what the least-squares matrix gives; the
-// published matrix gives .0656.
+// The tolerance is half of the last printed digit. B.6 prints .062 for dubois2001, which the
+// least-squares matrix gives; the published matrix gives .0656.
 TEST_CASE("rivalry averaged over eight colours: the table of B.6") {
   CHECK(std::abs(mean_rivalry(kMask) - 0.411) <= 0.0005);
   CHECK(std::abs(mean_rivalry(kHalf) - 0.123) <= 0.0005);
@@ -125,7 +127,7 @@ TEST_CASE("rivalry averaged over eight colours: the table of B.6") {
   CHECK(std::abs(mean_rivalry(kDubois2001) - 0.0656) <= 0.00005);
   CHECK(std::abs(mean_rivalry({least_squares(), lenses_of(Glasses::kRedCyan)}) - 0.062) <= 0.0005);
   CHECK(std::abs(mean_rivalry(kOptimised) - 0.036) <= 0.0005);
-  CHECK(mean_rivalry(kGrey) <= 1e-6);  // luma's weights add up to 1 in float within 2^-24
+  CHECK(mean_rivalry(kGrey) <= 1e-6);  // luma's weights add up to 1 within 2^-24 in float
   CHECK(mean_rivalry(kTrue) <= 1e-6);
 }
 
@@ -155,7 +157,7 @@ TEST_CASE(
     const auto how = viewing(method.value);
     REQUIRE(how);
     const Ghosts leak = white_leak(*how);
-    if (method.value == kTrue) {  // red and blue alone: .0018 of .0876, .0176 of .0777
+    if (method.value == kTrue) {  // only red and blue leak: .0018 of .0876, .0176 of .0777
       CHECK(std::abs(leak.left - 0.0018 / 0.0876) <= 1e-6);
       CHECK(std::abs(leak.right - 0.0176 / 0.0777) <= 1e-6);
     } else {
@@ -178,7 +180,7 @@ TEST_CASE("the rivalry map has each pixel's rivalry, and its mean is theirs") {
   picture.at(1, 0) = {255, 0, 0, 255};
   picture.at(3, 1) = {0, 255, 0, 255};
   const Image<float> map = rivalry_map(picture, *mask);
-  // Red: .0876/.1012 - .0176/.4041; green: .0118/.1012 - .3088/.4041.
+  // For red .0876/.1012 - .0176/.4041, for green .0118/.1012 - .3088/.4041.
   const double red = 0.0876 / 0.1012 - 0.0176 / 0.4041, green = 0.3088 / 0.4041 - 0.0118 / 0.1012;
   CHECK(map.at(0, 0) == 0);
   CHECK(std::abs(double(map.at(1, 0)) - red) <= 1e-6);
@@ -187,7 +189,8 @@ TEST_CASE("the rivalry map has each pixel's rivalry, and its mean is theirs") {
   CHECK(mean_of(Image<float>{}) == 0);
 }
 
-// By hand, for mask: the left lens gets the right picture's green and blue, the right lens the left picture's red.
+// Computed by hand for the mask method: the left lens lets some of the right picture's green and
+// blue through, the right lens some of the left picture's red.
 TEST_CASE("ghost maps show what of the other eye's picture comes through") {
   const auto mask = viewing(kMask);
   REQUIRE(mask);

@@ -1,4 +1,4 @@
-// A user's first program: a scene loaded, framed, rendered and written, and the picture read back.
+// A user's first program: it loads, frames, renders and writes a scene, and reads the picture back.
 #include <cstdio>
 
 #include <glassbox/images/read.h>

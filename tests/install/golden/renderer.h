@@ -1,4 +1,4 @@
-// Stands for the renderer under test: a disc on a slope of greys.
+// A small renderer in place of a user's own: it draws a disc on a grey gradient.
 #pragma once
 
 #include <cmath>
@@ -17,12 +17,12 @@ inline glassbox::Image<glassbox::Rgba8> render_disc() {
                                                : glassbox::Rgba8{grey, grey, grey};
     }
   }
-  // A defect, to see what a failing test says: one wrong pixel.
+  // A defect on request, to see the message of a failing test: one wrong pixel.
   if (std::getenv("PLANT_A_DEFECT") != nullptr) image.at(60, 20).g ^= 1;
   return image;
 }
 
-// Distances of the same scene, with infinity where nothing is.
+// Distances of a rectangle, with infinity in the pixels of the background.
 inline glassbox::Image<float> render_distances() {
   glassbox::Image<float> image(96, 64, HUGE_VALF);
   for (int y = 20; y < 40; ++y) {

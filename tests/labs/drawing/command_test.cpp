@@ -1,4 +1,4 @@
-// glassbox lab render and lab watch as a student uses them.
+// Tests glassbox lab render and lab watch as a student uses them.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of a lab with the solution in it, but for what is replaced.
+// A lab's folder that contains its solution with a part replaced.
 class Folder {
 public:
   explicit Folder(std::string number = "6", std::string name = "06-rasterisation")
@@ -83,7 +83,7 @@ TEST_CASE("lab render says what is wrong where, as text, JSON and a page, and by
   CHECK(has(page, "id=\"reference\""));
   CHECK(fs::exists(folder.path() / "out.png"));
 
-  // What cannot be drawn leaves no picture, and says so in one line each.
+  // If the functions cannot draw, there is no picture, and one line gives the reason.
   folder.write("std::int32_t snap(", "int missing_semicolon = 1\nstd::int32_t snap(");
   const auto broken = folder.render({"-o", "none.png"});
   CHECK(broken.exit_code == 1);
@@ -107,7 +107,7 @@ TEST_CASE("lab render and lab stiff hand the assembler nothing that a compiler d
        {folder.render({"-o", "none.png"}), folder.run({"lab", "stiff", "mine"})}) {
     CAPTURE(outcome.out, outcome.err);
     CHECK(outcome.exit_code == 1);
-    CHECK(has(outcome.out, "which no compiler writes"));
+    CHECK(has(outcome.out, "which a compiler never writes"));
   }
   CHECK_FALSE(fs::exists(folder.path() / "none.png"));
 }
@@ -139,13 +139,13 @@ TEST_CASE("a submission without lab.json is drawn, and checked, as of the lab th
   CAPTURE(drawn.out, drawn.err);
   CHECK(drawn.exit_code == 0);
   CHECK(fs::exists(folder.path() / "a.png"));
-  // Half of the points, as the hidden checks are not put.
+  // Half of the points, because the hidden checks are not run.
   const auto checked = folder.run({"lab", "check", "ann", "--lab", "rasterisation"});
   CHECK(has(checked.out, "50 of 50"));
   const auto other = folder.run({"lab", "check", "mine", "--lab", "5"});
   CHECK(other.exit_code == 2);
   CHECK(has(other.err, "mine/lab.json says that it is lab 06-rasterisation"));
-  // What is handed in stays as it is.
+  // The submission's folder does not change.
   CHECK(std::distance(fs::directory_iterator(folder.path() / "ann"), fs::directory_iterator()) ==
         1);
 }
@@ -182,7 +182,7 @@ TEST_CASE("lab watch with a scene draws again when the file is saved") {
     }
     return false;
   };
-  CHECK(says("to do it again"));
+  CHECK(says("to run this again"));
   folder.write("+ 0.5)", "+ 7.5)");
   CHECK(says("stage snap (snap)"));
   kill(watching, SIGTERM);
@@ -217,7 +217,8 @@ TEST_CASE("lab stiff says where the functions give up, beside the reference") {
   CHECK(has(crashing.out, "SIGSEGV"));
 }
 
-// C-25 has faces of one and two corners, which read_mesh refuses as its contract says.
+// The extreme case C-25 has faces of one and two corners, which read_mesh refuses as its contract
+// requires.
 TEST_CASE("lab stiff asks lab 1 for no face that its contract refuses") {
   const Folder folder("1", "01-meshes");
   folder.write("newell_vector", "newell_vector");

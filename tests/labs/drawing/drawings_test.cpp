@@ -1,4 +1,5 @@
-// Pictures with a student's functions in the pipeline: every lab with a right, a wrong, a crashing and an endless stage.
+// Tests pictures with a student's functions in the pipeline: every lab with a right, a wrong, a
+// crashing and an endless stage.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,13 +24,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How the solution is led astray: in `find`, by an expression that asks trial::wrong().
+// A defect that is planted in the solution: `find` becomes `replace`, an expression that depends on
+// trial::wrong().
 struct Trial {
   int lab;
   std::string scene;
   RenderSettings settings;
   std::string find, replace;
-  std::string stage, functions;  // where the wrong one is found, and what a message names
+  // the stage in which it is found, and functions that a message names
+  std::string stage, functions;
 };
 
 const std::vector<Trial>& trials() {
@@ -127,7 +130,8 @@ const std::vector<Trial>& trials() {
   return all;
 }
 
-// One program behaves in four ways: by a letter in its file, so that it is compiled once.
+// One program behaves in four ways, chosen by a letter in its file, so that it is compiled only
+// once.
 constexpr const char* kMark = "glassbox trial: ";
 constexpr const char* kTrial = R"(
 namespace trial {
@@ -147,7 +151,7 @@ const Lab& lab_of(int number) {
   return *std::find_if(all.begin(), all.end(), [&](const Lab& l) { return l.number == number; });
 }
 
-// A place that the sandbox's user may pass through.
+// A temporary folder that the sandbox's user may enter.
 class Place {
 public:
   Place() {
@@ -190,7 +194,7 @@ public:
     program_ = made->program;
   }
 
-  // The program that behaves so: r right, w wrong, c crashes, e is endless.
+  // Returns a copy of the program that behaves so: r is right, w is wrong, c crashes, e is endless.
   fs::path behaving(char how) const {
     std::ifstream file(program_, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(file)), {});
@@ -230,7 +234,7 @@ private:
 
 namespace {
 
-// The solution draws as the reference does, and what goes wrong is named.
+// Expects that the solution draws as the reference does, and that the defects are named.
 void draw_in_every_way(const Trial& trial) {
   CAPTURE(trial.lab);
   const Desk desk(trial);
@@ -242,9 +246,9 @@ void draw_in_every_way(const Trial& trial) {
   std::uint64_t records = 0;
   for (const JudgedStage& stage : fine.stages) records += stage.records;
   CHECK(records > 0);
-  // Interpolation in float and in double end in neighbouring bytes now and then; nothing else rounds.
+  // Interpolation in float and in double sometimes gives neighbouring bytes; nothing else rounds.
   CHECK(fine.differing_pixels <= (trial.lab == 8 ? fine.yours.pixels.size() / 100 : 0));
-  // Layers lack what no eye has seen: what is really there stands beside them.
+  // Layers lack what no eye has seen, so the true picture is shown too.
   CHECK(fine.truth.has_value() == (trial.lab >= 12));
   if (fine.truth) CHECK(fine.truth->pixels != fine.reference.pixels);
 
@@ -283,7 +287,7 @@ void draw_labs(const test::Share& share) {
 
 }  // namespace
 
-// Each lab is a program of some ten seconds' compilation.
+// Each lab is a program that takes some ten seconds to compile.
 TEST_CASE("labs draw, some every day: solutions as the reference, and what goes wrong is named") {
   draw_labs(test::Share(3));
 }

@@ -1,5 +1,5 @@
-// A student's functions as points in an experiment's chart: every lab's solution, functions that are less exact, crash or never end,
-// and what is handed in of a measurement.
+// A student's functions as points in an experiment's chart: every lab's solution; functions that
+// are less exact, crash or never end; and the claim that a student hands in about a measurement.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -33,11 +33,11 @@ const Lab& lab_numbered(int number) {
   return *std::find_if(all.begin(), all.end(), [&](const Lab& l) { return l.number == number; });
 }
 
-// A lab's solution, but for what is replaced, as a program that is asked and timed.
+// A lab's solution with a part replaced, as a program that is called and timed.
 class Bench {
 public:
   enum Change { kReplaced, kEmptied };
-  // kEmptied: the function whose name is found begins with `replace`.
+  // With kEmptied, `replace` is inserted at the beginning of the function whose name is found.
   Bench(int lab, const std::string& find, const std::string& replace, Change change = kReplaced)
       : place_(made_place()),
         sandbox_(grading::Sandbox::choose(place_).value()),
@@ -92,7 +92,7 @@ private:
 
 void say_nothing(const std::string&) {}
 
-// Which of the experiment's ways each series does as well as.
+// For each series, the experiment's way that it is compared with.
 struct Peer {
   int lab;
   std::map<std::string, std::string> ways;
@@ -129,7 +129,8 @@ const study::Experiment& experiment_of(const LabMeasure& measure) {
   return *study::find_experiment(study::experiments(), measure.experiment);
 }
 
-// The theory of one of the experiment's ways where `mine` is; none if it is not there.
+// Returns the theoretical error of an experiment's way with the scene, measure and parameter of
+// `mine`, or nothing if there is none.
 std::optional<double> theory_at(const std::vector<study::Configuration>& all,
                                 const std::string& way, const ConfigurationResult& mine) {
   for (const study::Configuration& each : all) {
@@ -161,7 +162,8 @@ Claim small_claim(double yours, double ns) {
 
 namespace {
 
-// A lab's solution is as exact as its theory where its experiment measures, and its starter is not written yet.
+// Checks that a lab's solution is as exact as its theory at the experiment's places, and that its
+// starter counts as not written yet.
 void measure_solution(const Peer& peer) {
   CAPTURE(peer.lab);
   const auto measure = measure_of(peer.lab);
@@ -177,10 +179,10 @@ void measure_solution(const Peer& peer) {
     REQUIRE(peer.ways.contains(mine.series));
     const auto theory = theory_at(ways, peer.ways.at(mine.series), mine);
     REQUIRE(theory);
-    // A factor of two is what a theory is held to (study/experiment/theory.h).
+    // A theory has to hold up to a factor of two (study/experiment/theory.h).
     CHECK(mine.error <= 2 * *theory);
   }
-  // The starter is no point of the chart, and the solution has nothing that is not written.
+  // Every series of the starter is recognized as unwritten, and none of the solution's is.
   StudentAnswers starter = bench.starter(), the_same = bench.starter();
   const auto of_solution = untouched_series(*measure, student, starter, say_nothing);
   REQUIRE(of_solution);
@@ -276,7 +278,8 @@ TEST_CASE("a claim is borne out by the same errors and orders, whatever the time
   CHECK(here.points[0].slower_than == std::vector<std::string>{"quick"});
   const Claim read = read_claim("measured.json", claim_json(here).dump()).value();
   CHECK(contradictions(read, here).empty());
-  // Another machine: other times, the same orders; and one on which nobody can tell.
+  // Another machine with other times and the same order; and one on which the order cannot be
+  // decided.
   CHECK(contradictions(read, small_claim(0.5, 70)).empty());
   CHECK(contradictions(read, small_claim(0.5, 100)).empty());
 
@@ -285,25 +288,26 @@ TEST_CASE("a claim is borne out by the same errors and orders, whatever the time
     REQUIRE(found.size() == 1);
     return found[0];
   };
-  CHECK(differs(read, small_claim(0.25, 50)) == "yours at 8, wall: the error is 0.25, not 0.5");
+  CHECK(differs(read, small_claim(0.25, 50)) ==
+        "yours at 8, wall: the measured error is 0.25, not 0.5");
   CHECK(differs(small_claim(0.5, 2), here) ==
-        "yours at 8, wall: slower than \"quick\", not faster");
+        "yours at 8, wall: measured as slower than \"quick\", not faster");
   CHECK(differs(small_claim(0.5, 300), here) ==
-        "yours at 8, wall: faster than \"slow\", not slower");
+        "yours at 8, wall: measured as faster than \"slow\", not slower");
   Claim other = here;
   other.code = "another";
-  CHECK(differs(other, here) == "it is of another student.cpp than the one that was measured");
+  CHECK(differs(other, here) == "it was made with another student.cpp than this measurement");
   other = here;
   other.points.push_back(other.points.front());
-  CHECK(differs(other, here) == "yours at 8, wall: is there twice");
+  CHECK(differs(other, here) == "yours at 8, wall: appears twice");
   other.points.back().parameter = 9;
-  CHECK(differs(other, here) == "yours at 9, wall: is no point of this lab");
+  CHECK(differs(other, here) == "yours at 9, wall: is not a point of this lab's measurement");
   other = here;
   other.points.clear();
   CHECK(differs(other, here) == "yours at 8, wall: is missing");
   other.lab = "06-rasterisation";
-  CHECK(differs(other, here) == "it is of lab 06-rasterisation, not 08-attributes");
-  // What is no number is kept as what it is.
+  CHECK(differs(other, here) == "it is for lab 06-rasterisation, not for lab 08-attributes");
+  // Infinity and NaN are read back as they were.
   const Claim infinite = small_claim(HUGE_VAL, 50), none = small_claim(std::nan(""), 50);
   CHECK(contradictions(read_claim("", claim_json(infinite).dump()).value(), infinite).empty());
   CHECK(contradictions(read_claim("", claim_json(none).dump()).value(), none).empty());
@@ -358,12 +362,12 @@ TEST_CASE(
   const auto wrong = run({"--against", "better.json"});
   CAPTURE(wrong.out, wrong.err);
   CHECK(wrong.exit_code == 1);
-  CHECK(wrong.out.find("the error is 0, not 0.5") != std::string::npos);
-  // With JSON on standard output there is nothing else.
+  CHECK(wrong.out.find("the measured error is 0, not 0.5") != std::string::npos);
+  // With JSON on standard output, nothing else is printed there.
   const auto both = run({"--against", "better.json", "--json", "-"});
   CHECK(both.exit_code == 1);
   CHECK(nlohmann::json::accept(both.out));
-  CHECK(both.err.find("the error is 0, not 0.5") != std::string::npos);
+  CHECK(both.err.find("the measured error is 0, not 0.5") != std::string::npos);
 
   std::ofstream(folder / "ann/student.cpp")
       << strip_solution(solution_text(sources, "05-clipping").value(), "student.cpp").value();
@@ -410,7 +414,7 @@ void measure_nothing(const test::Share& share) {
     const auto points = measure_places(measure, student, 0, say_nothing);
     REQUIRE(points);
     for (const ConfigurationResult& mine : *points) {
-      if (mine.series == "yours, two rotations") continue;  // by another function
+      if (mine.series == "yours, two rotations") continue;  // another function computes it
       CAPTURE(mine.series, mine.scene, mine.parameter, mine.error);
       CHECK_FALSE(mine.error <= 1e-3);
     }

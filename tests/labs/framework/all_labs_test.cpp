@@ -1,5 +1,6 @@
-// Every lab against itself: the solution has all points, the starter none, and faults are followed the whole way: one of every lab,
-// another every day, and with "[.faults]" each that has a stage.
+// Every lab against itself: the solution gets all points and the starter none. Faults are followed
+// through all steps: one in every lab, another one every day, and with "[.faults]" each that has a
+// stage.
 #include <algorithm>
 #include <filesystem>
 
@@ -58,8 +59,8 @@ TEST_CASE("every lab's solution has full marks, its starter none") {
 
 namespace {
 
-// The faults that have a stage, of which every lab has at least two, go the whole way. The others are found in faults_test.cpp,
-// without a compilation of their own.
+// Faults that have a stage, at least two in every lab, go through all steps. The others are found
+// in faults_test.cpp, without a compilation of their own.
 void find_whole_faults(const test::Share& share) {
   for (const Lab& lab : all_labs()) {
     INFO("lab " << lab.folder << ", " << share.text());

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Kits of a lab as it was before are of no more use.
+// Returns the lab's kit. Kits of earlier versions of the lab are removed.
 grading::Kit kept_kit(const Sources& sources, const std::string& lab) {
   const auto fingerprint = grading::kit_fingerprint(sources, lab);
   REQUIRE(fingerprint);
@@ -32,7 +32,7 @@ grading::Kit kept_kit(const Sources& sources, const std::string& lab) {
   return *kit;
 }
 
-// Removed with all that was made in it when the tests end.
+// Returns a folder that is removed with its contents when the tests end.
 const fs::path& scratch() {
   struct Folder {
     fs::path path = fs::temp_directory_path() / fmt::format("glassbox-benches-{}", getpid());
@@ -113,7 +113,7 @@ LabResult Bench::check(const BenchProgram& program, const AllCases& cases) const
     const Check& check = lab_.checks[i];
     if (check.hidden && !program.hidden) return;
     RunLimits limits;
-    limits.seconds = 60;  // of a machine that compiles other things meanwhile
+    limits.seconds = 60;  // enough for a machine that is compiling at the same time
     LocalRunner runner;
     const auto answers = run_check(runner, program.path, check.name, cases[i].size(), limits);
     results[i] =

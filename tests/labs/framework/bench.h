@@ -1,4 +1,4 @@
-// A lab's checks put to one student.cpp after the other.
+// Runs a lab's checks on one student.cpp after another.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,15 @@
 
 namespace glassbox::labs {
 
-// A student.cpp compiled and linked with a lab's checks.
+// A student.cpp that is compiled and linked with a lab's checks.
 struct BenchProgram {
   std::filesystem::path path;
-  bool hidden = true;  // with the hidden checks too
+  bool hidden = true;  // whether it has the hidden checks too
 };
 
-// One for each lab: what surrounds a student's file is compiled once (a kit, kept for the next time), a text that was compiled
-// before is not compiled again, and what is expected is worked out once.
+// One bench for each lab. The code around a student's file is compiled once (a kit, kept for the
+// next run), a text that was compiled before is not compiled again, and the expected answers are
+// computed once.
 class Bench {
 public:
   static Bench& of(const Lab& lab);
@@ -32,12 +33,12 @@ public:
   const std::string& solution() const { return solution_; }
 
   BenchProgram program(const std::string& student, bool hidden = true);
-  // The starter as the kit has it.
+  // Returns the lab's starter, which the kit contains compiled.
   BenchProgram starter(bool hidden);
 
   LabResult check(const BenchProgram& program) const { return check(program, cases_); }
   LabResult check(const std::string& student) { return check(program(student)); }
-  // With cases that depend on a seed, worked out anew.
+  // Checks with cases that are computed again, because they depend on a seed.
   LabResult check_anew(const BenchProgram& program) const;
 
 private:
@@ -47,17 +48,17 @@ private:
   BenchProgram linked(const std::filesystem::path& object, bool hidden);
   AllCases all_cases() const;
 
-  Lab lab_;  // with its points
+  Lab lab_;  // with the points of points.json
   Sources sources_;
   std::string solution_;
   grading::Kit kit_;
   std::filesystem::path folder_;
   AllCases cases_;
-  std::map<std::string, std::filesystem::path> objects_;  // of the texts that were compiled
+  std::map<std::string, std::filesystem::path> objects_;  // of the texts compiled so far
   int programs_ = 0;
 };
 
-// What a report would say first of each check that is not right.
+// Lists, for each check that is not right, the first thing that a report would state.
 std::string failures(const LabResult& result);
 
 }  // namespace glassbox::labs

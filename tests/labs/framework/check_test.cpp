@@ -1,4 +1,5 @@
-// `glassbox lab check` on code that crashes, runs away or looks around: named as what it is, and kept in the sandbox.
+// Tests `glassbox lab check` on code that crashes, runs away or looks around: it is named as what
+// it is, and confined by the sandbox.
 #include <filesystem>
 #include <fstream>
 
@@ -17,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Lab 5 with a line at the beginning of is_back_face(), and code before it.
+// A folder of lab 5. A line is inserted at the beginning of is_back_face(), and code before the
+// function.
 class Folder {
 public:
   Folder() {
@@ -30,7 +32,7 @@ public:
 
   const fs::path& path() const { return path_; }
 
-  // The report on the check of is_back_face().
+  // Returns the report on the check of is_back_face().
   nlohmann::json check(const std::string& line, const std::string& before,
                        const std::vector<std::string>& options = {}) const {
     const std::string solution =
@@ -98,7 +100,7 @@ TEST_CASE("lab check shows what a check printed, be it right or wrong") {
 TEST_CASE("lab check --sanitize names the line of the student's file") {
   const Folder folder;
   const auto line_is = [&](const std::string& line, const std::string& kind) {
-    // The line of the file that it was put in.
+    // The report must name the line that was inserted.
     const auto test = folder.check(line, "#include <vector>", {"--sanitize"});
     const std::string named = outcome_of(test);
     INFO(test.dump(2));

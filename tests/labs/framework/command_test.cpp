@@ -1,4 +1,4 @@
-// The labs' commands as a student uses them.
+// Tests the labs' commands as a student uses them.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -33,7 +33,7 @@ struct Desk {
   }
 };
 
-// Where the shell finds the program.
+// Returns the path at which the shell finds the program.
 fs::path path_of(const std::string& program) {
   const auto found = test::run_program("/bin/sh", {"-c", "command -v " + program}, "/");
   INFO(program << " is not installed");
@@ -122,12 +122,13 @@ TEST_CASE("a started folder builds with no program but the named ones: Ninja or 
   const Desk desk;
   const std::string preset = GENERATE("ninja", "make");
   REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
-  // The programs of the packages g++ (with binutils), cmake and ninja-build or make, and a shell.
+  // Only the programs of the packages g++ (with binutils), cmake and ninja-build or make, and a
+  // shell.
   fs::create_directories(desk.path / "bin");
   for (const std::string& program : {std::string("sh"), std::string("c++"), std::string("as"),
                                      std::string("ld"), std::string("cmake"), preset})
     fs::create_symlink(path_of(program), desk.path / "bin" / program);
-  // The line of docs/labs.md.
+  // The command of docs/labs.md.
   const auto outcome = test::run_program(
       "/usr/bin/env",
       {"-u", "CMAKE_GENERATOR", "-u", "CMAKE_CXX_COMPILER_LAUNCHER", "-u", "CXX",
@@ -146,7 +147,7 @@ TEST_CASE("the editor's task builds a started folder with what there is") {
       nlohmann::json::parse(read_text_file(desk.path / "mine/.vscode/tasks.json").value());
   const std::string line = tasks["tasks"][0]["command"];
   for (const std::string program : {"ninja", "make"}) {
-    // A cmake that says what it was asked for.
+    // A cmake that prints its arguments.
     const fs::path bin = desk.path / program;
     fs::create_directories(bin);
     fs::create_symlink("/bin/echo", bin / "cmake");
@@ -161,10 +162,10 @@ TEST_CASE("lab start writes over nobody's work") {
   const Desk desk;
   fs::create_directories(desk.path / "mine");
   const std::string number = number_of(all_labs().front());
-  CHECK(desk.run({"lab", "start", number, "mine"}).exit_code == 0);  // it was empty
+  CHECK(desk.run({"lab", "start", number, "mine"}).exit_code == 0);  // an empty folder is accepted
   const auto again = desk.run({"lab", "start", number, "mine"});
   CHECK(again.exit_code == 2);
-  CHECK(again.err.find("has something in it") != std::string::npos);
+  CHECK(again.err.find("is not empty") != std::string::npos);
   CHECK(desk.run({"lab", "start", number, "mine/student.cpp"}).exit_code == 2);
 }
 
@@ -223,12 +224,12 @@ TEST_CASE("lab watch checks again when the file is saved") {
   REQUIRE(desk.run({"lab", "start", number_of(all_labs().front()), "mine"}).exit_code == 0);
   const auto count = [&](const std::string& text) {
     std::size_t found = 0;
-    for (std::size_t at = text.find("Ctrl-C ends."); at != std::string::npos;
-         at = text.find("Ctrl-C ends.", at + 1))
+    for (std::size_t at = text.find("Ctrl-C ends"); at != std::string::npos;
+         at = text.find("Ctrl-C ends", at + 1))
       ++found;
     return found;
   };
-  // sh writes to a file that can be read meanwhile.
+  // The shell redirects the output to a file, which can be read while the command runs.
   const std::string command =
       fmt::format("exec '{}' lab watch mine > watched.txt", GLASSBOX_PROGRAM);
   const auto waited_for = [&](std::size_t reports) {

@@ -1,4 +1,4 @@
-// The first place where an answer departs, and what kind of departure it is.
+// Tests how the first place where an answer differs is found, and what kind of difference it is.
 #include <cmath>
 #include <limits>
 
@@ -64,7 +64,7 @@ TEST_CASE("a polygon with too few vertices misses one, with too many has one ext
   REQUIRE(fewer.first);
   CHECK(fewer.first->kind == Kind::kMissing);
   CHECK(fewer.first->element == "vertex 2, x");
-  CHECK(fewer.first->explanation == "a polygon of 3 vertices is expected, 2 came");
+  CHECK(fewer.first->explanation == "a polygon of 3 vertices is expected, but it has 2");
   std::vector<double> more = triangle.values;
   more.insert(more.end(), {5, 5, 5, 1});
   CHECK(compare(triangle, more).first->kind == Kind::kExtra);
@@ -118,7 +118,7 @@ TEST_CASE("ulps are those of the numbers' own format, and of what is counted the
         "1; 3.55271e-15, 16 double ulps; at most 1e-15 is allowed");
   CHECK(text_of(numbers("f", {3}), 2) == "3; 1; it must be exact");
   CHECK(text_of(numbers("f", {1}, 1e-15), -1) == "1; 2; at most 1e-15 is allowed");
-  // The judge's own rounding is not shown as an expected number.
+  // An expected number that is only the judge's own round-off is shown as 0.
   CHECK(text_of(numbers("f", {4.44e-16}, 1e-15, "px"), 0.25) ==
         "0; 0.25 px; at most 1e-15 is allowed");
 }

@@ -1,6 +1,7 @@
-// The violation of every sentence of every contract is planted in the solutions (faults.json): a check finds each, a report names a
-// slip where it is one and none where it is not, and docs/lab_faults.md says which case finds it. Every run puts one fault in eight
-// of every task to the checks, so that a week and a day has them all; "[.faults]" puts all of them (./glassbox test faults).
+// For every sentence of every contract, a violation of it is planted in the solution (faults.json):
+// a check must find it, a report must name a slip exactly if there is one, and docs/lab_faults.md
+// states which case finds it. Every run checks one in eight faults of every task, so eight days
+// cover all of them; "[.faults]" checks all of them at once (./glassbox test faults).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +18,7 @@ using namespace glassbox::labs;
 
 namespace {
 
-// What is planted while it lives, in programs that are started meanwhile.
+// Chooses the planted fault for programs that are started during its lifetime.
 class Chosen {
 public:
   explicit Chosen(std::size_t number) { setenv(kPlanted, std::to_string(number).c_str(), 1); }
@@ -26,7 +27,8 @@ public:
   Chosen& operator=(const Chosen&) = delete;
 };
 
-// The first check of the task, those that a student is given before the others, that is not right.
+// Returns the task's first check that is not right; the checks that a student is given come before
+// the hidden ones.
 const CheckResult* found_by(const LabResult& result, const Fault& fault, bool hidden_too = true) {
   for (const bool hidden : {false, true}) {
     for (const CheckResult& check : result.checks) {
@@ -37,7 +39,7 @@ const CheckResult* found_by(const LabResult& result, const Fault& fault, bool hi
   return nullptr;
 }
 
-// A bar would end the table's cell.
+// Escapes bars, which would end the table's cell.
 std::string in_cell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
     text.replace(at, 1, "\\|");
@@ -52,17 +54,17 @@ std::string row_of(std::size_t number, const Fault& fault, const CheckResult& ch
 
 struct Found {
   std::vector<std::string> rows;
-  std::set<std::string> slips;  // that were named
+  std::set<std::string> slips;  // the slips that were named
   std::size_t faults = 0;
 };
 
-// A fault with its number in faults.json, from 1.
+// A fault with its number in faults.json, counted from 1.
 struct Numbered {
   std::size_t number;
   Fault fault;
 };
 
-// Those faults of every task that have their turn.
+// Returns the faults of every task that belong to the share.
 std::vector<Numbered> drawn(const std::vector<Fault>& faults, const test::Share& share) {
   std::map<std::string, std::size_t> sizes, positions;
   for (const Fault& fault : faults) ++sizes[fault.task];
@@ -74,7 +76,7 @@ std::vector<Numbered> drawn(const std::vector<Fault>& faults, const test::Share&
   return all;
 }
 
-// The share's faults of a lab, found or complained of.
+// Checks that every fault of a lab in the share is found.
 Found find_all(const Lab& lab, const test::Share& share) {
   INFO("lab " << lab.folder << ", " << share.text());
   Bench& bench = Bench::of(lab);
@@ -125,7 +127,8 @@ std::string page() {
 
 namespace {
 
-// How many faults there were, and which slips were named; each is found by the case that the page says.
+// Finds the share's faults in all labs, each by the case that the page names. Returns how many
+// there were, and which slips were named.
 Found find_in_all_labs(const test::Share& share) {
   const std::string text = page();
   Found all;
@@ -145,7 +148,8 @@ constexpr std::size_t kDays = 8;
 
 }  // namespace
 
-// Under every seed, of all faults: one whose text has changed under it would be missed only on the day of its turn.
+// Checks all faults for every seed: a fault whose code in the solution has changed would otherwise
+// be noticed only on its day.
 TEST_CASE(
     "the code that a fault replaces stands in the solution once, and the page has a row for it") {
   const std::string text = page();
@@ -168,7 +172,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a sentence of a contract that is not kept is found by the case that the page names") {
-  // One in eight of a thousand, and of each of the eighty tasks at least one.
+  // One in eight of a thousand faults, and at least one of each of the eighty tasks.
   CHECK(find_in_all_labs(test::Share(kDays)).faults >= 120);
 }
 
@@ -177,7 +181,8 @@ TEST_CASE("every sentence of a contract that is not kept is found by the case th
   const Found found = find_in_all_labs(test::Share::everything());
   CHECK(found.faults >= 1200);
   for (const Slip& slip : known_slips()) {
-    if (slip.id == "normal-as-vector") continue;  // no lab asks for normals; slips_test.cpp
+    // no lab asks for normals; slips_test.cpp has this one
+    if (slip.id == "normal-as-vector") continue;
     INFO(slip.id << " is named of some fault");
     CHECK(found.slips.count(slip.id) == 1);
   }
@@ -227,7 +232,8 @@ TEST_CASE("every day's share has a fault of every task, and eight days have ever
   }
 }
 
-// test_all_labs "[.page]" prints the tables of docs/lab_faults.md, or of the lab that the environment variable LAB names.
+// test_all_labs "[.page]" prints the tables of docs/lab_faults.md, or only that of the lab named by
+// the environment variable LAB.
 TEST_CASE("the tables of the page of faults", "[.page]") {
   const char* only = std::getenv("LAB");
   for (const Lab& lab : all_labs()) {

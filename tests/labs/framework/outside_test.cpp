@@ -1,4 +1,4 @@
-// A lab outside of the source tree: made of the files that docs/labs.md shows, and graded.
+// A lab outside the source tree: it is made from the files that docs/labs.md shows, and graded.
 #include <filesystem>
 #include <fstream>
 
@@ -30,7 +30,7 @@ struct Desk {
       write(lab / name, shown(page, name));
   }
   ~Desk() { fs::remove_all(path); }
-  // What the page shows below the line "`NAME`:".
+  // Returns the block that the page shows below the line "`NAME`:".
   static std::string shown(const std::string& page, const std::string& name) {
     const std::size_t named = page.find("\n`" + name + "`:\n");
     INFO(name);
@@ -68,10 +68,11 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
   REQUIRE(graded.exit_code == 0);
   CHECK(desk.total("right") == 100);
   CHECK(desk.total("fresh") == 0);
-  // Two of the visible check's four distances are not between start and end; the hidden check's three are.
+  // Two of the visible check's four distances are outside start and end, and all three of the
+  // hidden check's are inside.
   CHECK(desk.total("unclamped") == 75);
 
-  // One by one, with a kit and a judge that are kept.
+  // Graded one by one, with a kit and a judge that are kept.
   for (int i = 0; i < 2; ++i) {
     const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
                                "--kit", "kit", "-o", "one.json"});
@@ -81,10 +82,11 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
           read_text_file(desk.path / "results/right/results.json").value());
     CHECK(std::distance(fs::directory_iterator(desk.path / "kit.judge"), {}) == 1);
   }
-  // Again only where the judge is another.
+  // Graded again only if the judge has changed.
   const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
                                        "40-fog", "-o",    "results", "--resume"};
-  CHECK(desk.run(again).err.find("3 of 3 have their results already") != std::string::npos);
+  CHECK(desk.run(again).err.find("3 of 3 submissions already have their results") !=
+        std::string::npos);
   std::string judge = read_text_file(desk.lab / "checks.cpp").value();
   judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
   Desk::write(desk.lab / "checks.cpp", judge);
@@ -121,9 +123,9 @@ TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-di
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err.find(words) != std::string::npos);
   };
-  refused("nowhere", "is no folder");
+  refused("nowhere", "is not a folder");
   fs::create_directories(desk.path / "fog");
-  refused("fog", "is not called as a lab is");
+  refused("fog", "does not have the name of a lab");
   const std::string checks = read_text_file(desk.lab / "checks.cpp").value();
   const auto with = [&](const std::string& find, const std::string& replace) {
     std::string changed = checks;
@@ -139,7 +141,7 @@ TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-di
   with(".number = 40", ".number = 41");
   refused("40-fog", "number is 41");
   with("{{\"40.1\"", "{{\"40.2\"");
-  refused("40-fog", "is of task 40.1");
+  refused("40-fog", "belongs to task 40.1");
   for (const char* name : {"runner.cpp", "checks.cpp", "student.h", "handout.md"}) {
     const std::string text = read_text_file(desk.lab / name).value();
     fs::remove(desk.lab / name);

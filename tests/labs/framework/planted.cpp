@@ -17,20 +17,20 @@ std::string replaced(const std::string& text, const std::string& what, const std
   return std::regex_replace(text, std::regex(what), by);
 }
 
-// A function that student.h declares.
+// A function declared in student.h.
 struct Function {
   std::string declaration;  // "bool owns_edge(const SnappedVertex& a, const SnappedVertex& b)"
   std::string name;         // "owns_edge"
   std::string arguments;    // "a, b"
 };
 
-// Declarations begin in the first column and have no braces.
+// Returns the declared functions. Declarations begin in the first column and have no braces.
 std::vector<Function> functions_of(const std::string& header) {
   const std::string code = replaced(header, "//[^\n]*", "");
   const std::regex declared(R"(\n([A-Za-z][\w:<>, ]*?[ >&](\w+)\(([^{};]*)\));)");
   std::vector<Function> functions;
   for (std::sregex_iterator at(code.begin(), code.end(), declared), end; at != end; ++at) {
-    // The last word before a comma that is not within <>, and before the end.
+    // A parameter's name is the last word before a comma that is not within <>, or before the end.
     std::string arguments, word;
     int depth = 0;
     for (const char c : (*at)[3].str() + ",") {
@@ -47,7 +47,8 @@ std::vector<Function> functions_of(const std::string& header) {
   return functions;
 }
 
-// What stands in the lab's namespace, as members of a class: there no function is static, and no namespace.
+// Returns the contents of the lab's namespace as members of a class: `static` and unnamed
+// namespaces are removed, because a class cannot have them with this meaning.
 std::string members_of(const std::string& source) {
   const std::size_t open = source.find("namespace lab_");
   const std::size_t first = source.find('\n', open), last = source.rfind("}  // namespace lab_");
@@ -61,14 +62,14 @@ std::size_t after_comment(const std::string& text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-// `at` is the quote that opens a string or a character.
+// Returns the position after a string or a character; `at` is its opening quote.
 std::size_t after_quoted(const std::string& text, std::size_t at) {
   const char quote = text[at++];
   while (at < text.size() && text[at] != quote) at += text[at] == '\\' ? 2u : 1u;
   return at + 1;
 }
 
-// Members one by one, each with the comment before it.
+// Splits a text into its members, each with the comment before it.
 std::vector<std::string> single_members(const std::string& text) {
   std::vector<std::string> all;
   std::size_t start = 0;
@@ -80,7 +81,7 @@ std::vector<std::string> single_members(const std::string& text) {
       at = after_comment(text, at);
       continue;
     }
-    // The quote in 10'000 opens nothing.
+    // The quote in a number such as 10'000 begins no character.
     if (c == '"' || (c == '\'' && (at == 0 || !letter(text[at - 1])))) {
       at = after_quoted(text, at);
       continue;
@@ -100,7 +101,7 @@ std::vector<std::string> single_members(const std::string& text) {
 
 struct Member {
   std::string comment, code;
-  // Of a function that a class may override: all before its body; else empty.
+  // The text before the body if it is a function that a class may override, or empty.
   std::string head;
 };
 
@@ -125,7 +126,8 @@ std::vector<Member> all_members(const std::string& source) {
   return all;
 }
 
-// The whole class. Where a function is overridden, every other that calls it calls that one.
+// Returns a whole class. If a function is overridden, every other function that calls it calls the
+// override.
 std::string class_of(const std::string& name, const std::vector<Member>& members) {
   std::string text = fmt::format("struct {} : Student {{", name);
   for (const Member& each : members)
@@ -133,7 +135,8 @@ std::string class_of(const std::string& name, const std::vector<Member>& members
   return text + "\n};\n";
 }
 
-// Only the functions in which it differs from the solution; the whole where something else differs.
+// Returns a class with only the functions that differ from the solution, or with all members if
+// something else differs.
 std::string class_with_fault(const std::string& name, const std::vector<Member>& solution,
                              const std::vector<Member>& faulty) {
   std::string overridden, names;
@@ -145,7 +148,7 @@ std::string class_with_fault(const std::string& name, const std::vector<Member>&
     const std::regex before("(\\w+)\\(");
     if (!functions || !std::regex_search(faulty[i].head, called, before))
       return class_of(name, faulty);
-    // Others of that name stay in sight.
+    // Keeps other functions of that name visible.
     names += fmt::format("  using Solution::{};\n", called[1].str());
     overridden += faulty[i].code + "\n";
   }
@@ -178,8 +181,8 @@ std::string with_fault(const std::string& solution, const Fault& fault) {
   return changed.replace(at, fault.find.size(), fault.replace);
 }
 
-// The one that is chosen lives as long as the program. Smart pointers and destructors, for a hundred classes, would take a third of
-// the compilation.
+// The chosen object lives until the program ends. Smart pointers and destructors for a hundred
+// classes would take a third of the compilation time.
 std::string all_in_one(const std::string& header, const std::string& solution,
                        const std::vector<Fault>& faults) {
   std::string includes, classes, chosen, calls, virtuals;

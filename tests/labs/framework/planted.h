@@ -1,4 +1,4 @@
-// The faults of a lab (faults.json) planted in its solution, each by itself or all in one program.
+// Plants a lab's faults (faults.json) in its solution, each by itself or all in one program.
 #pragma once
 
 #include <string>
@@ -9,23 +9,26 @@
 
 namespace glassbox::labs {
 
-// A sentence of a contract that is not kept: `find`, which the solution has once, becomes `replace`.
+// A violated sentence of a contract: `find`, which occurs once in the solution, becomes `replace`.
 struct Fault {
-  std::string name;  // what is wrong
+  std::string name;  // describes what is wrong
   std::string find, replace;
   std::string task;
-  std::string slip = {};   // that a report must name; empty: it must name none
-  bool headline = false;   // of the task's main requirement: what a student is given must find it
-  std::string stage = {};  // that a report must name; only of those that are compiled by themselves
+  std::string slip = {};  // slip that a report must name; if empty, it must name none
+  bool headline = false;  // violates the task's main requirement: a visible check must find it
+  // stage that a report must name; only for faults that are compiled by themselves
+  std::string stage = {};
 };
 
-// In the order of the file.
+// Returns the faults in the order of the file.
 std::vector<Fault> faults_of(const Sources& sources, const Lab& lab);
 
 std::string with_fault(const std::string& solution, const Fault& fault);
 
-// One student.cpp for all of them, which costs one compilation: the solution is a class with the functions of student.h, each fault
-// one that overrides what it changes, and the environment variable kPlanted says whose are called; 0 or nothing: the solution's.
+// Returns one student.cpp with all faults, which needs only one compilation. The solution is a
+// class with the functions of student.h, each fault is a class that overrides what it changes, and
+// the environment variable kPlanted is the number of the class to call; 0 or unset means the
+// solution.
 inline constexpr const char* kPlanted = "GLASSBOX_PLANTED";
 std::string all_in_one(const std::string& header, const std::string& solution,
                        const std::vector<Fault>& faults);

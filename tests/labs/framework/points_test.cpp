@@ -1,4 +1,4 @@
-// points.json: what it changes, and what it warns of.
+// Tests points.json: what it changes, and what it warns about.
 #include "labs/framework/points.h"
 
 #include <unistd.h>
@@ -169,7 +169,7 @@ TEST_CASE(
         headlines += check.weight == 2 ? 1 : 0;
         CHECK((check.weight == 1 || check.weight == 2));
       }
-      if (hidden == 0) continue;  // 4.3: three dialects, headlines alike
+      if (hidden == 0) continue;  // task 4.3: three dialects, with equal headlines
       CHECK(headlines == (checks > 1 ? 1u : 0u));
       CHECK(hidden == visible);
     }

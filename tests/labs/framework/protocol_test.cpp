@@ -1,4 +1,4 @@
-// What a runner writes, and what anybody else may have written in its place.
+// Tests reading what a runner writes, and what other code may have written in its place.
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,5 @@
-// The true/false questions: every answer is what the pipeline's own maps say, and every command shows something.
+// The true/false questions: every answer agrees with the pipeline's own transformations, and every
+// command shows something.
 #include <algorithm>
 #include <string>
 
@@ -62,7 +63,7 @@ TEST_CASE("lab quiz lists the statements, explains what is wrong, and says how m
     CHECK(run({"lab", "quiz", lab, letters_of(quiz)}).exit_code == 0);
     const auto wrong = run({"lab", "quiz", lab, letters_of(quiz, true)});
     CHECK(wrong.exit_code == 1);
-    CHECK(wrong.out.find("0 of " + std::to_string(quiz.questions.size()) + " are right") !=
+    CHECK(wrong.out.find("0 of " + std::to_string(quiz.questions.size()) + " answers are right") !=
           std::string::npos);
     CHECK(run({"lab", "quiz", lab, "TX"}).exit_code == 2);
     CHECK(run({"lab", "quiz", lab, ""}).exit_code == 2);

@@ -1,4 +1,5 @@
-// Processes that crash, hang, shout or lie: each case has a verdict, and nobody waits for long.
+// Processes that crash, hang, print without end or lie: each case gets a verdict, and the test
+// never waits for long.
 #include <unistd.h>
 
 #include <filesystem>
@@ -19,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A runner made of shell: $from is the first case, `answer N` answers one.
+// A runner that is a shell script: $from is the number of the first case, and `answer N` answers
+// case N.
 class Script {
 public:
   explicit Script(const std::string& body) {
@@ -44,7 +46,7 @@ private:
   fs::path path_;
 };
 
-// What a process started by a script says of itself in a file.
+// A file in which a process that a script started writes about itself.
 class Started {
 public:
   Started() : file_(fs::temp_directory_path() / ("glassbox-started-" + std::to_string(getpid()))) {
@@ -57,7 +59,8 @@ public:
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  // Whether the process that the file names has not ended; it may wait for whoever inherits it to notice.
+  // Whether the process named in the file has not ended. A zombie has ended, although its parent
+  // may not have noticed yet.
   bool runs() const {
     const std::string number = text().substr(0, text().find('\n'));
     REQUIRE_FALSE(number.empty());
@@ -98,12 +101,13 @@ TEST_CASE("a process that hangs is stopped, and so is what it has started") {
   CHECK(answers.cases[0].state == State::kAnswered);
   CHECK(answers.cases[1].state == State::kTimeout);
   CHECK(answers.cases[2].state == State::kMissing);
-  for (int i = 0; i < 1000 && other.runs(); ++i) usleep(10000);  // a signal takes its time
+  // the process may end a little after the signal
+  for (int i = 0; i < 1000 && other.runs(); ++i) usleep(10000);
   CHECK_FALSE(other.runs());
 }
 
 TEST_CASE("a process whose child keeps the pipes open does not keep the reader") {
-  // Were the child waited for, it would have written its second line.
+  // If the child were waited for, it would have written its second line.
   const Started other;
   const auto answers = Script("answer 0; { echo $$; sleep 60; echo ended; } >" + other.file() +
                               " & until [ -s " + other.file() + " ]; do sleep 0.01; done; exit 0")

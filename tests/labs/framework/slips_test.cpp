@@ -1,4 +1,4 @@
-// A slip is named when it makes every answer of a check right, and only then.
+// A slip is named if it makes every answer of a check right, and only then.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -86,7 +86,7 @@ TEST_CASE("screen y from the bottom, with one height for all points") {
   const auto screen = [](double y) { return field(Shape::kNumbers, {10, y}); };
   CHECK(names({{screen(100), {10, 380}}, {screen(20), {10, 460}}}, "y-direction"));
   CHECK_FALSE(names({{screen(100), {10, 380}}, {screen(20), {10, 459}}}, "y-direction"));
-  // One point fits some height always: no evidence.
+  // With a single point there is always a height that fits, so it is no evidence.
   CHECK_FALSE(names({{screen(100), {10, 380}}}, "y-direction"));
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("reversed polygons, triples, normals and yes for no") {
   CHECK(names({{field(Shape::kNumbers, {0, 1, 2, 2, 1, 3}, 0), {0, 2, 1, 2, 3, 1}}}, "winding"));
   Expected normal = field(Shape::kPoint, {1, 2, 3});
   CHECK(slips_of({{normal, {-1, -2, -3}}})
-            .empty());  // a point behind one's back, for all that is known
+            .empty());  // without the field's name it may be a point behind the eye
   normal.field = "normal";
   CHECK(names({{normal, {-1, -2, -3}}}, "winding"));
   const auto back = [](double yes) { return field(Shape::kNumbers, {yes}, 0); };
@@ -117,12 +117,12 @@ TEST_CASE("reversed polygons, triples, normals and yes for no") {
 TEST_CASE("angles that are halved, doubled, or in degrees") {
   const double degree = std::numbers::pi / 180;
   Expected angle = field(Shape::kNumbers, {0.5});
-  CHECK_FALSE(names({{angle, {1.0}}}, "half-angle"));  // any number, for all that is known
+  CHECK_FALSE(names({{angle, {1.0}}}, "half-angle"));  // without a unit it may be any number
   angle.unit = "radian";
   CHECK(names({{angle, {1.0}}}, "half-angle"));
   CHECK(names({{angle, {0.5 / degree}}}, "degrees-radians"));
   angle.values = {1e-7}, angle.bound = 1e-12;
-  CHECK_FALSE(names({{angle, {4e-7}}}, "half-angle"));  // a small angle that is wrong
+  CHECK_FALSE(names({{angle, {4e-7}}}, "half-angle"));  // merely a small angle that is wrong
   CHECK(names({{field(Shape::kMatrix, about_z(0.8)), about_z(0.4)}}, "half-angle"));
   CHECK(names({{field(Shape::kMatrix, about_z(30 * degree)), about_z(30)}}, "degrees-radians"));
   CHECK(names({{field(Shape::kMatrix, projection(1)), projection(2)}}, "half-angle"));
@@ -163,7 +163,7 @@ TEST_CASE(
   input.slipped = {slipped("affine", wrong)};
   CHECK(find_slips({input}, {answered(wrong)}) == std::vector<std::string>{"affine"});
   CHECK(find_slips({input, input}, {answered(wrong), answered(right)}).empty());
-  // A case in which it changes nothing contradicts nothing.
+  // A case that the slip does not change does not contradict it.
   Case unchanged = input;
   unchanged.slipped = {slipped("affine", right)};
   CHECK(find_slips({input, unchanged}, {answered(wrong), answered(right)}).size() == 1);
@@ -172,8 +172,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a normal carried along by the model matrix, which a lab says of a case of its own") {
-  // No lab asks for normals. Under a scale of (1, 2, 1), (1, 1, 0) becomes (1, 1/2, 0) by the inverse transpose and (1, 2, 0) by
-  // the matrix itself; both made of length 1.
+  // No lab asks for normals. With a scale of (1, 2, 1), the normal (1, 1, 0) becomes (1, 1/2, 0) by
+  // the inverse transpose and (1, 2, 0) by the matrix itself; both are then normalised.
   const double root = std::sqrt(5.0);
   Case input;
   input.expected = {field(Shape::kPoint, {2 / root, 1 / root, 0})};

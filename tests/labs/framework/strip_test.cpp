@@ -1,4 +1,4 @@
-// Solutions leave a file, and nothing of them stays.
+// Tests that solutions are removed from a file without a trace.
 #include <string>
 
 #include "labs/framework/strip.h"

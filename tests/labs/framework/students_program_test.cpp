@@ -1,4 +1,4 @@
-// A students' program as a student uses it, and the sources that it is built of.
+// Tests a students' program as a student uses it, and the sources that it is built from.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A directory that goes with the object.
+// A directory that is removed with the object.
 struct StudentsDesk {
   fs::path path = fs::temp_directory_path() / fmt::format("glassbox-students-{}", getpid());
   StudentsDesk() {
@@ -30,7 +30,7 @@ struct StudentsDesk {
   ~StudentsDesk() { fs::remove_all(path); }
 };
 
-// The program laid out as it is installed: what it hands out is found beside it.
+// The program with the files of an installation: the files that it hands out are found beside it.
 class Installed {
 public:
   Installed() {
@@ -56,7 +56,7 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The files of the folder by their names.
+// Returns the names of the files in the folder.
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -79,8 +79,8 @@ TEST_CASE(
   INFO(check.out << check.err);
   CHECK(check.exit_code == 1);
   CHECK(says(check.out, "not written yet"));
-  CHECK(says(check.out, "Hidden checks give 50 more."));
-  // The starter answers what it is asked, if wrongly.
+  CHECK(says(check.out, "Hidden checks can give 50 points more."));
+  // The starter gives answers, although wrong ones.
   const auto render = glassbox.run({"render", "mine", "cube", "--size", "32x18", "-o", "cube.png"});
   INFO(render.out << render.err);
   CHECK(render.exit_code == 1);
@@ -117,7 +117,7 @@ TEST_CASE("the students' package has every file that it is built of") {
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << entry.text;
   }
-  // CMake refuses a list of sources in which one is missing.
+  // CMake refuses a list of sources if one of them is missing.
   const auto configured = test::run_program(
       "/usr/bin/env", {"cmake", "--preset", "release", "-B", (desk.path / "build").string()},
       (desk.path / "glassbox").string());
@@ -125,7 +125,8 @@ TEST_CASE("the students' package has every file that it is built of") {
   REQUIRE(configured.exit_code == 0);
   CHECK(
       says(read_text_file(desk.path / "build/CMakeCache.txt").value(), "GLASSBOX_STUDENT:BOOL=ON"));
-  // A header is named from the top, from where raster's lanes are, or beside what includes it; pages are written by the build.
+  // A header is named from the top, from the folder of raster's lanes, or from the including file's
+  // folder. Pages are written by the build.
   const std::regex include("(?:^|\n)#include (?:\"|<glassbox/)([^\">]+)[\">]");
   const std::regex written("\\w+_page\\.h");
   std::size_t headers = 0;

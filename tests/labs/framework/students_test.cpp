@@ -1,4 +1,5 @@
-// What students are given: no solution, no hidden check, no planted fault, in any file of it.
+// Tests the files that students are given: none of them contains a solution, a hidden check or a
+// planted fault.
 #include "labs/framework/students.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of functions and of inputs that a text defines between the markers and nowhere outside them.
+// Returns names of functions and inputs that a text has between the markers and nowhere outside
+// them.
 std::set<std::string> hidden_words(const std::string& text) {
   const auto words_of = [](const std::string& code) {
     std::set<std::string> words;
@@ -49,7 +51,7 @@ std::set<std::string> hidden_words(const std::string& text) {
   return hidden;
 }
 
-// The package, as the program makes it.
+// Returns the package that the program makes.
 std::vector<ZipEntry> package() {
   const fs::path file =
       fs::temp_directory_path() / fmt::format("glassbox-package-{}.zip", getpid());
@@ -69,7 +71,7 @@ bool is_in(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The labs' hidden checks by name, and the functions that make their inputs.
+// Returns the quoted names of the labs' hidden checks, and the functions that make their inputs.
 std::set<std::string> secrets() {
   const Sources sources = find_sources().value();
   std::set<std::string> all;
@@ -104,7 +106,7 @@ TEST_CASE("the students' package has no line of a solution, no hidden check and 
     CHECK_FALSE(is_in(entry.text, "// BEGIN "));
     for (const std::string& word : secret) {
       INFO(word);
-      // A word of one lab's hidden part may be an ordinary one of another's.
+      // Other hidden words are not searched for, because they may be ordinary words in another lab.
       if (word[0] == '"') CHECK_FALSE(is_in(entry.text, word));
     }
     if (fs::path(entry.path).filename() != "student.cpp") continue;
@@ -137,7 +139,7 @@ TEST_CASE("the judges that students get are built without the names of hidden ch
     for (const Check& check : lab.checks) {
       INFO(check.name);
       ++names;
-      // A compiler may make a text of numbers, so that it is not to be found as it is written.
+      // A compiler may store a text as numbers, so that not every name is found as it is written.
       if (is_in(own, check.name)) ++found;
       if (check.hidden) CHECK_FALSE(is_in(archive, check.name));
     }

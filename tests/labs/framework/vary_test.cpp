@@ -1,4 +1,5 @@
-// Inputs that differ from student to student: another seed is other inputs, of which the solution answers all.
+// Inputs that differ from student to student: another seed gives other inputs, and the solution
+// answers all of them.
 #include "labs/framework/vary.h"
 
 #include "labs/framework/lab.h"
@@ -11,13 +12,13 @@ using namespace glassbox::labs;
 
 namespace {
 
-// The seed of the tests' process, and 0 again at the end.
+// Sets the seed of the inputs in the tests' process, and resets it to 0 at the end.
 struct Seeded {
   explicit Seeded(std::uint64_t seed) { set_inputs_seed(seed); }
   ~Seeded() { set_inputs_seed(0); }
 };
 
-// All that is asked and expected in a lab's hidden checks, or in its visible ones.
+// Returns everything that a lab's hidden checks, or its visible ones, ask and expect.
 std::string asked(const Lab& lab, bool hidden) {
   std::string text;
   for (const Check& check : lab.checks) {
@@ -51,7 +52,7 @@ TEST_CASE("a seed changes what every lab's hidden checks ask, and nothing that s
 
 namespace {
 
-// 50 seeds of students' inputs, or the share's of them.
+// Checks the solutions with 50 seeds of the inputs, or with the share's part of them.
 void answer_seeds(const test::Share& share) {
   constexpr std::size_t kSeeds = 50;
   for (const Lab& lab : all_labs()) {

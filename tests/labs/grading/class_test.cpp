@@ -17,7 +17,8 @@ std::vector<std::string> for_one(const std::string& name) {
   return {"grade", "class/" + name, "--one", "--lab", "99", "-o", name + ".json"};
 }
 
-// Different in content and in points: some right, some half right, some that crash, some that do not compile.
+// Writes submissions of different content and points: some are right, some half right, some crash,
+// and some do not compile.
 void write_class(const fs::path& folder, int count) {
   const std::vector<std::string> twice{"return 2 * x;", "return 0;", "return x;"};
   const std::vector<std::string> reciprocal{"return 1 / x;",
@@ -35,7 +36,7 @@ void write_class(const fs::path& folder, int count) {
   }
 }
 
-// All results.json of a folder, one after the other.
+// Returns all results.json of a folder, one after the other.
 std::string all_results(const fs::path& results) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(results)) {
@@ -62,7 +63,7 @@ TEST_CASE("a class has the same results in two runs and with any number of jobs,
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
   };
-  // Another kit and other numbers of jobs at once: what either changed would show.
+  // Another kit and other numbers of jobs are tried together: a change by any of them would show.
   grade("a", "1", KitIs::kOwn);
   grade("b", "5", KitIs::kShared);
   const std::string first = all_results(place.path / "a");
@@ -73,7 +74,8 @@ TEST_CASE("a class has the same results in two runs and with any number of jobs,
 
 TEST_CASE("partial credit is per case") {
   const Place place;
-  // 4 cases of 1 point; 8 cases of 0.75 points, of which x = 8 alone is wrong, once when it is undone.
+  // There are 4 cases of 1 point, and 8 cases of 0.75 points, of which only x = 8 is wrong, in each
+  // of the two checks of the reciprocal.
   write(place.path / "class/ann/student.cpp",
         submission("return x > 0 ? 2 * x : 0;", "return x == 8 ? 0 : 1 / x;"));
   REQUIRE(grader(for_one("ann"), place.path).exit_code == 0);
@@ -86,7 +88,7 @@ TEST_CASE("partial credit is per case") {
 TEST_CASE("GNU parallel grades submissions as the class is") {
   if (!have_parallel()) SKIP_TEST("parallel is not installed");
   const Place place;
-  write_class(place.path / "class", 21);  // each kind once
+  write_class(place.path / "class", 21);  // every combination once
   REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, place.path).exit_code == 0);
   // The command of docs/grading.md.
   const std::string command =
@@ -107,7 +109,7 @@ TEST_CASE("results.json is valid, and gives no points, when a grading is killed"
   const Place place;
   write(place.path / "class/slow/student.cpp", submission("for (;;) {}", "return 1 / x;"));
   const auto kill_soon = [&](pid_t process) {
-    // Until the first results are there; then in the middle of the work.
+    // Waits until the first results exist, and then stops in the middle of the work.
     for (int i = 0; i < 1000 && !fs::exists(place.path / "slow.json"); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ::kill(process, SIGKILL);

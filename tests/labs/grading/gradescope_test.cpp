@@ -13,7 +13,8 @@ namespace {
 
 using namespace labs::grading;
 
-// Gradescope's layout with the archive unpacked, and the tests' grader in place of the one that setup.sh builds.
+// Makes Gradescope's folders with the unpacked archive. The tests' grader takes the place of the
+// one that setup.sh builds.
 void unpack(const fs::path& root, const std::vector<labs::ZipEntry>& entries) {
   for (const labs::ZipEntry& entry : entries) {
     write(root / "source" / entry.path, entry.text);

@@ -1,4 +1,4 @@
-// The tiny grader called, and what it wrote read.
+// Runs the tiny grader and reads what it wrote.
 #pragma once
 
 #include <unistd.h>
@@ -20,14 +20,14 @@ namespace glassbox::test {
 
 namespace fs = std::filesystem;
 
-// A directory that goes with the object.
+// A directory that is removed with the object.
 struct Place {
   fs::path path;
   Place() {
     std::string name = (fs::temp_directory_path() / "glassbox-test-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     path = name;
-    // The users that submissions run as must reach what is made in it.
+    // Submissions run as other users, which must be able to reach the files in it.
     fs::permissions(path, fs::perms(0755));
   }
   ~Place() {
@@ -54,12 +54,13 @@ inline nlohmann::json read_json(const fs::path& path) {
   return nlohmann::json::parse(read(path), nullptr, false);
 }
 
-// The points of results.json, which are not where students would see them.
+// Returns the points of results.json, which are stored where students do not see them.
 inline double total(const nlohmann::json& results) {
   return results.at("extra_data").at("score").get<double>();
 }
 
-// What surrounds a submission is compiled once for all tests, where a test does not say otherwise.
+// The code around a submission is compiled once for all tests, except where a test uses a kit of
+// its own.
 inline const Place shared_kit;
 enum class KitIs { kShared, kOwn };
 
@@ -77,7 +78,7 @@ inline std::string solution() {
   return read(TINY_SOLUTION);
 }
 
-// student.cpp with these bodies.
+// Returns a student.cpp with these function bodies.
 inline std::string submission(const std::string& twice, const std::string& reciprocal) {
   return "#include \"student.h\"\ndouble twice(double x) { " + twice +
          " }\ndouble reciprocal(double x) { " + reciprocal + " }\n";

@@ -1,5 +1,5 @@
-// Submissions that are against the grader, one kind each. What is hostile happens in reciprocal(); twice() is right, so that what
-// the trouble costs can be seen.
+// Submissions that attack the grader, one of each kind. The hostile code is in reciprocal(), and
+// twice() is right, so that it can be seen which points the attack costs.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace glassbox::test {
 
 struct Hostile {
   std::string name;
-  std::string outcome;      // of "a reciprocal", as the report names it; begins so
-  std::string body;         // of reciprocal(), before its return
+  std::string outcome;      // beginning of the report's outcome for "a reciprocal"
+  std::string body;         // in reciprocal(), before its return
   std::string top = {};     // before the functions
-  bool costs_some = false;  // not every case of the check
+  bool costs_some = false;  // some cases of the check still count
 };
 
 inline std::string source_of(const Hostile& hostile) {
@@ -37,7 +37,7 @@ inline const std::vector<Hostile>& hostile_runs() {
        "for (int i = 0; i < 64; ++i) close(i);\nfor (volatile int i = 0;; ++i) {}", posix},
       {"memory", "out of memory", "for (;;) kept.emplace_back(1 << 22, 1);",
        "#include <vector>\nstd::vector<std::vector<char>> kept;\n"},
-      // The pointer is volatile, or the compiler does without the memory.
+      // The pointer is volatile: otherwise the compiler would remove the allocation.
       {"malloc", "out of memory",
        "for (void* volatile p;;) p = std::malloc(1 << 22), std::memset(p, 1, 1 << 22);",
        "#include <cstdlib>\n#include <cstring>\n"},
@@ -86,7 +86,8 @@ inline const std::vector<Hostile>& hostile_runs() {
   return all;
 }
 
-// What does not compile, or must not: nothing is run of it. The text is the whole of student.cpp.
+// Returns submissions that do not compile, or must not, so that nothing of them runs. `body` is the
+// whole student.cpp.
 inline std::vector<Hostile> hostile_sources(const std::string& solution) {
   return {
       {"syntax", "compile error", "int x = ;"},

@@ -11,14 +11,15 @@ namespace glassbox::test {
 
 namespace {
 
-// The tests of results.json by name.
+// Returns the tests of results.json by name.
 std::map<std::string, nlohmann::json> checks_of(const nlohmann::json& results) {
   std::map<std::string, nlohmann::json> checks;
   for (const auto& test : results.at("tests")) checks[test.at("name")] = test;
   return checks;
 }
 
-// What hangs is waited for no longer than must be; all else has the time that a busy machine needs.
+// Returns the folder of a submission: hanging ones have a short time limit, all others one that is
+// enough on a busy machine.
 std::string class_of(const Hostile& each) {
   return each.outcome.starts_with("timeout") ? "hanging" : "class";
 }
@@ -77,13 +78,13 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
     const auto checks = checks_of(results);
     const std::string told = checks.at("a reciprocal").at("output");
     INFO(told);
-    if (each.name == "flood") CHECK(told.find("more than 1 MiB printed") != std::string::npos);
+    if (each.name == "flood") CHECK(told.find("it printed more than 1 MiB") != std::string::npos);
     if (each.name == "flood-answers")
       CHECK(told.find("more than 64 MiB of answers") != std::string::npos);
     const std::string named = checks.at("a reciprocal").at("extra_data").at("outcome");
     INFO("expected " << each.outcome << ", named " << named);
     CHECK(named.starts_with(each.outcome));
-    // It costs its own check, and no other.
+    // The attack costs points in its own check, and in no other.
     CHECK(checks.at("twice a number").at("score") == 4);
     if (each.costs_some) {
       CHECK(checks.at("a reciprocal").at("score") < checks.at("a reciprocal").at("max_score"));
@@ -108,7 +109,7 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
   CHECK_FALSE(fs::exists("/tmp/glassbox-was-here"));
 }
 
-// Whether this machine has the confinement, as the grader sees it.
+// Whether this machine has the sandbox, according to the grader.
 bool has(const std::string& sandbox) {
   const Place place;
   write(place.path / "one/student.cpp", solution());
@@ -123,7 +124,7 @@ void grade_where_there_is(const std::string& sandbox, const Share& share) {
   grade_hostile_class(sandbox, share);
 }
 
-// Every day each kind is graded in one of the three sandboxes, and after three days in all.
+// Every day each kind is graded in one of the three sandboxes, and in three days in all of them.
 Share share_of(std::uint64_t sandbox) {
   return Share(3, seed_of_shares() + sandbox);
 }
@@ -137,7 +138,7 @@ TEST_CASE("there are at least 15 kinds of hostile submission") {
 TEST_CASE("bubblewrap that is asked for and not permitted is named as the reason") {
   const Place place;
   write(place.path / "one/student.cpp", solution());
-  // A user namespace in which nobody may make another namespace, as in many containers.
+  // A user namespace that does not allow further namespaces, as in many containers.
   const std::string shut =
       "for f in /proc/sys/user/max_*_namespaces; do echo 0 > $f || exit 9; done; ";
   const auto in_container = [&](const std::string& command) {

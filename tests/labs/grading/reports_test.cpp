@@ -1,4 +1,5 @@
-// What other services read, and what a student reads of a compiler.
+// Tests the reports that other services read, and the part of a compiler's output that a student
+// reads.
 #include "labs/grading/reports.h"
 
 #include "labs/grading/messages.h"
@@ -33,7 +34,8 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
   CHECK(is_in(xml, "tests=\"2\" failures=\"1\" errors=\"0\""));
   CHECK(is_in(xml, "<testcase classname=\"task 99.2\" name=\"a reciprocal\"/>"));
   CHECK(is_in(xml, "<failure message=\"wrong answer\">"));
-  // 3 of 4 cases of 4 points, and 3 of the 6 points of the second task, of whose checks one is hidden.
+  // 3 of 4 cases of the first task's 4 points, and 3 of the second task's 6 points, half of which
+  // belong to a hidden check.
   CHECK(is_in(text, "Grade :=>>85.71\n"));
   CHECK(is_in(text, "-99.1.1 twice a number: wrong answer\n>wrong answer: 3 of 4"));
   for (const std::string& each : {xml, text}) CHECK_FALSE(is_in(each, "undone"));
@@ -98,8 +100,9 @@ TEST_CASE("an error in a header or of the linker begins with the student's line"
   const std::string own = "student.cpp:3:2: error: x\n/usr/include/v.h:1:1: error: y\n";
   CHECK(own_line_first(own, source) == own);
   CHECK(own_line_first("a warning\n", source) == "a warning\n");
-  CHECK(own_line_first("ld: visible.o: undefined reference to `twice(double)'\n", "")
-            .starts_with("student.cpp does not define twice(double), which is called.\n"));
+  CHECK(
+      own_line_first("ld: visible.o: undefined reference to `twice(double)'\n", "")
+          .starts_with("student.cpp does not define twice(double), which is called somewhere.\n"));
 }
 
 TEST_CASE("all checks of a submission have one budget of time together") {
@@ -113,7 +116,7 @@ TEST_CASE("all checks of a submission have one budget of time together") {
   const auto results = read_json(place.path / "r.json");
   for (const auto& test : results.at("tests")) {
     CHECK(test.at("extra_data").at("outcome") ==
-          "timeout (the time of the whole submission is spent)");
+          "timeout (the time limit of the whole submission is reached)");
     CHECK(test.at("score") == 0);
   }
 }

@@ -1,4 +1,4 @@
-// A grading that was killed: nothing that was known is lost, and the next one goes on.
+// A grading that was killed: no result is lost, and the next grading continues it.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -35,7 +35,7 @@ std::vector<std::string> with(std::vector<std::string> words, const std::string&
   return words;
 }
 
-// Kills the class when some of its results are new.
+// Grades the class again and kills the grader when some of the results are new.
 Outcome killed_regrade(const fs::path& place, std::vector<std::string> words,
                        const std::string& old) {
   return grader(words, place, [&](pid_t process) {
@@ -80,12 +80,12 @@ TEST_CASE(
 
   const Outcome collected = grader({"collect", "results"}, place.path);
   CHECK(collected.exit_code == 1);
-  CHECK(collected.err.find("of 6 did not finish") != std::string::npos);
+  CHECK(collected.err.find("of 6 gradings did not finish") != std::string::npos);
   CHECK(read(results / "class.csv").find("this is an earlier result") != std::string::npos);
 
   const Outcome resumed = grader(with(kGrade, "--resume"), place.path);
   CHECK(resumed.exit_code == 0);
-  CHECK(resumed.err.find("of 6 have their results already") != std::string::npos);
+  CHECK(resumed.err.find("of 6 submissions already have their results") != std::string::npos);
   CHECK(scratch_folders(temporary) == 0);
   for (int i = 0; i < kClass; ++i)
     CHECK(result_of(results, i).at("extra_data").at("digest") != old);

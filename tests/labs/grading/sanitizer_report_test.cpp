@@ -1,4 +1,4 @@
-// What sanitizers of both compilers say of an error, in one line.
+// Tests that the sanitizers' error messages, of both compilers, are summed up in one line.
 #include "labs/grading/sanitizer_report.h"
 #include "tests/support/catch.h"
 

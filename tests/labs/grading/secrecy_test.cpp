@@ -1,4 +1,5 @@
-// What is hidden stays so: until grades are published nothing that a student sees depends on a hidden check.
+// Hidden checks stay hidden: until grades are published, nothing that a student sees depends on
+// them.
 #include "labs/grading/assembly.h"
 
 #include "tests/labs/grading/grading.h"
@@ -8,7 +9,7 @@ namespace glassbox::test {
 
 namespace {
 
-// The results of one submission.
+// Returns the results of one submission.
 nlohmann::json graded(const Place& place, const std::string& text,
                       const std::vector<std::string>& options = {}) {
   write(place.path / "one/student.cpp", text);
@@ -21,7 +22,8 @@ nlohmann::json graded(const Place& place, const std::string& text,
   return read_json(place.path / "r.json");
 }
 
-// What Gradescope shows before publishing: neither extra_data nor tests of another visibility.
+// Returns what Gradescope shows before publishing: neither extra_data nor tests of another
+// visibility.
 std::string seen_before_publishing(const nlohmann::json& results) {
   nlohmann::json seen;
   for (const auto& [key, value] : results.items()) {
@@ -34,7 +36,8 @@ std::string seen_before_publishing(const nlohmann::json& results) {
   return seen.dump();
 }
 
-// Declares what the runner has, calls every check in it at its first call, and prints the inputs that come.
+// A submission that declares the runner's functions, calls all its checks when it is called first,
+// and prints all inputs.
 const std::string kSpy = R"cpp(#include "student.h"
 #include <cstdio>
 #include <functional>
@@ -87,13 +90,13 @@ TEST_CASE(
   const Place place;
   const auto results = graded(place, kSpy);
   const std::string seen = seen_before_publishing(results);
-  // It does see what it may, so it would have seen the rest.
+  // It sees the visible checks, so it would have seen the others as well.
   CHECK(seen.find("check twice a number") != std::string::npos);
   CHECK(seen.find("input 8") != std::string::npos);
   CHECK(seen.find("a reciprocal undone") == std::string::npos);
   CHECK(seen.find("0.015625") == std::string::npos);
   CHECK(seen.find("input -5") == std::string::npos);
-  // And it was put to the hidden check, where the same prints are shown when grades are published.
+  // The hidden check was run too: its prints are shown when grades are published.
   CHECK(results.dump().find("input 0.015625") != std::string::npos);
 }
 
@@ -145,7 +148,7 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
   write(place.path / "secret", "constexpr int kSecret = 90210;\n");
   const std::string file = "\"" + (place.path / "secret").string() + "\"";
   const std::vector<std::string> attacks{
-      "#include " + file + "\nint kSecret = 8;\n",            // quoted, as defined before
+      "#include " + file + "\nint kSecret = 8;\n",  // the message quotes the earlier definition
       "#line 1 " + file + "\nint f() { return unknown; }\n",  // g++ quotes line 1 of that file
       "#include " + file + "\ntemplate <int> struct P;\nP<kSecret> p;\n",
       "#include " + file + "\n#error here\n",
@@ -161,7 +164,7 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
       CHECK(results.dump().find("90210") == std::string::npos);
     }
   }
-  // Of the student's own file it says what is wrong and where.
+  // For the student's own file the message states what is wrong and where.
   const std::string own = graded(place, "#include \"student.h\"\nint f() { return unknown; }\n",
                                  {"--sandbox", "limits"})
                               .at("output");
@@ -177,7 +180,8 @@ TEST_CASE("a foreign file is found however much is included before it") {
                              "functional", "future", "map", "memory", "mutex", "random", "ranges",
                              "regex", "set", "sstream", "thread", "unordered_map", "valarray"})
     many += "#include <" + std::string(header) + ">\n";
-  // What the preprocessor lists of it is longer than the 16 KiB that are kept of what other programs say.
+  // The preprocessor's list of includes is longer than the 16 KiB that are kept of other programs'
+  // output.
   write(place.path / "many.cpp", many);
   const Outcome listed =
       run_program("/usr/bin/env", {"g++", "-std=c++20", "-E", "-H", "-o", "/dev/null", "many.cpp"},

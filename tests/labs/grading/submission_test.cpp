@@ -1,4 +1,5 @@
-// What is handed in: folders, archives and files are graded, what is none is said to be skipped, and nothing hostile gets through.
+// Tests which submissions are graded: folders, archives and files are, other things are reported as
+// skipped, and nothing hostile succeeds.
 #include "labs/grading/submission.h"
 
 #include <archive.h>
@@ -18,9 +19,9 @@ struct Entry {
   std::string path, text, link = {};
 };
 
-// An archive as the library writes it, whatever the paths say.
+// Writes an archive with libarchive, with any paths.
 void write_archive(const fs::path& file, const std::vector<Entry>& entries) {
-  archive* writer = archive_write_new();
+  struct archive* writer = archive_write_new();
   const std::string name = file.string();
   if (name.ends_with(".zip")) {
     archive_write_set_format_zip(writer);
@@ -48,7 +49,7 @@ std::string message_of(const Result<std::string>& read) {
   return read ? "read: " + *read : read.error().message();
 }
 
-bool is_in(const std::string& text, const std::string& part) {
+bool has_part(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -74,10 +75,10 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(is_in(outcome.err, "grades.xlsx: is no folder, no archive and no .cpp file"));
-  CHECK(is_in(outcome.err, "ann.zip: ann is of the same name"));
-  CHECK(is_in(outcome.err, "class.csv.zip: a result of the class has this name"));
-  CHECK(is_in(outcome.err, "index.html: a result of the class has this name"));
+  CHECK(has_part(outcome.err, "grades.xlsx: is neither a folder nor an archive nor a .cpp file"));
+  CHECK(has_part(outcome.err, "ann.zip: ann has the same name"));
+  CHECK(has_part(outcome.err, "class.csv.zip: a file of the results has this name"));
+  CHECK(has_part(outcome.err, "index.html: a file of the results has this name"));
   const auto result = [&](const std::string& name) {
     return read_json(place.path / "results" / name / "results.json");
   };
@@ -86,11 +87,11 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
     CHECK(total(result(name)) == 10);
   }
   CHECK(result("bob").at("extra_data").at("outcome") == "file refused");
-  CHECK(is_in(result("bob").at("output"), "is a link"));
+  CHECK(has_part(result("bob").at("output"), "is a link"));
   CHECK(result("fay").at("extra_data").at("outcome") == "file refused");
   CHECK(result("hal").at("extra_data").at("outcome") == "missing file");
-  CHECK(is_in(result("hal").at("output"), "there is main.cpp"));
-  CHECK(is_in(read(place.path / "results/class.csv"), "bob,0,10,file refused"));
+  CHECK(has_part(result("hal").at("output"), "there is main.cpp"));
+  CHECK(has_part(read(place.path / "results/class.csv"), "bob,0,10,file refused"));
 }
 
 TEST_CASE("hostile archives are refused with the reason, and nothing of them is written anywhere") {
@@ -99,23 +100,25 @@ TEST_CASE("hostile archives are refused with the reason, and nothing of them is 
     write_archive(place.path / name, entries);
     return message_of(read_from_archive(place.path / name, "student.cpp"));
   };
-  CHECK(is_in(refused("a.zip", {{"../student.cpp", "x"}}), "has the path \"../student.cpp\""));
-  CHECK(is_in(refused("b.tar", {{"/tmp/student.cpp", "x"}}), "has the path \"/tmp/student.cpp\""));
+  CHECK(has_part(refused("a.zip", {{"../student.cpp", "x"}}), "has the path \"../student.cpp\""));
   CHECK(
-      is_in(refused("c.tar", {{"a/../../b", "x"}, {"student.cpp", "x"}}), "has the path \"../b\""));
-  CHECK(is_in(refused("d.tar", {{"student.cpp", "", "/etc/passwd"}}), "is a link"));
-  CHECK(is_in(refused("e.tar.gz", {{"student.cpp", std::string((1 << 20) + 1, ' ')}}),
-              "more than 1048576 bytes"));
-  // 300 MiB of one byte, in some 300 KiB.
+      has_part(refused("b.tar", {{"/tmp/student.cpp", "x"}}), "has the path \"/tmp/student.cpp\""));
+  CHECK(has_part(refused("c.tar", {{"a/../../b", "x"}, {"student.cpp", "x"}}),
+                 "has the path \"../b\""));
+  CHECK(has_part(refused("d.tar", {{"student.cpp", "", "/etc/passwd"}}), "is a link"));
+  CHECK(has_part(refused("e.tar.gz", {{"student.cpp", std::string((1 << 20) + 1, ' ')}}),
+                 "more than 1048576 bytes"));
+  // 300 MiB of zeros, in some 300 KiB.
   std::vector<Entry> bomb(30, {"zeros", std::string(10 << 20, '\0')});
   bomb.push_back({"student.cpp", "x"});
-  CHECK(is_in(refused("f.tar.gz", bomb), "more than 256 MiB"));
-  CHECK(is_in(refused("g.zip", std::vector<Entry>(10001, {"a", "x"})), "more than 10000 entries"));
-  CHECK(is_in(refused("h.zip", {{"main.cpp", "x"}, {"lib/x.cpp", "x"}}),
-              "there is lib/x.cpp, main.cpp"));
+  CHECK(has_part(refused("f.tar.gz", bomb), "more than 256 MiB"));
+  CHECK(
+      has_part(refused("g.zip", std::vector<Entry>(10001, {"a", "x"})), "more than 10000 entries"));
+  CHECK(has_part(refused("h.zip", {{"main.cpp", "x"}, {"lib/x.cpp", "x"}}),
+                 "there is lib/x.cpp, main.cpp"));
   CHECK(refused("i.zip", {{"student.cpp", "x"}, {"lab/student.cpp", "y"}}) == "read: x");
   write(place.path / "cut.zip", read(place.path / "i.zip").substr(0, 40));
-  CHECK(is_in(message_of(read_from_archive(place.path / "cut.zip", "student.cpp")), "damaged"));
+  CHECK(has_part(message_of(read_from_archive(place.path / "cut.zip", "student.cpp")), "damaged"));
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(place.path))
     files += entry.is_regular_file() ? 1U : 0U;

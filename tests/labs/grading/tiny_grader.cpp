@@ -1,4 +1,4 @@
-// `glassbox lab grade` and `lab collect` with the tests' own lab in place of the program's.
+// `glassbox lab grade` and `lab collect` with the tests' own lab instead of the program's.
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   CLI::App app{"The grader with a lab of the tests.", "tiny_grader"};
   CLI::App& lab = *app.add_subcommand("lab", "");
   int exit_code = kSuccess;
-  // TINY_LABS: a folder with this lab's files and those of the framework.
+  // TINY_LABS is a folder with this lab's files and those of the framework.
   labs::LabGradeCommand grade(test::tiny_labs, [] {
     return Result<labs::Sources>(labs::Sources{TINY_LABS, TINY_INCLUDE, {}});
   });

@@ -1,4 +1,5 @@
-// The judge of the tests' own lab: task 99.1 for 4 points, task 99.2 for 6, the second half of it hidden.
+// The judge of the tests' own lab: task 99.1 gives 4 points and task 99.2 gives 6, half of them for
+// a hidden check.
 #pragma once
 
 #include <vector>
@@ -17,7 +18,7 @@ inline std::vector<labs::Case> tiny_cases(const std::vector<double>& inputs,
     labs::Expected expected;
     expected.field = "y";
     expected.values = {right(x)};
-    expected.bound = 1e-12;  // of numbers up to 16: a thousand roundings
+    expected.bound = 1e-12;  // a thousand roundings of numbers up to 16
     each.expected = {expected};
     cases.push_back(each);
   }

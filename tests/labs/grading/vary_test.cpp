@@ -1,4 +1,5 @@
-// --vary: each submission's hidden checks have inputs of its own, which follow its name.
+// Tests --vary: each submission's hidden checks have inputs of their own, which follow from its
+// name.
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
 
@@ -6,7 +7,8 @@ using namespace glassbox::test;
 
 namespace {
 
-// The hidden check's 1/(1/x) is right for the lab's own inputs and wrong for most others, so that the report restates one.
+// Writes a class whose 1/(1/x) in the hidden check is right for the lab's own inputs and wrong for
+// most others, so that the report shows one of those.
 void make_class(const Place& place) {
   const std::string wrong =
       submission("return 2 * x;",
@@ -44,7 +46,7 @@ TEST_CASE(
     CHECK(read(place.path / "one" / file) == read(place.path / "two" / file));
   CHECK(total(read_json(place.path / "one/eve/results.json")) == 10);
 
-  // What students can see is the same for all: it is what lab check shows them.
+  // What students can see is the same for all of them: the results that lab check shows.
   const auto visible = [&](const std::string& results) {
     auto shown = nlohmann::json::array();
     for (const auto& test : tests_of(place, results)) {
@@ -55,7 +57,7 @@ TEST_CASE(
   CHECK(visible("one/ann").size() == 2);
   CHECK(visible("one/ann") == visible("plain/bob"));
 
-  // Graded one by one it is the same.
+  // Graded one by one, a submission has the same result.
   grade({"class/bob/", "--one", "-o", "bob.json", "--lab", "99", "--vary"});
   CHECK(read_json(place.path / "bob.json") == read_json(place.path / "one/bob/results.json"));
   grade({"class/bob", "--one", "-o", "ann.json", "--lab", "99", "--vary", "--name", "ann"});
@@ -63,7 +65,7 @@ TEST_CASE(
   grade({"class/eve.cpp", "--one", "-o", "eve.json", "--lab", "99", "--vary"});
   CHECK(read_json(place.path / "eve.json") == read_json(place.path / "one/eve/results.json"));
 
-  // A result of other inputs is not taken for one of these.
+  // With --resume, a result for other inputs is not reused.
   grade({"class", "-o", "plain", "--lab", "99", "--vary", "--resume"});
   CHECK(read(place.path / "plain/ann/results.json") == read(place.path / "one/ann/results.json"));
 }

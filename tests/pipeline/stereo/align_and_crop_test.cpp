@@ -12,7 +12,7 @@ double snapped(double px) {
   return std::floor(px * 256 + 0.5);
 }
 
-// The half separation for which infinity is shifted by so many pixels.
+// The half separation that shifts points at infinity by this many pixels.
 double separation_for(const View& centre, double window, double shift_px) {
   return shift_px * window / (centre.clip_from_eye.at(0, 0) * double(centre.viewport.width()));
 }
@@ -32,7 +32,8 @@ TEST_CASE(
     REQUIRE(cut->shift == shift);
     CHECK(cut->left.viewport.width() == centre.viewport.width() + float(shift));
     for (int k = 0; k < 50; ++k) {
-      // No nearer than a hundredth of the pose's distance, so that the world's rounding stays below a subpixel's.
+      // Points are at least 0.1 away, a hundredth of the pose's distance, so that the rounding of
+      // world positions stays below a subpixel.
       const double z = std::max(test::random_distance(random, centre), 0.1);
       const Point<World, double> p = pose * test::random_seen(random, centre, z);
       for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -83,7 +84,7 @@ TEST_CASE("what cannot be cut says so") {
   View part = lens;
   part.viewport.left = 10;
   CHECK_FALSE(align_and_crop(part, {0.1, 4}));
-  // The naive pair has nothing to cut.
+  // The naive pair, with its window at infinity, has nothing to cut.
   CHECK(align_and_crop(lens, {0.1, test::kInfinity}).value().shift == 0);
 }
 

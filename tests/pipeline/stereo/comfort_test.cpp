@@ -51,7 +51,7 @@ TEST_CASE("the largest separation uses the budget up and never exceeds it (S0-13
       ++(near / budget.in_front_px > far / budget.behind_px ? in_front : behind);
     }
   }
-  // All three terms of the minimum decide somewhere.
+  // Each of the three terms of the minimum is the smallest in some cases.
   CHECK(in_front > 1000);
   CHECK(behind > 1000);
   CHECK(by_limit > 100);
@@ -64,7 +64,7 @@ TEST_CASE("the separation is the slide's formula, and at most what was asked for
   CHECK(largest_half_separation(centre, 4, {2, 8}, {90, 18}) == Approx(18 / (720 * 0.125)));
   CHECK(largest_half_separation(centre, 4, {2, 8}, {90, 18}, 0.06) == 0.06);
   CHECK(largest_half_separation(centre, 4, {2, 8}, {90, 0}) == 0);
-  CHECK(largest_half_separation(centre, 4, {4, 4}, {1, 1}) == 4);  // check_pair's limit
+  CHECK(largest_half_separation(centre, 4, {4, 4}, {1, 1}) == 4);  // the limit of check_pair
 }
 
 TEST_CASE("the best window is the harmonic mean, and none lets the separation be larger (S0-13)") {
@@ -85,7 +85,8 @@ TEST_CASE("the best window is the harmonic mean, and none lets the separation be
     const ParallaxBudget budget = random_budget(random);
     const double best = best_window(centre, span, budget);
     const double most = largest_half_separation(centre, best, span, budget);
-    // Unless eyes further apart than the picture is wide stand in the way.
+    // Not where check_pair's limit decides: the eyes are at most as far apart as the window is
+    // wide.
     if (most == window_half_width(centre, best)) continue;
     for (int k = 0; k < 50; ++k) {
       const double other = random.between(span.nearest, span.farthest);
@@ -134,7 +135,7 @@ TEST_CASE("spans and budgets that make no sense are refused") {
 TEST_CASE("a rising limit is approached without overshoot, a falling one followed at once (C-79)") {
   SeparationFilter filter(10);
   const double share = low_pass_share(10);
-  CHECK(filter.next(1) == 1);  // the first frame starts at its limit
+  CHECK(filter.next(1) == 1);  // the first frame starts at its own limit
   CHECK(filter.next(0.1) == 0.1);
   double last = 0.1;
   for (int frame = 1; frame <= 1000; ++frame) {
@@ -142,7 +143,7 @@ TEST_CASE("a rising limit is approached without overshoot, a falling one followe
     CHECK(s >= last);
     CHECK(s <= 1);
     CHECK(s - last <= share * (1 - last) + 2 * unit_roundoff<double>);
-    // A tenth of the way was gone; each frame leaves 10/11 of the rest.
+    // A tenth of the way is done at the start; each frame leaves 10/11 of the rest.
     if (frame == 10) CHECK(s == Approx(1 - 0.9 * std::pow(10.0 / 11, 10)).epsilon(1e-12));
     last = s;
   }
@@ -202,7 +203,7 @@ TEST_CASE(
     REQUIRE(s.size() == limits.size());
     for (std::size_t i = 0; i < s.size(); ++i) {
       const double step = i == 0 ? 0 : std::abs(s[i] - s[i - 1]);
-      // The sum of two numbers of at most 2 rounds by 2 u, here and in the difference.
+      // A sum of two numbers up to 2 is rounded by at most 2 u, here and in the difference.
       const bool good = s[i] <= limits[i] && s[i] >= 0.01 - 1e-15 && step <= bound + 0x1p-51;
       if (!good) {
         CAPTURE(run, i, limits[i], s[i], step, bound);
@@ -231,16 +232,17 @@ TEST_CASE("a window that jumps from 10 to 1 moves monotonically and stops there 
     const double window = filter.next(1);
     CHECK(window <= last);
     CHECK(window >= 1);
-    // The parallax of infinity moves by the low-pass's share of what is left, 2 s d/h (1 - 1/f).
+    // The parallax of infinity changes by the low-pass filter's share of the rest, 2 s d/h (1 -
+    // 1/f).
     CHECK(1 / window - 1 / last <= low_pass_share(8) * (1 - 1 / last) * (1 + 1e-12) + 1e-15);
     last = window;
   }
   CHECK(last == Approx(1).epsilon(1e-12));
-  CHECK(filter.next(test::kInfinity) > 1);  // an infinite window is a goal like others
+  CHECK(filter.next(test::kInfinity) > 1);  // an infinite window is a target like any other
 }
 
 TEST_CASE("a camera path through all this keeps its budget in every frame (S0-13, C-79)") {
-  // Something passes close by in frames 60 .. 90, and the window jumps from 10 to 1 and back.
+  // An object passes close by in frames 60 to 89, and the window jumps from 10 to 1 and back.
   const View centre = test::view_of(PerspectiveLens{0.8, 0.1, {}}, 1280, 720);
   std::vector<ComfortFrame> frames;
   for (int i = 0; i < 200; ++i) {
@@ -268,7 +270,7 @@ TEST_CASE("a camera path through all this keeps its budget in every frame (S0-13
       CHECK(pairs[i].window <= 10 + 1e-14);
     }
   }
-  CHECK(largest > 0.999);  // not by giving up depth
+  CHECK(largest > 0.999);  // the budget is used: depth is not given up
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ Transform<Clip, World> composed(const View& view) {
 // ---- three ways to the same pair ----
 
 TEST_CASE("skew, off-axis frustum, translation and shear are the same matrix within 4 u (S0-11)") {
-  // Of the entry, or of 1 for what an entry of NDC's offset adds: half a picture's width. The off-axis frustum computes
-  // (r + l)/(r - l) from edges that carry the shift, so a small offset is right to u of the width, not of itself.
+  // u is relative to the entry, or to 1 for the entry that adds an offset in NDC: half a picture's
+  // width. The off-axis frustum computes (r + l)/(r - l) from edges that include the shift, so a
+  // small offset is correct to u of the width, not of itself.
   Random random(80);
   double scale = 0, offset = 0, translation = 0, shear = 0, others = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -54,7 +55,7 @@ TEST_CASE("skew, off-axis frustum, translation and shear are the same matrix wit
        << others << "; translation and shear " << shear / u);
   CHECK(scale <= 4);
   CHECK(offset <= 4);
-  CHECK(translation <= 5);  // the scale times the eye's shift, which rounds once more
+  CHECK(translation <= 5);  // the scale times the eye's shift, with one more rounding
   CHECK(others <= 4);
   CHECK(shear == 0);
 }
@@ -75,7 +76,8 @@ TEST_CASE("the three ways draw every point in the same place, from any pose") {
         const Point<World, double> p = pose * test::random_seen(random, centre, z);
         const double x = test::screen_of(skewed, p).x;
         for (const View& way : ways) {
-          // A world of 30 units rounds to 30 u, seen from as near as the point is.
+          // World coordinates up to 30 are rounded by 30 u, which is seen from the point's
+          // distance.
           const double a = centre.clip_from_eye.at(0, 0), w = double(centre.viewport.width());
           const double bound_px = 64 * u * w * (1 + a * (30 + z) / z);
           const double apart = std::abs(test::screen_of(way, p).x - x);
@@ -107,7 +109,7 @@ TEST_CASE("a parallel projection has no off-axis frustum, but translation and sh
 
 TEST_CASE("in clip space the slide's matrix has its window at the NDC depth `focus` (E2)") {
   const View centre = test::view_of(PerspectiveLens{0.8, 1, 9.0});
-  const ClipSkew skew{0.01, 0.75};  // z' = 9/8 (z - 1)/z is 3/4 at z = 3
+  const ClipSkew skew{0.01, 0.75};  // the depth z' = 9/8 (z - 1)/z is 3/4 at z = 3
   for (const double z : {1.0, 2.0, 3.0, 9.0}) {
     const Point<Clip, double> c = centre.clip_from_eye * Point<Eye, double>{0.5, 0.2, -z};
     const Point<Clip, double> left =
@@ -130,7 +132,8 @@ TEST_CASE("with its numbers changed, the skew in clip space is the pair in eye s
     const StereoPair pair = test::random_pair(random, centre);
     const Result<ClipSkew> skew = clip_skew_of_pair(centre, pair);
     REQUIRE(skew);
-    // Depth loses what n/z or so is of it, 1/(distance of focus from either end) digits there and back.
+    // Depth has a relative error of about n/z, and its distance from the nearer end of the range
+    // costs digits on the way there and back.
     const double lost = centre.perspective ? pair.window / std::min(centre.near, pair.window) /
                                                  std::abs(skew->focus)
                                            : 1000 / std::abs(skew->focus);

@@ -18,7 +18,7 @@ using test::kInfinity;
 
 using FloatMatrix = Transform<Clip, Object, float>;
 
-// A camera, and both eyes', as the stages have them.
+// The float matrices of a centre camera and of both eyes, as the stages use them.
 struct Eyes {
   View centre_view;
   FloatMatrix centre, left, right;
@@ -39,7 +39,7 @@ struct Eyes {
   }
 };
 
-// What is drawn, by the planes themselves: near, far as `render` has it, and the sides.
+// The planes that decide what is drawn: near, far as `render` clips it, and the sides.
 std::vector<ClipPlane> drawn_planes(const View& view) {
   const auto drawn = render_planes(view);
   const auto frustum = frustum_planes(view.depth_range);
@@ -55,7 +55,7 @@ bool sees(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>&
   return clip_triangle(triangle, planes).count != 0;
 }
 
-// A point at a random distance, within half a picture of the picture's edges.
+// A point at a random distance, inside the picture or at most half a picture outside.
 Point<Object> around_the_picture(Random& random, const View& view,
                                  const Transform<World, Eye>& pose = {}) {
   const double distance = test::random_distance(random, view);
@@ -175,7 +175,7 @@ TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
     lost_by_centre += visible && by_centre ? 1 : 0;
   }
   CHECK(culled > 5000);
-  CHECK(kept_for_rounding <= 2);  // boxes within rounding of a plane
+  CHECK(kept_for_rounding <= 2);  // boxes that touch a plane within rounding
   CHECK(culled_by_centre > culled - 200);
   CHECK(lost_by_centre > 0);
 }
@@ -187,7 +187,7 @@ TEST_CASE("what only one eye sees, close to the pair, is kept (C-73)") {
   const auto planes = drawn_planes(view);
   const double z = 0.3;
   CHECK(std::abs(parallax_at(view, pair, z).px) > 1280);  // no point here is in both pictures
-  // In front of the left eye, beyond the centre camera's left edge.
+  // In front of the left eye, to the left of the centre camera's frustum.
   const std::vector<Point<Object>> triangle{
       {-0.25f, 0, float(-z)}, {-0.24f, 0, float(-z)}, {-0.245f, 0.02f, float(-z)}};
   CHECK(sees(eyes.left, triangle, planes));
@@ -199,7 +199,8 @@ TEST_CASE("what only one eye sees, close to the pair, is kept (C-73)") {
   }
   CHECK_FALSE(unseen_by_both(codes));
   CHECK(unseen_by_both(centre_codes));
-  // Between the two eyes' frusta, outside the right plane of the left one and the left plane of the right one.
+  // Between the two eyes' frusta: outside the right plane of the left eye and the left plane of the
+  // right eye.
   const Outcode between[] = {eyes.outcode_of({0, 0, float(-z)})};
   CHECK_FALSE(sees(eyes.left, {{0, 0, float(-z)}}, planes));
   CHECK(unseen_by_both(between));
@@ -218,7 +219,7 @@ TEST_CASE(
       {100.0, DepthRange::kStandard, true},
       {{}, DepthRange::kStandard, false},
       {100.0, DepthRange::kReversed, true},
-      {{}, DepthRange::kReversed, true}};  // there it is in front of the near plane
+      {{}, DepthRange::kReversed, true}};  // reversed: it is in front of the near plane
   for (const Case& c : cases) {
     const View view = test::view_of(PerspectiveLens{0.8, 0.1, c.far}, 64, 64, c.range);
     const Outcode one[] = {stereo_outcode(beyond, view)};
@@ -249,9 +250,9 @@ TEST_CASE("vertices that are not finite hide their triangle from the eyes that h
 TEST_CASE(
     "culling by the centre camera loses strips of half the parallax, 0.2 to 1 % of the points "
     "(E20)") {
-  // Points spread evenly over each eye's picture and over the inverse of the distance, from half the window's
-  // distance to infinity: the depths for which that window is the best (S0-13). A lens of 40 degrees, 16:9; wider
-  // ones lose less, in proportion to the cotangent.
+  // Points are spread evenly over each eye's picture and over the inverse of the distance, from
+  // half the window's distance to infinity, the depths for which this window is the best (S0-13).
+  // The lens has 40 degrees and 16:9; wider lenses lose less, in proportion to the cotangent.
   const double f = 10;
   const View view = test::view_of(PerspectiveLens{radians_from_degrees(40), 0.1, {}});
   std::ostringstream table;
@@ -268,7 +269,8 @@ TEST_CASE(
     double predicted = 0, by_union = 0;
     for (int i = 0; i < points; ++i) {
       const double z = 1 / random.between(1 / (1e4 * f), 2 / f);
-      // Somewhere in the left or the right eye's picture: where the centre's shows the point that the eye shifts there.
+      // A point of the left or the right eye's picture: the eye shifts it to where the centre's
+      // picture shows a random point.
       const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
       const Point<Eye, double> p = test::random_seen(random, view, z);
       const Point<Object> seen{float(p.x - eye_shift(pair, side) * (1 - z / f)), float(p.y),
@@ -286,7 +288,7 @@ TEST_CASE(
     // Five standard deviations of the count of a rare event.
     CHECK(std::abs(measured - predicted) <= 5 * std::sqrt(predicted / points));
     CHECK(measured > last);
-    // Points on the very edge of an eye's picture may round out of it.
+    // Points on the edge of an eye's picture may leave it by rounding.
     CHECK(by_union <= 2);
     last = measured;
   }
@@ -299,7 +301,7 @@ TEST_CASE("the strip that is missing at one distance is half the parallax wide (
   const View left = eye_view(view, pair, Side::kLeft);
   const Eyes eyes(view, pair);
   for (const double z : {2.0, 5.0, 20.0, 1000.0}) {
-    // Along the middle row of the left eye's picture, a hundredth of a pixel at a time.
+    // Along the middle row of the left eye's picture, in steps of a hundredth of a pixel.
     int missing = 0, missing_left = 0;
     for (int i = 0; i < 128000; ++i) {
       const double ndc = (i + 0.5) / 64000 - 1;

@@ -27,7 +27,7 @@ TEST_CASE("the parallax of vertices is the formula's, for every kind of camera (
     const auto p = test::world_of(test::random_seen(random, centre, z));
     const Parallax formula = parallax_at(centre, pair, z);
     const double half = double(centre.viewport.width()) / 2;
-    // Two positions on the screen, each of a few terms of the size of the picture or of the parallax.
+    // Two screen positions, each with a few terms of the size of the picture or of the parallax.
     const double size = 4 + std::abs(centre.clip_from_eye.at(0, 2)) +
                         std::abs(formula.half_widths) +
                         2 * pair.half_separation * centre.clip_from_eye.at(0, 0) /
@@ -95,7 +95,7 @@ TEST_CASE("a parallel projection's parallax is linear in depth") {
 }
 
 TEST_CASE("the far parallax grows by 2 s d/h per inverse window distance (S0-12)") {
-  // Measured on a vertex at 1e9 window distances, between pairs of windows.
+  // Measured with a vertex at 1e9 window distances, as the difference between two windows.
   Random random(92);
   double worst = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -121,10 +121,10 @@ TEST_CASE("more than 65 mm behind a two-metre screen makes the eyes diverge (C-7
   CHECK(shown(65.1).mm == Approx(65.1).epsilon(1e-14));
   CHECK_FALSE(shown(-200).diverges);
   CHECK(shown(0).degrees == 0);
-  // At 65 mm the eyes look straight ahead: all their convergence is gone.
+  // At 65 mm the eyes look straight ahead: their convergence is gone.
   CHECK(shown(65).degrees ==
         Approx(degrees_from_radians(2 * std::atan(32.5 / 3000))).epsilon(1e-12));
-  // In front of the screen they converge more.
+  // They converge more in front of the screen.
   CHECK(shown(-65).degrees < -1.2);
 }
 

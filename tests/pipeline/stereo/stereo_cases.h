@@ -1,4 +1,4 @@
-// Random cameras and pairs of eyes, and what they see, in double.
+// Random cameras, pairs of eyes and points that they see, in double.
 #pragma once
 
 #include <glassbox/base/random.h>
@@ -38,7 +38,8 @@ inline Transform<World, Eye> random_pose(Random& random) {
   return *pose;
 }
 
-// Perspective, in the middle or off it, far plane finite or not, both depth ranges.
+// A perspective view: centred or off-axis, with a finite or infinite far plane, in either depth
+// range.
 inline View random_perspective(Random& random, const Transform<World, Eye>& pose = {}) {
   const DepthRange range =
       random.integer(0, 1) == 0 ? DepthRange::kStandard : DepthRange::kReversed;
@@ -69,21 +70,22 @@ inline View random_view(Random& random, const Transform<World, Eye>& pose = {}) 
                                    : random_perspective(random, pose);
 }
 
-// A distance between the near plane (or just in front of a parallel camera) and the far plane, in perspective evenly
-// spread over its inverse.
+// A random distance between the near plane (for a parallel camera at least just in front of it) and
+// the far plane; for a perspective camera its inverse is evenly distributed.
 inline double random_distance(Random& random, const View& view) {
   if (!view.perspective) return random.between(std::max(view.near, 0.01), view.far);
   const double inverse = random.between(1 / view.far, 1 / view.near);
   return std::min(1 / inverse, 1e6 * view.near);
 }
 
-// Separations up to a tenth of what check_pair allows: three times the usual ones.
+// A pair whose separation is at most a tenth of check_pair's limit, which is three times a usual
+// one.
 inline StereoPair random_pair(Random& random, const View& view) {
   const double window = random_distance(random, view);
   return {random.between(0.0001, 0.1) * window_half_width(view, window), window};
 }
 
-// A point at this distance, somewhere in the centre's picture.
+// A point at this distance that the centre camera sees.
 inline Point<Eye, double> random_seen(Random& random, const View& view, double distance) {
   const auto& m = view.clip_from_eye;
   const double w = view.perspective ? distance : 1;
@@ -102,7 +104,7 @@ inline Point<Screen, double> screen_of(const View& view, const Point<World, doub
           (1 - c.y / c.w) / 2 * double(v.height()) + double(v.top), c.z / c.w};
 }
 
-// For views whose pose is the identity.
+// The world position of a point, for views whose pose is the identity.
 inline Point<World, double> world_of(const Point<Eye, double>& p) {
   return {p.x, p.y, p.z};
 }

@@ -71,7 +71,7 @@ TEST_CASE(
       differing_x += l.x != r.x ? 1 : 0;
     }
   }
-  CHECK(differing_x > 199000);  // the two are not one view
+  CHECK(differing_x > 199000);  // the two views differ
 }
 
 TEST_CASE(
@@ -94,7 +94,8 @@ TEST_CASE(
       CAPTURE(pair.half_separation, pair.window, eye.x, eye.y, xl, xr);
       if (snapped(xl) != snapped(xr)) CHECK(snapped(xl) == snapped(xr));
 
-      // The window in float: the vertex rounds, and lies next to the plane, by as much parallax as that is.
+      // In float, the vertex is rounded to a place beside the window's plane and has the parallax
+      // of that place.
       const Point<Eye> vertex{float(eye.x), float(eye.y), float(eye.z)};
       const auto x_of = [&](const Transform<Clip, Eye, float>& m) {
         return to_screen(divide(m * vertex), centre.viewport).position.x;
@@ -105,7 +106,7 @@ TEST_CASE(
       ++vertices;
     }
   };
-  compare(view_of(PerspectiveLens{0.8, 0.1, {}}), {0.03, 10});  // C-70's numbers
+  compare(view_of(PerspectiveLens{0.8, 0.1, {}}), {0.03, 10});  // the numbers of C-70
   for (int i = 0; i < 1000; ++i) {
     const View centre = test::random_view(random);
     compare(centre, test::random_pair(random, centre));

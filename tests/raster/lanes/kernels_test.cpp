@@ -1,4 +1,5 @@
-// The kernels against the scalar stages, a few vertices or triangles at a time, for every instruction set.
+// The kernels, which work on a few vertices or triangles at once, compared with the scalar stages
+// for every instruction set.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -69,7 +70,7 @@ TEST_CASE("vertices over lanes are where the scalar stages put them, and inside 
     job.band_x = float(kGuardBandPx / double(view.viewport.width()));
     job.band_y = float(kGuardBandPx / double(view.viewport.height()));
 
-    // Sizes that are no multiple of the lanes.
+    // The number of positions is not always a multiple of the lane count.
     std::vector<Point<Object>> positions;
     for (std::int64_t i = random.integer(1, 70); i > 0; --i) {
       const double size = random.between(-2, 2);
@@ -94,7 +95,7 @@ TEST_CASE("vertices over lanes are where the scalar stages put them, and inside 
         const Point<Clip> clip = job.clip_from_anchored * p;
         const bool inside = outcode(clip, planes) == 0;
         if (screen[i].x == kNeedsClipping) {
-          // It may be inside, but then between half of the guard band and the whole.
+          // It may be inside the frustum, but then it must be outside half of the guard band.
           const bool in_half = std::abs(double(clip.x)) < 0.99 * job.band_x * double(clip.w) &&
                                std::abs(double(clip.y)) < 0.99 * job.band_y * double(clip.w);
           unsure += inside && in_half ? 1 : 0;
@@ -178,7 +179,8 @@ struct Shape {
   }
 };
 
-// A triangle near `window`: of every size, with depths that are often equal, its corners often at the centres of pixels.
+// A triangle near `window`, of any size; depths are often equal, and corners are often at pixel
+// centres.
 Shape any_shape(Random& random, const PixelRect& window, double largest_px) {
   Shape shape;
   const double size = std::min(largest_px, std::exp2(random.between(-3, 16)));
@@ -219,7 +221,7 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
     const int side = 16 << random.integer(0, 3);
     const int x0 = int(random.integer(0, 3)) * side, y0 = int(random.integer(0, 3)) * side;
     PixelRect window{x0, y0, x0 + side, y0 + side};
-    if (random.integer(0, 1) == 0) {  // at the screen's edge
+    if (random.integer(0, 1) == 0) {  // at the edge of the picture
       window.x1 = x0 + int(random.integer(1, side));
       window.y1 = y0 + int(random.integer(1, side));
     }
@@ -227,12 +229,12 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
     std::vector<Shape> shapes;
     for (std::int64_t i = random.integer(1, 40); i > 0; --i) {
       shapes.push_back(any_shape(random, window, random.integer(0, 1) == 0 ? 60 : 60000));
-      if (random.integer(0, 3) == 0) shapes.push_back(shapes.back());  // exactly there once more
+      if (random.integer(0, 3) == 0) shapes.push_back(shapes.back());  // the same triangle again
     }
     std::erase_if(shapes, [](const Shape& s) { return !setup_triangle(s.on_screen()); });
     if (shapes.empty()) continue;
     std::vector<bool> as_small;
-    // Bins hold small triangles whose box meets the tile.
+    // Bins contain small triangles whose bounding box meets the tile.
     for (const Shape& s : shapes) {
       const PixelRect box = intersect(setup_triangle(s.on_screen())->bounds, window);
       as_small.push_back(is_small(s) && !box.empty() && random.integer(0, 3) > 0);
@@ -296,7 +298,8 @@ TEST_CASE("of small triangles at a pixel the nearest is seen, and of equally nea
     const int side = 16 << random.integer(0, 2);
     PixelRect window{side, 2 * side, 2 * side, 3 * side};
     if (random.integer(0, 2) == 0) window.y1 -= int(random.integer(1, side - 1));
-    // Few quads each, or more than are asked for at once (kMaskSide), or some of either.
+    // Triangles of a few quads each, or of more quads than one mask covers (kMaskSide), or both
+    // kinds.
     const double largest_px = std::exp2(random.between(0, 6));
     std::vector<SnappedEntry> screen;
     std::vector<std::uint32_t> positions, batch;
@@ -305,7 +308,7 @@ TEST_CASE("of small triangles at a pixel the nearest is seen, and of equally nea
     std::uint64_t covered = 0, written = 0;
     Shape shape;
     for (std::int64_t i = random.integer(1, 150); i > 0; --i) {
-      // Often exactly there once more.
+      // Often the same triangle again.
       if (batch.empty() || random.integer(0, 3) > 0) shape = any_shape(random, window, largest_px);
       const auto setup = setup_triangle(shape.on_screen());
       if (!setup || intersect(setup->bounds, window).empty()) continue;
@@ -359,13 +362,15 @@ TEST_CASE("a depth that rounding carries beyond the corners' is not taken for hi
   for (int round = 0; round < 4000; ++round) {
     const DepthFormat format =
         round % 2 == 0 ? DepthFormat::kFloat32 : DepthFormat::kFloat32Reversed;
-    // The farther edge, on the left, runs through the centres of the tile's first pixels, where the third corner weighs
-    // nothing; and something flat comes to its depth. Subnormal depths too.
+    // The farther edge, on the left, passes through the centres of the tile's first pixels, where
+    // the third corner has weight 0; a flat triangle has the same depth there. Half of the rounds
+    // use subnormal depths.
     const float scale = round % 4 < 2 ? 1.0f : 0x1p-146f;
     const float near = float(random.unit()) * scale;
     const float far = near + float(random.unit()) * (scale - near);
     const auto away = [&] { return std::int32_t(random.integer(50, 5000)) * kSubpixels; };
-    // Often as far above a pixel as below, which then weighs both corners the same.
+    // Often the ends of the edge are as far above a pixel as below it, so that both corners have
+    // the same weight there.
     const std::int32_t middle = 8 * kSubpixels + kPixelCentre, above = away();
     const std::int32_t below = round % 8 < 4 ? above : away();
     const Shape first{{{{away(), std::int32_t(random.integer(0, 16)) * kSubpixels},
@@ -425,7 +430,7 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
     std::vector<std::uint32_t> positions;
     for (std::int64_t i = random.integer(1, 60); i > 0; --i) {
       Shape shape = any_shape(random, job.window, 60000);
-      // As wide as a small triangle may be, and 1/256 of a pixel wider.
+      // As wide as a small triangle may be, or 1/256 of a pixel wider.
       if (random.integer(0, 5) == 0) {
         shape.at[1].x = shape.at[0].x + kSmallSide * kSubpixels + int(random.integer(0, 1));
       }
@@ -486,7 +491,7 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
         });
       }
       CHECK(wrong == 0);
-      CHECK(next == selected);  // in order, nothing twice
+      CHECK(next == selected);  // in order, and none twice
       CHECK(counts.small == small);
       CHECK(counts.zero_area == flat);
       CHECK(counts.culled == culled);

@@ -1,4 +1,4 @@
-// What the lanes compute is what the scalar stages compute, bit for bit, for every instruction set.
+// The lanes' functions give the same bits as the scalar stages, for every instruction set.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -34,7 +34,7 @@ void for_each_target(const Check& check) {
   }
 }
 
-// How many entries differ in their bits; says which one is the first.
+// How many entries differ in their bits; reports the first of them.
 template <class T>
 std::size_t differing(const std::vector<T>& expected, const std::vector<T>& actual) {
   std::size_t count = 0;
@@ -48,7 +48,7 @@ std::size_t differing(const std::vector<T>& expected, const std::vector<T>& actu
   return count;
 }
 
-// Zeros, subnormals, ones, the largest, infinities and NaN.
+// Zeros, subnormals, ones, the largest floats, infinities and NaN.
 std::vector<float> special_values() {
   std::vector<float> values{0.0f,
                             1.0f,
@@ -77,7 +77,7 @@ void append_neighbours(float value, std::vector<float>& values) {
   }
 }
 
-// A float of every magnitude and sign: one in `stride` of all there are.
+// Floats of every magnitude and sign: every `stride`-th bit pattern.
 std::vector<float> floats_with_stride(std::uint32_t stride) {
   std::vector<float> values;
   for (std::uint64_t bits = 0; bits < (std::uint64_t{1} << 32); bits += stride) {
@@ -95,12 +95,12 @@ TEST_CASE("lanes encode colours as the scalar stage does: at every threshold, an
     append_neighbours(float(k) / 255.0f, values);
     append_neighbours((float(k) + 0.5f) / 255.0f, values);
   }
-  // The edges of the table's buckets.
+  // The borders of the table's buckets.
   for (std::uint32_t bucket = srgb_detail::kFirstBucket - 1; bucket <= srgb_detail::kEndBucket;
        ++bucket) {
     append_neighbours(std::bit_cast<float>(bucket << srgb_detail::kBucketShift), values);
   }
-  const std::vector<float> spread = floats_with_stride(1009);  // prime: all mantissas come by
+  const std::vector<float> spread = floats_with_stride(1009);  // 1009 is prime, so mantissas vary
   values.insert(values.end(), spread.begin(), spread.end());
 
   for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
@@ -144,7 +144,7 @@ TEST_CASE("lanes snap as the scalar stage does: halves, their neighbours, the gu
     const double share = random.between(-1, 1);
     pixels.push_back(float(share * std::exp2(random.between(-12, 16))));
   }
-  // In the range of snap().
+  // Only values in the range of snap().
   std::erase_if(pixels, [](float p) { return !(std::abs(p) <= 65536); });
   std::vector<std::int32_t> expected, actual(pixels.size());
   for (const float p : pixels) expected.push_back(snap(p));
@@ -187,7 +187,8 @@ std::vector<float> flattened(const std::vector<Rgba>& colors) {
   return all;
 }
 
-// A level of detail for each coordinate. Vectors of all kinds: magnified throughout, at one whole level, and mixed.
+// A level of detail for each coordinate. The vectors are of all kinds: magnified in every lane, all
+// at one whole level, or mixed.
 std::vector<float> levels_of_detail(Random& random, std::size_t count) {
   const std::vector<float> special{kNaN,      -kInfinity, kInfinity,     -0.0f, 0.0f,
                                    0x1p-149f, -1e-6f,     0.5f,          1.0f,  1.5f,
@@ -283,7 +284,7 @@ TEST_CASE("lanes take the mean of a pixel's samples as the scalar stage does") {
         sample = {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16),
                   std::uint8_t(bits >> 24)};
       }
-      std::fill_n(samples.begin(), count * 40, Rgba8{1, 128, 254, 255});  // equal ones
+      std::fill_n(samples.begin(), count * 40, Rgba8{1, 128, 254, 255});  // equal samples
       std::vector<Rgba8> expected;
       for (std::size_t i = 0; i < means.size(); ++i) {
         expected.push_back(mean_color(transfer, std::span(samples).subspan(i * count, count)));
@@ -314,7 +315,7 @@ TEST_CASE("lanes find the level of detail of the scalar stage, whatever the grad
   for (const float a : special) {
     for (const float b : special) gradients.push_back({{a, 0.0f}, {b, 1.0f}});
   }
-  // Squares from below the smallest float to infinity.
+  // Gradients whose squares range from below the smallest float to infinity.
   for (int i = 0; i < 20000; ++i) {
     const auto change = [&] { return float(random.scaled(-1, 1, -90, 70)); };
     gradients.push_back({{change(), change()}, {change(), change()}});
@@ -360,11 +361,11 @@ TEST_CASE("lanes light as the scalar stage does: every kind of light, near, far 
       normals.push_back(anywhere(1));
       if (random.integer(0, 9) == 0) normals.back() = {0, 0, 0};
       if (random.integer(0, 9) == 0) positions.back() = {0, 0, 0};
-      if (!lighting.lights.empty() && random.integer(0, 9) == 0) {  // in the light itself
+      if (!lighting.lights.empty() && random.integer(0, 9) == 0) {  // at the position of the light
         const Point<Eye>& p = lighting.lights[0].position;
         positions.back() = {p.x, p.y, p.z};
       }
-      // Squares of these overflow, and vanish.
+      // The squares of the first overflow, those of the second underflow.
       if (random.integer(0, 19) == 0) positions.back() = anywhere(3e38);
       if (random.integer(0, 19) == 0) normals.back() = anywhere(1e-30);
     }

@@ -22,7 +22,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 namespace probes {
 
-// Entries from `i` on, one a lane; the last one again where there are no more.
+// The entries from `i` on, one for each lane; the last entry is repeated where there are no more.
 template <class T>
 T entry(std::span<const T> from, std::size_t i) {
   return from[std::min(i, from.size() - 1)];

@@ -1,4 +1,5 @@
-// The lanes' functions, compiled for each instruction set, called with plain arrays: what the kernels have inside.
+// The functions that the kernels are built of, compiled for each instruction set and callable with
+// plain arrays.
 #pragma once
 
 #include <array>
@@ -14,16 +15,16 @@
 
 namespace glassbox::test {
 
-// Outputs have the size of the inputs.
+// Outputs have as many entries as the inputs.
 struct LaneProbes {
   void (*snap)(std::span<const float> pixels, std::int32_t* subpixels);
   void (*encode)(Transfer transfer, std::span<const float> linear, std::int32_t* bytes);
   void (*decode)(Transfer transfer, std::span<const std::int32_t> bytes, float* linear);
   void (*depth_code)(DepthFormat format, std::span<const float> depths, std::int32_t* codes);
-  // `levels`: of detail, one for each coordinate.
+  // `levels` has a level of detail for each coordinate.
   void (*sample)(const MipChain& texture, const Sampler& sampler, std::span<const TexCoord> at,
                  std::span<const float> levels, Rgba* colors);
-  // Of pixels with `count` samples, which are neighbours in `samples`.
+  // The mean of each pixel's samples; the `count` samples of a pixel are neighbours in `samples`.
   void (*mean_color)(Transfer transfer, std::span<const Rgba8> samples, std::size_t count,
                      Rgba8* means);
   void (*level_of_detail)(int width, int height, std::span<const TextureGradient> gradients,
@@ -33,7 +34,7 @@ struct LaneProbes {
                      std::span<const std::array<float, 3>> normals, Reflection* reflections);
 };
 
-// `target` is one of available_targets().
+// `target` must be one of available_targets().
 const LaneProbes& lane_probes(Target target);
 
 }  // namespace glassbox::test

@@ -1,4 +1,5 @@
-// Clusters of triangles that nobody sees: left out before their vertices (SPEC F.4, S4-01), and no byte changes.
+// Clusters of triangles that are not visible are left out before their vertices are processed
+// (S4-01), and no byte changes.
 #include <cmath>
 
 #include <glassbox/mesh/builtin/scenes.h>
@@ -14,7 +15,8 @@ namespace {
 
 using namespace test;
 
-// 6 n^2 quads around the origin, in rows, so that many clusters look the same way.
+// A rough ball of 6 n^2 quads around the origin, in rows, so that the triangles of many clusters
+// face the same way.
 Scene rough_ball(int n, double roughness, std::uint64_t seed, Material material = {}) {
   Random random(seed);
   return scene_of(star_shaped_surface(n, roughness, random), std::move(material));
@@ -67,7 +69,7 @@ TEST_CASE(
       const Vector<Object, double> newell = cross(b - a, c - a);
       const double size = std::sqrt(dot(newell, newell));
       const Vector<Object, double> axis = axis_of(cluster);
-      // What rounds in these lines is below 2^-40.
+      // The roundings in these lines are below 2^-40.
       CHECK(dot(axis, newell) / size >= double(cluster.cosine));
       CHECK(size >= cluster.least_newell);
       const auto from = [&](double along) { return a - (centre_of(cluster) + axis * along); };
@@ -96,13 +98,15 @@ TEST_CASE(
   CHECK(all.clusters == 0);
   CHECK(s.vertices < all.vertices * 3 / 4);
   CHECK(s.normals < all.normals);
-  // What is left out here would have been turned away by its area on the screen, or have had none.
+  // Without the plan these triangles would have been culled by their area on the screen, or had no
+  // area.
   CHECK(s.culled + s.zero_area + s.left_out == all.culled + all.zero_area);
   CHECK(s.set_up == all.set_up);
 }
 
 TEST_CASE("clusters beside the picture are left out, those within it are not") {
-  // From the middle, where the surface is all around, with its backs to the eye: the picture shows some tenth of it.
+  // Seen from the middle of the surface, all of whose faces show their backs: the picture shows
+  // about a tenth of it.
   const Scene scene = rough_ball(40, 0.05, 7);
   for (const Cull cull : {Cull::kNone, Cull::kBack, Cull::kFront}) {
     RenderSettings settings;
@@ -116,7 +120,7 @@ TEST_CASE("clusters beside the picture are left out, those within it are not") {
 
 TEST_CASE(
     "a cluster that a plane cuts is not said to be turned away, since its pieces may be slivers") {
-  // The near plane goes through the far half of a ball, all of whose clusters there turn their backs.
+  // The near plane cuts the far half of a ball, where all clusters show their backs.
   Scene scene = *make_builtin("sphere:128");
   place(scene, 0, {0, 0, -3});
   scene.instances.erase(scene.instances.begin());
@@ -143,7 +147,8 @@ TEST_CASE(
   check_planned(scene, view, settings);
 }
 
-// The bounds of a cluster against those of its triangles one by one, which have been proved right by themselves.
+// Compares the bounds of a cluster with those of its triangles one by one, which other tests have
+// proved correct.
 TEST_CASE(
     "each triangle of a cluster that is turned away is so by more than its own margin (S4-13)") {
   std::uint64_t turned_away = 0, drawn = 0;
@@ -212,7 +217,8 @@ struct Case {
   RenderSettings settings;
 };
 
-// Rough balls from very near and far, whole, cut, beside the picture, mirrored, sheared and far from their origin.
+// Rough balls from very near and far: whole, cut, outside the picture, mirrored, sheared, or far
+// from their origin.
 Case random_case(Random& random) {
   Case c;
   Material material;
@@ -304,7 +310,7 @@ TEST_CASE("explain says which meshes are asked cluster by cluster") {
   place(in_picture, 0, {0, 0, -5});
   in_picture.instances.erase(in_picture.instances.begin());
   CHECK(decision(in_picture, view, "triangles out of sight").because ==
-        "its box lies within the picture, and both sides of its faces are drawn");
+        "its box is inside the picture, and both sides of its faces are drawn");
   CHECK(check_planned(in_picture, view).clusters == 0);
   Scene with_line = scene;
   with_line.meshes[0].lines.push_back({Corner{0}, Corner{1}});

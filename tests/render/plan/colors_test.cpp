@@ -1,4 +1,4 @@
-// What the plan leaves out of colours and of the framebuffer's planes (SPEC F.4).
+// The planes of the framebuffer and the parts of colour computation that the plan leaves out.
 #include <glassbox/mesh/builtin/scenes.h>
 
 #include "tests/render/plan/planned.h"
@@ -61,7 +61,7 @@ TEST_CASE(
   marks.points = {Corner{2}};
   Scene scene;
   add_object(scene, quad, wall);
-  add_object(scene, quad, wall);  // ties, so that a draw that is hidden is among them
+  add_object(scene, quad, wall);  // a tie, so that one draw is hidden
   RenderSettings settings;
   settings.show = Show::kId;
   const View view = planned_view();
@@ -70,7 +70,7 @@ TEST_CASE(
   check_planned(scene, view, settings);
   CHECK(plan_of(scene, view, settings).plan.colors);
   CHECK(is_caught(scene, view, settings, plans_with<[](Plan& plan) { plan.colors = false; }>));
-  // What is opaque is behind them all the same, and its colour does not matter.
+  // An opaque surface is behind the other draws anyway, and its colour has no effect.
   scene.materials.back().alpha_mode = AlphaMode::kOpaque;
   check_planned(scene, view, settings);
   CHECK_FALSE(plan_of(scene, view, settings).plan.colors);

@@ -1,4 +1,5 @@
-// Scenes of many instances: groups of them planned together, and runs of one mesh drawn together (SPEC F.4).
+// Scenes of many instances: groups of them are planned together, and runs of one mesh are drawn
+// together.
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 
 using namespace test;
 
-// Small objects around the view, some of them mirrored, squeezed, or modelled far from their origin.
+// Small objects around the view; some are mirrored, squeezed, or modelled far from their origin.
 Scene many_objects(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Scene scene = scene_of(star_shaped_surface(2, 0.2, random));
@@ -47,7 +48,7 @@ std::vector<View> views() {
   return all;
 }
 
-// How many vertices, as they are computed, are not where their group is said to be.
+// How many computed vertices are not where the plan says that their group is.
 struct Misplaced {
   std::size_t left_out = 0, accepted = 0, opened = 0;  // groups
   std::size_t vertices = 0;
@@ -134,8 +135,9 @@ TEST_CASE("a coordinate that may overflow, or is not finite, opens a group") {
 
 // ---- the rounding slack ----
 
-// A pane 2e5 wide whose plane lies a million units from the origin of its mesh, which has no anchor, as it is not farther than eight
-// times its size: its depth is a difference of numbers near 1/2, and comes out up to 2^-25 from the exact one.
+// A pane 2e5 wide whose plane is a million units from the origin of its mesh. The mesh gets no
+// anchor, since it is not farther away than eight times its size. Its depth is a difference of
+// numbers near 1/2, with an error of up to 2^-25.
 Mesh far_pane(float z) {
   Mesh mesh;
   for (const auto& [x, y] : {std::pair{-1e5f, -1e5f}, {1e5f, -1e5f}, {1e5f, 1e5f}, {-1e5f, 1e5f}}) {
@@ -145,7 +147,7 @@ Mesh far_pane(float z) {
   return mesh;
 }
 
-// Shown about 0.5 + `behind_near` from the eye, in one colour.
+// Adds a pane of one colour, about 0.5 + `behind_near` from the eye.
 void add_pane(Scene& scene, float z, double scale_z, double behind_near,
               std::array<float, 3> color) {
   Material material;
@@ -157,7 +159,7 @@ void add_pane(Scene& scene, float z, double scale_z, double behind_near,
                          scale<World, Object>(1, 1, scale_z);
 }
 
-// The depth of a pane as the matrix of its draw says exactly, and as it is computed.
+// The depth of a pane: exact for the matrix of its draw, and as computed.
 struct PaneDepth {
   double exact = 0;
   float computed = 0;
@@ -202,7 +204,7 @@ TEST_CASE(
     const Planned planned = plan_of(scene, view);
     const PaneDepth first = depth_of_pane(planned.list.draws[0], view);
     const PaneDepth second = depth_of_pane(planned.list.draws[1], view);
-    // By more than the 32 roundings of a depth that a code may be off by otherwise.
+    // Nearer by more than the 32 roundings by which a depth code may be off in general.
     const bool nearer = second.exact < first.exact * (1 - 128 * unit_roundoff<float>);
     if (!nearer || first.computed != second.computed) continue;
     ++ties;
@@ -214,7 +216,7 @@ TEST_CASE(
 
 // ---- runs ----
 
-// Runs of the picture's draws.
+// The report of a picture, which counts its draws and its runs.
 TileReport report_of(const Scene& scene, const View& view, const RenderSettings& settings) {
   TileReport report;
   Rendering drawn;
@@ -241,7 +243,8 @@ TEST_CASE("runs of textured, coloured, masked, blended and cut meshes have the s
   for (const char* name : {"forest", "room", "thicket", "checker"}) {
     Scene scene = *make_builtin(name);
     const auto once = scene.instances;
-    // Each instance three times, moved a little, so that runs are long and some of their large triangles are clipped.
+    // Each instance is there three times, moved a little, so that runs are long and some of their
+    // large triangles are clipped.
     scene.instances.clear();
     for (const Instance& instance : once) {
       for (int i = 0; i < 3; ++i) {

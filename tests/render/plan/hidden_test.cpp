@@ -1,4 +1,4 @@
-// Whole draws left out because others hide them (SPEC F.4).
+// Whole draws that are left out because others hide them.
 #include <glassbox/raster/coverage.h>
 #include <glassbox/render/plan/depth_cover.h>
 #include <glassbox/render/plan/hidden_draws.h>
@@ -20,7 +20,7 @@ Material wall_material() {
   return material;
 }
 
-// A mesh of `across` x `across` quads from corner to corner, at z; its own material.
+// A mesh of `across` x `across` quads from corner to corner at depth z, with its own material.
 void add_wall(Scene& scene, const std::array<double, 4>& x0_y0_x1_y1, double z,
               Material material = wall_material(), int across = 1) {
   const auto& [x0, y0, x1, y1] = x0_y0_x1_y1;
@@ -42,7 +42,7 @@ void add_wall(Scene& scene, const std::array<double, 4>& x0_y0_x1_y1, double z,
 
 constexpr std::array<double, 4> kWholeView{-4, -3, 4, 3};
 
-// Balls of mesh 0, which come before any wall in the file.
+// Balls of mesh 0, which precede all walls in the scene.
 Scene balls_at(const std::vector<Vector<World, double>>& places, double size = 1) {
   Scene scene = ball_to_place();
   for (const auto& at : places) place(scene, 0, at, size);
@@ -93,8 +93,8 @@ TEST_CASE("explain says what is hidden, and where another eye sees it") {
   const std::vector<Decision> picture =
       decisions(planned.plan, PlannedEye{planned.list, view, settings});
   REQUIRE(picture.front().stage == std::string("file order"));
-  CHECK_FALSE(picture.front().needed);  // there were two draws to compare
-  CHECK(hidden.because.find("as near as any of its own, or nearer") != std::string::npos);
+  CHECK_FALSE(picture.front().needed);  // the scene has two draws to compare
+  CHECK(hidden.because.find("at least as near as its own") != std::string::npos);
 }
 
 TEST_CASE("what a wall does not hide is drawn") {
@@ -175,7 +175,7 @@ Scene near_the_edge(Random& random) {
   const double edge = random.between(-0.3, 0.3) * z;
   const double behind = z - random.between(1.2, 8);
   const double size = random.between(0.05, 1);
-  // Where the ball would just touch the line of sight past the edge, and some way to either side.
+  // Near where the ball would just touch the line of sight past the edge.
   const double at = edge / z * behind + random.between(-6, 1) * size;
   const bool upright = random.integer(0, 1) == 0;
   Scene scene = ball_to_place({}, random.bits());
@@ -248,7 +248,7 @@ TEST_CASE("random balls and walls: the same bytes, hidden or not") {
       material.double_sided = random.integer(0, 2) != 0;
       const double a = coordinate(z), b = coordinate(z), c = coordinate(z), d = coordinate(z);
       add_wall(scene, {a, b, c, d}, z, material, int(random.integer(1, 3)));
-      // Some as large as the view.
+      // Every other time another wall as large as the view.
       if (random.integer(0, 1) == 0) add_wall(scene, {5 * z, 5 * z, -5 * z, -5 * z}, z - 3);
     }
     RenderSettings settings = with_planes();
@@ -289,20 +289,20 @@ TEST_CASE("what one eye sees past a wall's edge is drawn for both") {
   CHECK(no_eye > 3);
 }
 
-// ---- what covers the picture ----
+// ---- the parts of the picture that are covered ----
 
 ScreenVertex random_vertex(Random& random) {
   return {{float(random.between(-30, 90)), float(random.between(-30, 70)), 0.5f}, 1.0f};
 }
 
 TEST_CASE("a part that is said to be covered is covered at each of its points, and as near") {
-  constexpr PixelRect kWindow{0, 0, 53, 37};  // with cells that reach beyond it
+  constexpr PixelRect kWindow{0, 0, 53, 37};  // some cells reach beyond the window
   Random random(5);
   int covered = 0, asked = 0;
   for (int i = 0; i < 300 / kShare; ++i) {
     const std::span<const SampleOffset> points = sample_offsets(i % 2 == 0 ? 1 : 4);
     DepthCover cover(kWindow, points);
-    // By point and pixel.
+    // The nearest code for each sample point and pixel.
     std::vector<std::uint32_t> nearest(points.size() * 53 * 37, kEmptyDepth);
     for (int t = 0; t < 12; ++t) {
       const auto setup =
@@ -348,14 +348,15 @@ TEST_CASE("a triangle alone covers the cells that lie within it, with its own co
   const auto near = setup_triangle({corner(-100, -100), corner(300, -100), corner(-100, 300)});
   REQUIRE(far);
   REQUIRE(near);
-  cover.add(*far, 900);  // of which some cells are open still
+  cover.add(*far, 900);  // covers some cells only in part
   CHECK(cover.hides({0, 0, 16, 16}, 900));
   CHECK_FALSE(cover.hides({0, 0, 16, 16}, 899));
-  CHECK_FALSE(cover.hides({0, 0, 17, 16}, 1000));  // the next cell counts as a whole
+  // A cell is judged as a whole, and the next one is not covered.
+  CHECK_FALSE(cover.hides({0, 0, 17, 16}, 1000));
   cover.add(*near, 500);
   CHECK(cover.hides({0, 0, 64, 64}, 500));
   CHECK_FALSE(cover.hides({0, 0, 64, 64}, 499));
-  CHECK_FALSE(cover.hides({64, 0, 80, 16}, 1000));  // beside the window there is nothing to say
+  CHECK_FALSE(cover.hides({64, 0, 80, 16}, 1000));  // nothing is known outside the window
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Front to back, where that changes no byte (DESIGN 4).
+// Draws are sorted front to back where that changes no byte.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,9 @@ namespace {
 
 using namespace test;
 
-// A square across the view at depth z, turned about y so that its ends lie `slant` nearer and farther. The farther one lies, the
-// more of the view it takes: none hides another, and one at -18 fills all.
+// A square across the view at depth z, turned about y so that its ends are `slant` nearer and
+// farther. The farther a square is, the more of the view it fills: none hides another, and one at
+// -18 fills the view.
 void add_square(Scene& scene, double z, double slant, const Rgba& color) {
   Material material;
   material.base_color = color;
@@ -74,7 +75,7 @@ TEST_CASE("draws that share depth codes keep the order of the file, where the fi
     CHECK(plan_of(scene, view).plan.moved == 0);
     check_planned(scene, view);
   }
-  // Depths that differ, but not in 16 bits.
+  // Depths that differ, but are equal in 16 bits.
   RenderSettings coarse;
   coarse.depth = DepthFormat::kUnorm16;
   const Scene close = squares({-15.005, -15}, 0);
@@ -101,8 +102,8 @@ TEST_CASE("nothing is moved past what is blended or drawn without the plan") {
   scene.materials[12].alpha_mode = AlphaMode::kBlend;
   scene.materials[12].base_color.a = 0.5f;
   const Plan plan = plan_of(scene, view).plan;
-  CHECK(plan.order[6] == 8);       // what it covers, it covers as others do
-  CHECK(plan.order.back() == 15);  // of the list: the blended one, which comes last in it
+  CHECK(plan.order[6] == 8);       // a masked draw is moved like any other
+  CHECK(plan.order.back() == 15);  // the blended draw, which is the last one of the list
   CHECK(plan.order.front() == 14);
   check_planned(scene, view);
   CHECK(plan_of(scene, view, {}, false).plan.moved == 0);

@@ -1,4 +1,4 @@
-// Scenes, and pictures of them with the plan, without it, and with a wrong one.
+// Scenes, and pictures of them with the plan, without a plan, and with a wrong plan.
 #pragma once
 
 #include <glassbox/render/plan/decisions.h>
@@ -9,7 +9,7 @@ namespace glassbox::test {
 
 inline constexpr double kDegrees45 = 0.785398163397448309616;
 
-// From the origin along -z.
+// A view from the origin along -z.
 inline View planned_view(const Lens& lens = PerspectiveLens{kDegrees45, 0.5, 20.0}, int width = 96,
                          int height = 64, DepthRange range = DepthRange::kStandard) {
   const auto view = make_view(Camera{"test", lens, {}}, width, height, range);
@@ -24,7 +24,7 @@ inline void place(Scene& scene, std::uint32_t mesh, const Vector<World, double>&
   scene.instances.push_back({mesh, std::uint32_t(scene.nodes.size() - 1)});
 }
 
-// One instance where it is modelled, with a material of its own.
+// Adds one instance of the mesh, not moved, with its own material.
 inline void add_object(Scene& scene, Mesh mesh, Material material) {
   mesh.material = std::uint32_t(scene.materials.size());
   scene.materials.push_back(std::move(material));
@@ -34,7 +34,7 @@ inline void add_object(Scene& scene, Mesh mesh, Material material) {
   scene.meshes.push_back(std::move(mesh));
 }
 
-// A rough ball of radius 1 to 1.2, to be placed.
+// A rough ball of radius 1 to 1.2 without instances; place() adds them.
 inline Scene ball_to_place(Material material = {}, std::uint64_t seed = 1) {
   Random random(seed);
   Scene scene = scene_of(star_shaped_surface(4, 0.2, random), std::move(material));
@@ -69,7 +69,8 @@ inline TileOptions without_plan() {
   return options;
 }
 
-// The same bytes with the plan and without it; what the tile engine counts with it.
+// Checks that the bytes are the same with the plan and without. Returns the counts of the tile
+// engine with the plan.
 inline Statistics check_planned(const Scene& scene, const View& view,
                                 const RenderSettings& settings = {}) {
   check_same(scene, view, settings);
@@ -82,7 +83,7 @@ inline Statistics counts_without_plan(const Scene& scene, const View& view,
   return render_tiled(scene, view, settings, without_plan()).statistics;
 }
 
-// Whether the picture of a planted plan differs from the staged one.
+// Whether a picture drawn with the given (wrong) planner differs from the staged one.
 inline bool is_caught(const Scene& scene, const View& view, const RenderSettings& settings,
                       Planner planner) {
   TileOptions options;
@@ -92,7 +93,7 @@ inline bool is_caught(const Scene& scene, const View& view, const RenderSettings
   return planes_differ(staged.buffers, tiled.buffers, settings.want_depth) != "";
 }
 
-// The decision about a stage of the first draw.
+// The plan's decision about a stage of the first draw.
 inline Decision decision(const Scene& scene, const View& view, const std::string& stage,
                          const RenderSettings& settings = {}) {
   const Planned planned = plan_of(scene, view, settings);

@@ -1,4 +1,4 @@
-// What the plan leaves out for each vertex (SPEC F.4).
+// The work per vertex that the plan leaves out.
 #include "tests/render/plan/planned.h"
 
 namespace glassbox {
@@ -51,7 +51,8 @@ TEST_CASE("no vertex of a draw within all planes is tested against them") {
 }
 
 TEST_CASE("vertices of a draw that reaches a plane are tested, and leaving that out is caught") {
-  // Through the near plane and the far plane. The triangles are small ones: the staged primitives look at large ones themselves.
+  // A ball through the near plane, then one through the far plane. Their triangles are small, since
+  // large ones are always tested by the staged primitives.
   for (const auto& [z, size] : {std::pair{-0.58, 0.1}, std::pair{-21.15, 1.0}}) {
     INFO("at z = " << z);
     Scene scene = ball_to_place();
@@ -60,7 +61,7 @@ TEST_CASE("vertices of a draw that reaches a plane are tested, and leaving that 
     CHECK(is_caught(scene, planned_view(), {},
                     plans_with_methods<[](DrawMethod& m) { m.test_planes = false; }>));
   }
-  // Out of the guard band.
+  // A ball that reaches beyond the guard band.
   Scene giant = ball_to_place();
   place(giant, 0, {0, 0, -30000}, 29995);
   const View deep = planned_view(PerspectiveLens{kDegrees45, 0.001, std::nullopt});
@@ -73,7 +74,7 @@ TEST_CASE("nothing is divided by w in a parallel view, where w is 1") {
   const Scene scene = ball_at({0.3, 0, -5});
   check_planned(scene, parallel);
   CHECK_FALSE(plan_of(scene, parallel).plan.methods[0].divide);
-  check_planned(ball_at({0.3, 0, -0.9}), parallel);  // with the test against planes
+  check_planned(ball_at({0.3, 0, -0.9}), parallel);  // with the plane tests
   CHECK(plan_of(scene, planned_view()).plan.methods[0].divide);
   CHECK(is_caught(scene, planned_view(), {},
                   plans_with_methods<[](DrawMethod& m) { m.divide = false; }>));
@@ -114,7 +115,7 @@ TEST_CASE("each position is carried over once, however many corners name it") {
   CHECK(mesh.corners.size() > 3 * mesh.positions.size());
   CHECK_FALSE(decision(scene, planned_view(), "repeated vertices").needed);
 
-  Mesh apart;  // every corner has a position of its own
+  Mesh apart;  // every corner has its own position
   for (const Face& face : mesh.faces) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       apart.positions.push_back(mesh.positions[mesh.corners[face.first + k].position]);

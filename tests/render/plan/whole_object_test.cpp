@@ -1,4 +1,4 @@
-// Whole draws left out because their box lies beyond a plane (SPEC F.4).
+// Whole draws that are left out because their box is outside of a plane.
 #include "tests/render/plan/planned.h"
 
 namespace glassbox {
@@ -49,7 +49,7 @@ TEST_CASE("a draw that reaches into the view is not left out") {
   }
 }
 
-// A random draw close to an edge of the picture, and the camera it is seen by.
+// A random draw close to an edge of the picture, and the view that shows it.
 struct AtTheEdge {
   Scene scene;
   View view;
@@ -62,7 +62,7 @@ AtTheEdge at_the_edge(Random& random) {
   const double aspect = double(width) / height;
   const double z = -random.between(1, 12);
   const double half = perspective ? -z * 0.41421356237309503 : 2;
-  // Small, and its centre about as far from the edge as it is large.
+  // Small; its centre is about as far from the edge as it is large.
   const double size = random.between(0.01, 0.6);
   const double beside = half * aspect + random.between(-0.5, 2) * size;
   const double x = random.integer(0, 1) == 0 ? beside : -beside;
@@ -73,7 +73,7 @@ AtTheEdge at_the_edge(Random& random) {
   return {std::move(scene), planned_view(lens, width, height)};
 }
 
-// What an assumed margin leaves out, and how much of that some pixel shows.
+// How many draws a given margin leaves out, and how many of those are visible in some pixel.
 struct Judged {
   int outside = 0, visible = 0;
 };
@@ -121,7 +121,7 @@ TEST_CASE(
   int left_out = 0, drawn = 0;
   for (int i = 0; i < 200; ++i) {
     Mesh mesh;
-    // Pixels are 1/32 wide; the right edge is at 1.5.
+    // Pixels are 1/32 wide, and the right edge is at 1.5.
     const double x = 1.5 + random.between(-4, 8) / 32;
     for (int k = 0; k < 2; ++k) {
       mesh.positions.push_back(

@@ -1,4 +1,4 @@
-// An anaglyph's eyes shade the channels that they write, and no others.
+// Each eye of an anaglyph shades only the channels that it writes.
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "tests/render/stereo/pairs.h"
@@ -7,7 +7,7 @@
 namespace glassbox {
 namespace {
 
-// The largest value that any fragment's channel had when it was stored.
+// The largest value of each channel over all fragments when they were stored.
 class StoredChannels : public Observer {
 public:
   void encoded(const Fragment& /*fragment*/, const Rgba8& /*before*/, Rgba8& after) override {

@@ -1,8 +1,10 @@
-// Ground truth about a pair, on scenes whose numbers are known by hand.
+// Disparities, occlusions and window violations of a pair, on scenes whose numbers are known by
+// hand.
 //
-// The picture has 64 x 64 pixels and an angle of view of 90 degrees, so that things 1 away fill 32 px per unit; the
-// eyes are 1 apart and the window stands at 4. A thing at the distance z has the disparity 32 (1/4 - 1/z) px: 4 px at 8,
-// -8 px at 2. The left eye sees it displaced by minus half of that from where the camera between the eyes does.
+// The picture has 64 x 64 pixels and an angle of view of 90 degrees, so that one unit at distance 1
+// is 32 px wide; the eyes are 1 apart and the window is at 4. An object at distance z has the
+// disparity 32 (1/4 - 1/z) px: 4 px at 8, -8 px at 2. The left eye sees it displaced by minus half
+// of that from where the camera between the eyes does.
 #include <array>
 #include <cmath>
 
@@ -31,7 +33,7 @@ View view_at_origin() {
   return *view;
 }
 
-// A wall across the gaze, x0 .. x1 wide and y0 .. y1 high.
+// A wall perpendicular to the gaze, from x0 to x1 and from y0 to y1.
 void add_wall(Scene& scene, const std::string& name, double distance, double x0, double x1,
               double y0, double y1) {
   if (scene.materials.empty()) add_material(scene, "grey", {0.5f, 0.5f, 0.5f, 1});
@@ -64,7 +66,8 @@ Measured measure(const Scene& scene) {
   return m;
 }
 
-// 32/z px a relative change of the distance, which comes from float depth interpolated between exact corners: a few u.
+// 32/z px per relative change of the distance, which comes from a float depth interpolated between
+// exact corners: a few u.
 double tolerance_px(double distance) {
   return 32 / distance * 8 * 0x1p-24 + 0x1p-20;
 }
@@ -137,7 +140,7 @@ TEST_CASE(
     }
     StereoPair pair = c.pair;
     pair.half_separation = largest_half_separation(c.centre, pair.window, seen, budget);
-    // The same distances: what other eyes would see in addition is not the question.
+    // The distances are unchanged: what the new eyes would see in addition is not tested.
     for (const Framebuffer* eye : {&wide.left, &wide.right}) {
       CHECK(summarise(disparity_map(c.centre, pair, eye->distance), budget).share_beyond() == 0);
     }
@@ -161,7 +164,7 @@ TEST_CASE("the bins of a histogram hold all pixels, and the window lies at the e
     CHECK(all == 5);
     CHECK(in_front == 2);
   }
-  map.pixels = {1e30f, 1e30f, 1e30f, 1e30f, -1e30f, 0};  // before the nose
+  map.pixels = {1e30f, 1e30f, 1e30f, 1e30f, -1e30f, 0};  // disparities of points next to the eyes
   CHECK(histogram_of(map).counts.size() <= 64);
   map.pixels.assign(6, -3e38f);
   CHECK(histogram_of(map).counts == std::vector<std::uint64_t>{6});
@@ -209,12 +212,13 @@ TEST_CASE("a slanted floor is seen by both eyes wherever it is in both pictures"
 TEST_CASE("a face that looks away from one eye is missing there") {
   Scene scene;
   add_backdrop(scene, 8);
-  Mesh mesh;  // in the plane between the eyes, turned to the right one
+  Mesh mesh;  // in the plane between the eyes, facing the right eye
   add_rectangle(mesh, {0, -1, -3}, {0, 0, -3}, {0, 2, 0});
   add_object(scene, std::move(mesh));
   const Measured m = measure(scene);
-  // From -1.33 px at its near edge, 21 rows high, to 1.33 px at its far one, 11 rows high: 43 square pixels, of which
-  // those near the window's plane are within half a pixel of the other's.
+  // It is drawn from -1.33 px at its near edge, 21 rows high, to 1.33 px at its far edge, 11 rows
+  // high: 43 square pixels. Those near the window's plane are within half a pixel of the other
+  // eye's.
   CHECK(count(m.monocular.right).missing > 20);
   CHECK(count(m.monocular.left).missing == 0);
 }
@@ -223,7 +227,7 @@ TEST_CASE(
     "a thing between the eyes and a tenth of the window is kept for the one eye that sees it "
     "(C-73)") {
   Scene scene;
-  add_wall(scene, "finger", 0.25, -0.6, -0.3, -0.1, 0.1);  // -120 px: wider than the picture
+  add_wall(scene, "finger", 0.25, -0.6, -0.3, -0.1, 0.1);  // -120 px: more than the picture's width
   const Measured m = measure(scene);
   const MonocularCounts left = count(m.monocular.left), right = count(m.monocular.right);
   CHECK(left.beside == summarise(m.left, {}).drawn);
@@ -238,8 +242,8 @@ TEST_CASE(
   Scene scene;
   add_backdrop(scene, 8);
   add_wall(scene, "post", 2, -2.5, -1.5, -0.25, 0.25);  // 8 rows at the left edge
-  add_wall(scene, "free", 2, 0.25, 0.5, 0.5, 0.75);     // in front of the window, but whole
-  add_wall(scene, "behind", 6, 4, 8, -1, 1);            // cut by the right edge, but behind it
+  add_wall(scene, "free", 2, 0.25, 0.5, 0.5, 0.75);     // in front of the window, but not cut
+  add_wall(scene, "behind", 6, 4, 8, -1, 1);  // cut by the right edge, but behind the window
   const Measured m = measure(scene);
   REQUIRE(m.violations.found.size() == 2);
   for (const WindowViolation& one : m.violations.found) {

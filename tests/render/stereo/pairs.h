@@ -22,8 +22,9 @@ struct PairCase {
   int width = 96, height = 64;
 };
 
-// A built-in scene seen by its own camera or framed, half the separation a share of the window's distance, which is that of
-// the scene's centre or, where that is behind the camera, ten near planes.
+// A built-in scene seen by its own camera, or framed. The window is at the distance of the scene's
+// centre or, if that is not between near and far, at ten times the near distance; half the
+// separation is `share` of it.
 inline PairCase pair_case(const std::string& name, double share, int width = 96, int height = 64) {
   PairCase c{name, {}, {}, {}, width, height};
   const auto scene = make_builtin(name);

@@ -1,4 +1,4 @@
-// Both eyes from one run: the same bytes as two runs, whatever is shared on the way.
+// Both eyes from one run give the same bytes as two runs, no matter what they share.
 #include <array>
 #include <string>
 
@@ -16,7 +16,8 @@
 namespace glassbox {
 namespace {
 
-// The red of one picture and the rest of another (S0-02), written without the library's masks.
+// The red channel of one picture and the other channels of another (S0-02), written without the
+// library's masks.
 Image<Rgba8> red_cyan(const Image<Rgba8>& left, const Image<Rgba8>& right) {
   Image<Rgba8> anaglyph = right;
   for (std::size_t i = 0; i < anaglyph.pixels.size(); ++i) anaglyph.pixels[i].r = left.pixels[i].r;
@@ -30,7 +31,7 @@ std::size_t differing_pixels(const Image<Rgba8>& a, const Image<Rgba8>& b) {
   return count;
 }
 
-// The staged one, and the tile engine with one tile and with many.
+// The staged renderer, and the tile engine with one tile and with many.
 std::vector<Renderer> many_renderers(const Scene& scene) {
   std::vector<Renderer> all;
   all.emplace_back(scene, Transfer::kSrgb, EngineKind::kStaged);
@@ -141,7 +142,8 @@ TEST_CASE("the anaglyph of two masks is the two pictures put together by channel
 
 enum class Beside { kLeft, kRight, kAbove, kBelow };
 
-// A triangle that an orthographic view of 16 x 16 pixels would have beside its picture, `beside_px` away, were it not moved to the right.
+// A triangle that an orthographic view of 16 x 16 pixels would show `beside_px` outside its
+// picture, then moved to the right by `moved_px`.
 Scene beside_the_picture(Beside where, float beside_px, float distance = 5, float moved_px = 0) {
   Scene scene;
   scene.name = "beside";
@@ -162,7 +164,8 @@ Scene beside_the_picture(Beside where, float beside_px, float distance = 5, floa
   return scene;
 }
 
-// 16 x 16 pixels, one to a unit. What is as far as the window, 5, is in one place for both eyes.
+// A view of 16 x 16 pixels, one per unit. Both eyes see a point at the window's distance, 5, at the
+// same place.
 PairCase pair_of_wireframes(Scene scene) {
   PairCase c{"beside", std::move(scene), {}, {}, 16, 16};
   c.centre = *make_view({"front", OrthographicLens{8, 0.1, 100}, {}}, c.width, c.height);
@@ -179,7 +182,7 @@ RenderSettings wireframe(int samples) {
   return settings;
 }
 
-// Both eyes' pictures by all renderers; how many pixels are drawn.
+// Checks both eyes' pictures by all renderers. Returns how many pixels are drawn.
 std::size_t check_wireframes(const PairCase& c, const StereoSettings& settings) {
   const auto own = [&](Side side) {
     return render_staged(c.scene, eye_view(c.centre, c.pair, side), settings.render).buffers.color;
@@ -205,7 +208,7 @@ TEST_CASE("the lines of a wireframe reach into both eyes' pictures from beside t
       INFO("culling " << int(culling) << ", side " << int(where));
       const StereoSettings of_samples{wireframe(8), culling};
       CHECK(check_wireframes(pair_of_wireframes(beside_the_picture(where, 0.25f)), of_samples) > 0);
-      // Snapped onto the border, where a line is of the pixels at one side of it.
+      // Snapped onto the border, where a line belongs to the pixels on one side of it.
       const StereoSettings of_centres{wireframe(1), culling};
       drawn_at_centres +=
           check_wireframes(pair_of_wireframes(beside_the_picture(where, 0x1p-10f)), of_centres) > 0;
@@ -228,7 +231,7 @@ TEST_CASE("a line that reaches into one eye's picture alone is drawn there") {
           eye.eye_from_world * Point<World, double>(0, 0, -double(kDistance));
       const double ndc = clip.at(0, 0) * middle.x + clip.at(0, 2) * middle.z + clip.at(0, 3);
       const auto moved_px = float(-8 * ndc);
-      REQUIRE(std::abs(moved_px) >= 0.9f);  // the other eye has it twice as far aside
+      REQUIRE(std::abs(moved_px) >= 0.9f);  // in the other eye's picture it is twice as far outside
       const PairCase c = pair_of_wireframes(beside_the_picture(where, 0.25f, kDistance, moved_px));
       CHECK(check_wireframes(c, {wireframe(8), StereoCulling::kUnion}) > 0);
     }
@@ -241,7 +244,7 @@ TEST_CASE("channels that both eyes may write are the right one's, alpha before a
     material.alpha_mode = AlphaMode::kBlend;
     material.base_color.a = 0.3f;
   }
-  c.scene.instances.push_back(c.scene.instances.front());  // blended once more
+  c.scene.instances.push_back(c.scene.instances.front());  // blended a second time
   RenderSettings settings;
   settings.background = {26, 31, 38, 60};
   settings.cull = Cull::kNone;
@@ -335,8 +338,9 @@ TEST_CASE(
       CHECK(centre.right.color == all.right.color);
       continue;
     }
-    // A triangle outside the centre's frustum reaches into an eye's picture by half its parallax at most; what appears in
-    // its place is not part of it. One pixel for the rounding to pixel centres.
+    // A triangle outside the centre's frustum reaches into an eye's picture by at most half its
+    // parallax; what appears in its place may be elsewhere. One pixel is added for the rounding to
+    // pixel centres.
     const auto check_strips = [&](const Framebuffer& kept, const Framebuffer& lossy) {
       for (int y = 0; y < c.height; ++y) {
         for (int x = 0; x < c.width; ++x) {
@@ -351,7 +355,7 @@ TEST_CASE(
     check_strips(all.left, centre.left);
     check_strips(all.right, centre.right);
   }
-  CHECK(lost_pixels > 0);  // or nothing was looked at
+  CHECK(lost_pixels > 0);  // otherwise nothing was compared
 }
 
 }  // namespace glassbox

@@ -1,4 +1,5 @@
-// The stereo window in pixels: what is at it, in front of it and cut to it (S0-08, S0-09, C-70).
+// The stereo window in pixels: objects at the window, in front of it, and cut by its edges (S0-08,
+// S0-09, C-70).
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -31,7 +32,7 @@ Image<Pixel> columns(const Image<Pixel>& image, int first, int width) {
   return part;
 }
 
-// Every vertex of the scene in front of the near plane, where it lands on the picture, snapped.
+// The snapped picture positions of all vertices in front of the near plane.
 std::vector<SnappedVertex> snapped_vertices(const Scene& scene, const View& view) {
   std::vector<SnappedVertex> all;
   const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
@@ -68,7 +69,7 @@ CutEye cut_eye(const Scene& scene, const View& centre, const StereoPair& pair, S
   return eye;
 }
 
-// Whether everything around the pixel is of one triangle.
+// Whether all pixels around this one show the same triangle.
 bool is_inside(const Image<std::uint32_t>& ids, int x, int y) {
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, ids.height - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, ids.width - 1); ++u) {
@@ -96,12 +97,12 @@ CutCount count_differences(const CutEye& eye) {
   return count;
 }
 
-// The half separation that shifts infinity by so many pixels.
+// The half separation that shifts points at infinity by this many pixels.
 double separation_for(const View& centre, double window, double shift_px) {
   return shift_px * window / (centre.clip_from_eye.at(0, 0) * double(centre.viewport.width()));
 }
 
-// Triangles whose corners have few bits and lie at distances that are powers of two.
+// Triangles whose corners have few bits and are at distances that are powers of two.
 Scene dyadic_triangles(Random& random) {
   Mesh mesh;
   for (int i = 0; i < 20; ++i) {
@@ -123,8 +124,9 @@ Scene dyadic_triangles(Random& random) {
 }  // namespace
 
 TEST_CASE("where no vertex is rounded, cutting and skewing give the same bytes (S0-08)") {
-  // A right angle, 64 columns widened to 128 and s/f = 1: entries, scales and vertices are binary fractions of few bits, so
-  // that both ways put every vertex on the same subpixel; each picture moves by 32 columns.
+  // An angle of view of 90 degrees, 64 columns widened to 128, and s/f = 1: entries, scales and
+  // vertices are binary fractions of few bits, so both ways put every vertex on the same subpixel.
+  // Each picture moves by 32 columns.
   Camera camera;
   camera.lens = PerspectiveLens{kHalfPi, 0.5, 64};
   const auto centre = make_view(camera, 64, 64);
@@ -205,7 +207,7 @@ TEST_CASE("a textured quad at the window is the same picture in both eyes (S0-09
       same = same && a[k].x == b[k].x;
       CHECK(std::abs(a[k].x - b[k].x) <= 1);  // subpixels
       CHECK(a[k].y == b[k].y);
-      // In double, nothing is left to flip: s (1 - z/f) is zero within a few u of s.
+      // In double, s (1 - z/f) is zero within a few u of s, so snapping cannot differ.
       const Point<World, double> p{double(scene.meshes[0].positions[k].x),
                                    double(scene.meshes[0].positions[k].y), -10};
       const auto x_of = [&](const View& view) {

@@ -1,5 +1,6 @@
-// Something to draw, drawn from a source of numbers: a Random, or the bytes of a fuzzer. Small scenes in which whatever is
-// awkward for a rasterizer comes often: slivers, triangles below a pixel and far beyond the screen, equal depths, coordinates
+// Makes scenes with views and settings from a source of numbers: a Random, or the bytes of a
+// fuzzer. The scenes are small and often contain what is difficult for a rasterizer: slivers,
+// triangles smaller than a pixel or reaching far beyond the screen, equal depths, coordinates
 // behind the eye, attributes that only some corners have.
 #pragma once
 
@@ -20,8 +21,9 @@
 
 namespace glassbox::test {
 
-// The cases of a test are divided by this: without optimisation a lane costs a function call, and
-// an instrumented one more, so that a sample of the cases is enough there.
+// Tests divide their number of cases by this. Without optimization each lane operation is a
+// function call, and instrumented calls cost more still, so that a sample of the cases is enough
+// there.
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 inline constexpr int kShare = 1;
 #else
@@ -35,7 +37,7 @@ struct AnyCase {
   TileOptions options;
 };
 
-// Source has integer(low, high), both included, and unit() in [0, 1).
+// Source has integer(low, high), both ends included, and unit() in [0, 1).
 template <class Source>
 class CaseMaker {
 public:
@@ -67,7 +69,8 @@ private:
   int integer(int low, int high) { return int(source_.integer(low, high)); }
   bool one_in(int n) { return integer(1, n) == n; }
   double between(double low, double high) { return low + (high - low) * source_.unit(); }
-  // Evenly over the powers of two; without the library's functions, so the same on every machine.
+  // Evenly distributed over the powers of two; without functions of the C++ library, so the same on
+  // every machine.
   double magnitude(double low, double high) {
     int first = 0, last = 0;
     std::frexp(low, &first);
@@ -87,7 +90,7 @@ private:
     return values.begin()[integer(0, int(values.size()) - 1)];
   }
 
-  // ---- what is asked for ----
+  // ---- settings ----
 
   RenderSettings settings() {
     RenderSettings s;
@@ -236,7 +239,7 @@ private:
 
   // ---- shapes ----
 
-  // A place on the screen, in pixels and in distance along the gaze.
+  // A position on the screen in pixels, and a distance along the gaze.
   struct Seen {
     double x = 0, y = 0, distance = 1;
   };
@@ -265,7 +268,8 @@ private:
       case 4:
       case 5:
       case 6:
-        return nearest_ * (2 + integer(0, 3));  // several have the same
+        // A few values, so that several places have the same.
+        return nearest_ * (2 + integer(0, 3));
       default:
         return nearest_ * magnitude(1, 1e4);
     }
@@ -297,7 +301,7 @@ private:
     return std::uint32_t(mesh.positions.size() - 1);
   }
 
-  // Positions of a face, counter-clockwise or not.
+  // The positions of a face, counter-clockwise or clockwise.
   std::vector<std::uint32_t> any_face(Mesh& mesh) {
     const int kind = integer(0, 11);
     const auto old = [&] { return std::uint32_t(integer(0, int(mesh.positions.size()) - 1)); };
@@ -313,7 +317,7 @@ private:
       return face;
     };
     if (mesh.positions.size() >= 3) {
-      if (kind == 0) {  // the face before once more, from another corner or the other side
+      if (kind == 0) {  // the previous face again, from another corner or from the other side
         const auto last = std::uint32_t(mesh.positions.size());
         if (one_in(2)) return {last - 2, last - 1, last - 3};
         return {last - 1, last - 2, last - 3};
@@ -337,7 +341,7 @@ private:
       case 6:
         return {add_position(any_place(), mesh), add_position(any_place(), mesh),
                 add_position(any_place(), mesh)};
-      case 7:  // four corners or five
+      case 7:  // four or five corners
       {
         const Seen middle = any_place();
         std::vector<std::uint32_t> face;
@@ -357,7 +361,8 @@ private:
 
   enum class Has { kNothing, kWithPositions, kItsOwn, kSometimes };
 
-  // An index into a table of `count` entries, as the mesh's corners have them.
+  // An index into a table of `count` entries, or kNone, depending on which corners have the
+  // attribute.
   std::uint32_t attribute(Has has, std::uint32_t position, std::size_t count) {
     if (has == Has::kNothing || count == 0) return kNone;
     if (has == Has::kWithPositions) return position;
@@ -400,7 +405,7 @@ private:
     };
     const Has normals = how(), texcoords = how(), colors = how();
     const auto table = [&](Has has, auto& entries, auto&& entry) {
-      if (has == Has::kNothing && !one_in(4)) return;  // a table that no corner uses
+      if (has == Has::kNothing && !one_in(4)) return;  // else a table that no corner uses
       for (std::size_t i = 0; i < positions; ++i) entries.push_back(entry());
     };
     table(normals, made.normals, [&] { return any_normal(); });
@@ -420,7 +425,8 @@ private:
     return made;
   }
 
-  // Where a mesh stands: so that what is meant to be seen is seen, whatever the mesh's own space.
+  // A random transform of a mesh. Positions are chosen in eye space and mapped back through it, so
+  // what should be visible is visible in any object space.
   Transform<World, Object> placement() {
     Transform<Eye, Object> eye_from_object;
     if (one_in(2)) {
@@ -432,7 +438,7 @@ private:
       const Vector<Eye, double> offset{magnitude(1, 1e5), magnitude(1, 1e5), magnitude(1, 1e5)};
       eye_from_object = translate<Eye, Eye>(offset) * eye_from_object;
     }
-    if (one_in(4)) {  // its own axes at an angle
+    if (one_in(4)) {  // with axes that are not perpendicular
       Transform<Object, Object> shear;
       shear.at(0, 1) = between(-2, 2);
       shear.at(2, 0) = between(-1, 1);
@@ -458,7 +464,8 @@ private:
       made.nodes.push_back({"node", kNone, place, place});
       made.meshes.push_back(mesh(made.materials.size()));
       made.instances.push_back({std::uint32_t(made.meshes.size() - 1), node});
-      if (one_in(4)) made.instances.push_back(made.instances.back());  // everything ties
+      // The same instance again: all depths are equal.
+      if (one_in(4)) made.instances.push_back(made.instances.back());
     }
     return made;
   }
@@ -478,7 +485,8 @@ AnyCase any_case(Source& source, int most_faces, int largest_side) {
 
 // ---- small cases ----
 
-// Takes faces, lines, points and instances away from the case for as long as `still_fails` says so.
+// Removes faces, lines, points, instances and lights from the case as long as `still_fails` returns
+// true.
 template <class Fails>
 void shrink(AnyCase& failing, const Fails& still_fails) {
   const auto shorten = [&](auto get) {
@@ -505,7 +513,7 @@ void shrink(AnyCase& failing, const Fails& still_fails) {
   shorten([](auto& c) { return &c.scene.lights; });
 }
 
-// The case in words: enough to build it by hand.
+// The case in words, with enough detail to build it by hand.
 inline std::string in_words(const AnyCase& c) {
   std::ostringstream text;
   text.precision(9);

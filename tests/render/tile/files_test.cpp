@@ -1,4 +1,5 @@
-// The tile engine against the staged reference on files: awkward ones, and real ones where they are present.
+// The tile engine, compared with the staged reference on files: unusual ones, and real ones if they
+// are present.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -34,7 +35,7 @@ std::vector<fs::path> scene_files(const fs::path& folder) {
   return files;
 }
 
-// Whether there was anything to compare.
+// Compares the engines' pictures of the scene. Returns whether there was a scene and a view.
 bool check_scene(const Result<Scene>& scene, std::size_t number) {
   if (!scene) return false;
   const int width = 90 + int(number % 7), height = 70 - int(number % 5);
@@ -75,7 +76,7 @@ TEST_CASE("the tile engine draws the fuzzers' files as the staged reference does
   for (const char* folder : {"gltf", "obj"}) {
     for (const fs::path& file : scene_files(corpus / folder)) {
       INFO(file.string());
-      // Those that a fuzzer found have no extension: they are glTF whatever they are called.
+      // Files found by a fuzzer have no extension; they are glTF.
       const Result<Scene> scene = file.extension() == ".obj"
                                       ? load_scene(file.string(), test_limits())
                                       : load_gltf(file.string(), test_limits());

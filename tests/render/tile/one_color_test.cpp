@@ -1,4 +1,5 @@
-// Large triangles whose pixels all have one colour are shaded once; which do not is found from what their corners have.
+// Large triangles whose pixels all have one colour are shaded once; whether they do is decided by
+// the attributes of their corners.
 #include <algorithm>
 #include <bit>
 
@@ -9,7 +10,7 @@ namespace {
 
 using namespace test;
 
-// Fills most of the view; every corner has a normal and a colour of its own.
+// A quad that fills most of the view; every corner has its own normal and colour entry.
 Mesh pane() {
   Mesh mesh;
   mesh.positions = {{-3, -2, -4}, {3, -2, -4}, {3, 2, -5}, {-3, 2, -5}};
@@ -36,7 +37,7 @@ int colors_in(const Image<Rgba8>& picture) {
   return int(std::distance(all.begin(), std::unique(all.begin(), all.end())));
 }
 
-// The same bytes by both engines; returns how many colours the picture has.
+// Checks that both engines give the same bytes. Returns how many colours the picture has.
 int check_pane(const Mesh& mesh, const Material& material, Shading shading,
                std::vector<Light> lights = {}) {
   Scene scene = scene_of(mesh, material);
@@ -62,9 +63,9 @@ TEST_CASE("what is equal at all corners gives one colour, and what differs does 
        {Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}) {
     INFO("shading " << int(shading));
     const bool smooth = shading == Shading::kGouraud || shading == Shading::kPhong;
-    CHECK(check_pane(equal, matte, shading) == 2);  // and the background
+    CHECK(check_pane(equal, matte, shading) == 2);  // one for the pane, one for the background
     CHECK((check_pane(other_normal, matte, shading) > 2) == smooth);
-    // (Interpolated, the others' normal keeps its direction.)
+    // With Phong shading the interpolated normal keeps its direction, because the others agree.
     CHECK((check_pane(no_normal, matte, shading) > 2) == (shading == Shading::kGouraud));
     CHECK(check_pane(other_color, matte, shading) > 2);
   }
@@ -88,10 +89,10 @@ TEST_CASE("where light depends on the place, nothing is one colour") {
   CHECK(check_pane(pane(), glowing, Shading::kPhong, {sun}) == 2);
 }
 
-// ---- laid over what is there ----
+// ---- blended over what is there ----
 
-// Three panes of one colour, one behind the other, before a wall that has all bytes in all channels and leaves some of the
-// background free.
+// Three panes of one colour, one behind the other, in front of a wall that has all bytes in all
+// channels and leaves some of the background free.
 Scene panes_before_wall(float alpha) {
   Mesh wall = pane();
   for (Point<Object>& p : wall.positions) p = {p.x * 0.8f, p.y * 0.8f, p.z - 3};

@@ -1,4 +1,4 @@
-// Where two framebuffers differ, in words.
+// Describes in words where two framebuffers differ.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ std::string in_words(T value) {
   return text.str();
 }
 
-// Empty where the planes have the same bytes.
+// Empty if the planes have the same bytes.
 template <class Pixel>
 std::string plane_differs(const char* name, const Image<Pixel>& expected,
                           const Image<Pixel>& actual) {
@@ -47,7 +47,8 @@ std::string plane_differs(const char* name, const Image<Pixel>& expected,
   return text.str();
 }
 
-// The staged reference always has depths; those of the tile engine count where the settings ask for them.
+// The staged reference always writes depths; those of the tile engine are compared if `want_depth`
+// is set.
 inline std::string planes_differ(const Framebuffer& staged, const Framebuffer& tiled,
                                  bool want_depth) {
   return plane_differs("color", staged.color, tiled.color) +

@@ -1,4 +1,4 @@
-// For the sanitizer of threads: a race that it must report. Never run with the other tests.
+// A race that ThreadSanitizer must report. Never run with the other tests.
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -11,8 +11,8 @@
 namespace glassbox {
 namespace {
 
-// Each waits for the other, so that one thread cannot run both, however busy the machine is; by relaxed operations, which put
-// nothing in order.
+// Each task waits for the other, so that one thread cannot run both, however busy the machine is.
+// They wait by relaxed operations, which order nothing.
 TEST_CASE("two tasks add to one number, unprotected", "[.planted-race]") {
   constexpr std::chrono::seconds kLongest(60);
   long sum = 0;

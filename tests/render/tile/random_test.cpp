@@ -1,4 +1,5 @@
-// The tile engine against the staged reference on scenes that nobody would model, and on the edges of what it does.
+// The tile engine, compared with the staged reference on random scenes and on limiting cases of its
+// kernels.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -37,9 +38,10 @@ TEST_CASE("the tile engine draws any triangles as the staged reference does", "[
   CHECK(triangles > 100000 / kShare);
 }
 
-// ---- with a plan and without, one eye and two ----
+// ---- with a plan and without, with one eye and with two ----
 
-// Where the picture differs from the staged reference's: the tile engine's with a plan, or without.
+// Where the tile engine's picture, with a plan or without, differs from the staged reference's;
+// empty if nowhere.
 std::string difference_of_plans(const AnyCase& c) {
   const Rendering staged = render_staged(c.scene, c.view, c.settings);
   std::string text;
@@ -54,7 +56,8 @@ std::string difference_of_plans(const AnyCase& c) {
   return text;
 }
 
-// Two eyes into one picture, of which each writes its own channels. Alpha is the right one's, whoever else may write it.
+// Two eyes that write different channels of one picture. Where both may write alpha, it is the
+// right eye's.
 struct EyesOfCase {
   StereoPair pair;
   AnaglyphMasks masks;
@@ -74,7 +77,7 @@ std::optional<EyesOfCase> eyes_of(const AnyCase& c, Random& random) {
 }
 std::string difference_of_pairs(const AnyCase& c, const EyesOfCase& eyes) {
   StereoSettings settings{c.settings};
-  settings.render.mask = {};  // the eyes' masks take its place
+  settings.render.mask = {};  // the eyes' masks replace it
   const StereoRendering staged =
       render_masked_anaglyph(c.scene, c.view, eyes.pair, settings, eyes.masks);
   StereoRendering both = render_pair(c.scene, c.view, eyes.pair, settings);
@@ -92,7 +95,8 @@ std::string difference_of_pairs(const AnyCase& c, const EyesOfCase& eyes) {
          test::planes_differ(staged.right, tiled.right, depth);
 }
 
-// Masks, blends, ties, mirrored, sheared and far-off meshes, samples: small pictures, so that there can be many. How many were of pairs.
+// Checks small pictures, so that there can be many: masks, blending, ties, several samples, and
+// meshes that are mirrored, sheared or far away. Returns how many cases also had a pair of eyes.
 std::size_t check_small_cases(std::uint64_t first, std::uint64_t last) {
   constexpr int kMostFaces = 24, kLargestSide = 40;
   std::size_t pairs = 0;
@@ -118,7 +122,8 @@ TEST_CASE("any small scene has the same bytes by the stages, with a plan, withou
           "[tile]") {
   CHECK(check_small_cases(0, 5000 / kShare - 1) > 4250 / kShare);  // 4482 of 5000
 }
-// All of them, in some minutes: ./glassbox test scenes, or test_render "[.small-scenes]". SEEDS=30000-49999: these alone.
+// All of them, which takes some minutes: ./glassbox test scenes, or test_render "[.small-scenes]".
+// SEEDS=30000-49999 selects these only.
 TEST_CASE("100,000 small scenes have the same bytes by the stages, with a plan and without",
           "[.small-scenes]") {
   unsigned long first = 0, last = 99999;
@@ -137,7 +142,7 @@ TEST_CASE("the tile engine draws wide, high and large pictures as the staged ref
     for (const int side : {16, 64, 256}) {
       Random random(std::uint64_t(width * 100 + height));
       AnyCase c = test::any_case(random, 60 / kShare + 5, 4);
-      // The same scene through a window of another size.
+      // The same scene in a picture of another size.
       const Camera camera{"wide", PerspectiveLens{1.0, 0.1, {}}, {}};
       c.view = *make_view(camera, width, height);
       c.settings.depth = DepthFormat::kFloat32;
@@ -147,9 +152,9 @@ TEST_CASE("the tile engine draws wide, high and large pictures as the staged ref
   }
 }
 
-// ---- the edges of what the lanes do ----
+// ---- limits of the lanes ----
 
-// A white quad across the screen, facing the viewer, at a distance.
+// A white quad across the screen that faces the viewer at this distance.
 Mesh quad_at(float distance, bool with_texcoord_table) {
   Mesh mesh;
   const float s = distance;
@@ -177,9 +182,9 @@ TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside 
   mask.alpha_mode = AlphaMode::kMask;
   mask.base_color = {1, 0, 0, 1};
   scene.materials = {Material{}, mask};
-  // Over lanes, staged, over lanes, and so on, each in front of the one before.
+  // Drawn by lanes and by stages in turn, each in front of the one before.
   for (int i = 0; i < 6; ++i) place(quad_at(7.0f - float(i), false), std::uint32_t(i % 2), scene);
-  // Small triangles too.
+  // And small triangles.
   Random random(1);
   for (int i = 0; i < 3; ++i) {
     place(test::star_shaped_surface(12, 0.3, random), std::uint32_t(i % 2), scene);

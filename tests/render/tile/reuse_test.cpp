@@ -1,4 +1,5 @@
-// One engine for many pictures: each is what an engine made for it alone would draw, and memory stops growing.
+// One engine draws many pictures: each is the picture that a new engine would draw, and the memory
+// stops growing.
 #include <unistd.h>
 
 #include <cstdio>
@@ -14,7 +15,7 @@ using test::AnyCase;
 constexpr int kFrames = test::kShare == 1 ? 1000 : 200;
 constexpr int kCases = 50;  // drawn again and again
 
-// Bytes of this process that are in memory.
+// How many bytes of this process are resident in memory.
 std::size_t resident_bytes() {
   std::FILE* file = std::fopen("/proc/self/statm", "r");
   if (file == nullptr) return 0;
@@ -40,19 +41,19 @@ TEST_CASE("an engine draws a thousand frames of changing scenes and sizes as one
   options.round_size = 100;
   TileEngine engine(options);
   Rendering into;
-  [[maybe_unused]] std::size_t resident = 0;  // no sanitizer keeps to it
+  [[maybe_unused]] std::size_t resident = 0;  // unused with sanitizers, which allocate more
   std::size_t smallest_plane = 0, drawn_since = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
     const auto i = std::size_t(frame % kCases);
     const AnyCase& c = cases[i];
     engine.render(c.scene, prepared[i], c.view, c.settings, into);
-    if (frame % 10 == frame / kCases % 10) {  // every case once in ten times
+    if (frame % 10 == frame / kCases % 10) {  // each case once in ten rounds
       INFO("frame " << frame);
       const Rendering staged = render_staged(c.scene, c.view, c.settings);
       test::check_same_planes(staged.buffers, into.buffers, c.settings.want_depth);
       test::check_same_counts(staged.statistics, into.statistics);
     }
-    // All cases have been drawn twice: every table has the size that it needs.
+    // By now all cases have been drawn twice, so every table has its final size.
     if (frame == 2 * kCases) resident = resident_bytes();
     if (frame > 2 * kCases) {
       ++drawn_since;
@@ -61,7 +62,8 @@ TEST_CASE("an engine draws a thousand frames of changing scenes and sizes as one
   }
   REQUIRE(drawn_since > 0);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  // Had every frame kept one plane of its picture, the memory would have grown by their sum.
+  // If every frame kept one plane of its picture, the memory would have grown by the sum of these
+  // planes.
   const std::size_t grown = std::max(resident_bytes(), resident) - resident;
   INFO("grown by " << grown << " bytes; the planes have " << smallest_plane);
   CHECK(grown < smallest_plane / 4);

@@ -1,4 +1,5 @@
-// The tile engine against the staged reference: every plane of the framebuffer, byte for byte.
+// Compares the tile engine with the staged reference: every plane of the framebuffer, byte for
+// byte.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ inline void check_same_planes(const Framebuffer& staged, const Framebuffer& tile
   CHECK(planes_differ(staged, tiled, want_depth) == "");
 }
 
-// What went through the stages before the depth test. (Behind it, the engines look at different fragments.) Draws that the plan
-// leaves out go through none.
+// Compares the counts of the stages before the depth test (after it, the engines process different
+// fragments). Draws that the plan leaves out enter no stage, so their counts are not compared.
 inline void check_same_counts(const Statistics& staged, const Statistics& tiled) {
   CHECK(staged.triangles == tiled.triangles);
   if (tiled.left_out > 0) return;
@@ -42,8 +43,8 @@ inline void check_same(const Scene& scene, const View& view, const RenderSetting
   check_same_counts(staged.statistics, tiled.statistics);
 }
 
-// `difference` says in words where two pictures of a case differ. A case on which they do is
-// shrunk, and said.
+// Fails if `difference`, which says in words where two pictures of a case differ, is not empty. The
+// case is then shrunk and printed.
 template <class Difference>
 void check_no_difference(std::uint64_t seed, AnyCase c, const Difference& difference) {
   if (difference(c).empty()) return;

@@ -1,5 +1,5 @@
-// The tile engine writes the bytes of the staged reference (DESIGN 3): for every scene, option, target, number of threads and
-// tile size.
+// The tile engine writes the same bytes as the staged reference, for every scene, option, target,
+// number of threads and tile size.
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -109,8 +109,8 @@ TEST_CASE("the tile engine takes every option as the staged reference does", "[t
   }
 }
 
-// Triangles of some pixels, of which each block has a few: from none to more than a vector has lanes. Nothing but colours is asked for,
-// since other planes are found pixel by pixel.
+// Triangles of several pixels, so that a block has few of them: from none to more than a vector has
+// lanes. Only colours are requested, since the other planes are computed pixel by pixel.
 TEST_CASE(
     "pixels and samples that share their triangles are coloured as the staged reference has them",
     "[tile]") {
@@ -134,9 +134,9 @@ TEST_CASE(
   }
 }
 
-// ---- distances at the end of what float holds ----
+// ---- distances near the limits of float ----
 
-// Two triangles in front of each other, as high as `height`.
+// Two triangles of this height, one in front of the other.
 Scene two_triangles(float near_z, float far_z, float height) {
   Mesh mesh;
   for (const float z : {near_z, far_z}) {
@@ -150,7 +150,7 @@ Scene two_triangles(float near_z, float far_z, float height) {
   return test::scene_of(mesh);
 }
 
-// Checks the engines against each other, and that the nearer triangle is white and the other one dark.
+// Checks that the engines agree, that the nearer triangle is white and that the other is dark.
 void check_depth_picture(const Scene& scene, const Lens& lens) {
   const auto view = make_view({"front", lens, {}}, 48, 36);
   REQUIRE(view);

@@ -1,4 +1,4 @@
-// glassbox bench, from the outside.
+// The command `glassbox bench`.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
 #include <tests/support/manifest.h>
@@ -112,7 +112,7 @@ TEST_CASE("two points give the ratio of their times, and no law is fitted to the
   const auto run =
       here.run("bench --scaling triangles --most 3000 --size 64x36 --frames 1 --json s.json");
   REQUIRE(run.exit_code == 0);
-  CHECK(run.out.find(" times the triangles take ") != std::string::npos);
+  CHECK(run.out.find(" times as many triangles take ") != std::string::npos);
   CHECK(run.out.find("time grows as") == std::string::npos);
   const json scaling = json::parse(here.read("s.json")).at("scaling").at(0);
   const json& points = scaling.at("points");
@@ -186,7 +186,8 @@ TEST_CASE("the floor is above nothing and the scene's bytes are those of its tab
   CHECK(report.at("floor").at(0).at("read_bytes_per_second").get<double>() > 0);
   const json& result = report.at("results").at(0);
   CHECK(result.at("floor_ms").get<double>() > 0);
-  // 256 vertices of a position and a colour, 384 indices; colours and depths of 64 x 36 pixels.
+  // 256 vertices with a position and a colour, 384 indices; 64 x 36 pixels with a colour and a
+  // depth.
   CHECK(result.at("least_bytes_read") == 256 * (12 + 16) + 384 * 4);
   CHECK(result.at("least_bytes_written") == 64 * 36 * 8);
 }
@@ -241,8 +242,8 @@ TEST_CASE("what the peer cannot do is drawn alone, and the reason is told") {
       "b.json");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
-  CHECK(run.out.find("cube is drawn alone: ") != std::string::npos);
-  CHECK(run.out.find("line.obj is drawn alone: ") != std::string::npos);
+  CHECK(run.out.find("cube is drawn without the peer: ") != std::string::npos);
+  CHECK(run.out.find("line.obj is drawn without the peer: ") != std::string::npos);
   const json report = json::parse(place.read("b.json"));
   CHECK(report.at("notes").size() == 2);
   for (const json& result : report.at("results")) {
@@ -265,7 +266,7 @@ TEST_CASE(
     scenes.insert(scene);
     CHECK(result.at("samples") == (scene == "R6" || scene == "R7" ? 4 : 1));
   }
-  // Where the tests run there is no ../shared/assets.
+  // The directory where the tests run has no ../shared/assets.
   CHECK(scenes ==
         std::set<std::string>{"R1", "R2", "R3", "R4", "R6", "R7", "R8", "R9", "R10", "R11", "R12"});
   CHECK(report.at("notes").at(0).get<std::string>().starts_with("R5 is left out: "));

@@ -1,4 +1,5 @@
-// The OpenGL peer draws what the engines draw, and its comparison sees where it does not.
+// The OpenGL renderer of the benchmark draws the same as the engines, and its comparison detects
+// where it does not.
 #include <tests/support/catch.h>
 #include <tests/support/mesa_leaks.h>
 #include <tests/support/skip.h>
@@ -46,7 +47,7 @@ void add_light(Scene& scene, LightKind kind, const Point<World, double>& positio
   scene.lights.push_back(light);
 }
 
-// Whatever a material and a light can be, in one picture.
+// A scene with all properties that materials and lights can have.
 Scene make_everything() {
   Scene scene;
   const std::uint32_t checks =
@@ -54,17 +55,17 @@ Scene make_everything() {
   const auto material = [&](const Rgba& color) -> Material& {
     return scene.materials[add_material(scene, "m", color)];
   };
-  material({1, 1, 1, 1}).texture = checks;  // 0: tilted, so that levels are mixed
+  material({1, 1, 1, 1}).texture = checks;  // 0: tilted, so that levels are interpolated
   add_object(scene, pane(0, 3), place({-1.6, 0.9, -1}, 50));
   Material& shiny = material({0.2f, 0.5f, 0.3f, 1});  // 1
   shiny.specular = {0.5f, 0.5f, 0.4f};
   shiny.shininess = 24;
-  add_object(scene, ball(1), place({1.4, 0.9, 0}, 20, {0.8, 0.5, 0.6}));  // uneven scale
+  add_object(scene, ball(1), place({1.4, 0.9, 0}, 20, {0.8, 0.5, 0.6}));  // scaled unevenly
   Material& glowing = material({0.1f, 0.1f, 0.4f, 1});                    // 2
   glowing.emission = {0.3f, 0.1f, 0};
   glowing.emission_texture = checks;
   glowing.double_sided = true;
-  add_object(scene, pane(2, 1), place({1.3, -0.9, -0.5}, 160));  // its back
+  add_object(scene, pane(2, 1), place({1.3, -0.9, -0.5}, 160));  // shows its back
   Material& leaves = material({1, 1, 1, 1});                     // 3
   Image<Rgba8> cut = make_checks(4, 32, {90, 160, 60, 255}, {90, 160, 60, 0});
   leaves.texture = add_texture(scene, std::move(cut));

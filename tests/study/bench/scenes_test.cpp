@@ -1,4 +1,4 @@
-// The numbers that docs/benchmark.md gives of the scenes.
+// The numbers that docs/benchmark.md states about the scenes.
 #include <tests/support/catch.h>
 
 #include <array>
@@ -73,12 +73,12 @@ TEST_CASE(
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Point<Object>& p = mesh.positions[i];
     const double x = p.x / 1.7, y = p.y, z = p.z;
-    // Three squares below 1 of coordinates rounded to float once.
+    // The squares of three coordinates, each rounded to float once, are below 1.
     REQUIRE(std::abs(x * x + y * y + z * z - 1) <= 4 * unit_roundoff<float>);
     const Normal<Object>& n = mesh.normals[i];
     const double along = n.x * p.x + n.y * p.y + n.z * p.z;
     REQUIRE(along > 0.5);
-    // The normal's tangent parts vanish: n is parallel to (x / 1.7^2, y, z).
+    // The normal has no tangential part: n is parallel to (x / 1.7^2, y, z).
     REQUIRE(std::abs(n.y * p.z - n.z * p.y) <= 4 * unit_roundoff<float>);
   }
 }
@@ -93,7 +93,7 @@ TEST_CASE("the quads of S4 fill clip space exactly, nearest first or last") {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Point<Clip> clip = clip_from_object * mesh.positions[i];
       const int k = name == std::string_view("S4fb") ? int(i) / 4 : kQuads - 1 - int(i) / 4;
-      // The aspect ratio is rounded once, and so is what undoes it.
+      // The aspect ratio is rounded once, and so is the factor that cancels it.
       REQUIRE(std::abs(std::abs(clip.x) - 1) <= 3 * unit_roundoff<float>);
       REQUIRE(std::abs(clip.y) == 1);
       REQUIRE(clip.w == 1);
@@ -110,8 +110,8 @@ TEST_CASE("S3's texture has the texels of the formula") {
   REQUIRE(image.width == 1024);
   REQUIRE(image.height == 1024);
   CHECK(image.at(0, 0) == Rgba8{90, 90, 90, 255});
-  // x = 1, y = 0: h = 0x9E3779B1; ^ h >> 15: 0x9E3645DF; times 0x2C1B3C6D: 0xC80103F3; ^ h >> 12: 0xC80D83E3. So
-  // r = 90 + 3, g = 90 + 31/2, b = 90 + 0/2.
+  // For x = 1, y = 0: h = 0x9E3779B1; ^ h >> 15: 0x9E3645DF; times 0x2C1B3C6D: 0xC80103F3; ^ h >>
+  // 12: 0xC80D83E3. So r = 90 + 3, g = 90 + 31/2, b = 90 + 0/2.
   CHECK(image.at(1, 0) == Rgba8{93, 105, 90, 255});
 }
 
@@ -137,8 +137,8 @@ std::uint64_t covered_by(std::string_view name) {
 }
 
 TEST_CASE("the pixels covered are those of other programs, but for a handful at the outline") {
-  // What an independent program counts. A pixel of the outline (4300 px long) changes sides where edges are snapped
-  // apart: see PictureMatch::allowed.
+  // The counts of an independent program. A few pixels at the outline (4300 px long) differ because
+  // edges are snapped differently: see PictureMatch::allowed.
   constexpr double kHandful = 34;
   CHECK(std::abs(double(covered_by("S1")) - 1225388) <= kHandful);
   CHECK(std::abs(double(covered_by("S2")) - 1225235) <= kHandful);

@@ -9,7 +9,7 @@
 namespace glassbox::study {
 namespace {
 
-// Sums of some dozen logarithms, each right to an ulp or so, divided by sums of squares above 1.
+// Sums of some dozen logarithms, each correct to about one ulp, divided by sums of squares above 1.
 constexpr double kRounding = 1e-12;
 
 TEST_CASE("quartiles lie between the neighbours that the count asks for") {
@@ -17,7 +17,7 @@ TEST_CASE("quartiles lie between the neighbours that the count asks for") {
   CHECK(nine.lower == 3);
   CHECK(nine.median == 5);
   CHECK(nine.upper == 7);
-  // R: quantile(c(1, 2, 4, 8), c(.25, .5, .75))
+  // Computed with R: quantile(c(1, 2, 4, 8), c(.25, .5, .75)).
   const Quartiles four = quartiles({8, 4, 2, 1});
   CHECK(four.lower == 1.75);
   CHECK(four.median == 3);
@@ -55,12 +55,13 @@ TEST_CASE("samples that scatter by a factor of up to 1.1 leave the exponent with
   Random random(7);
   std::vector<Sample> samples = power_law(3, 1, 1000, 15);
   for (Sample& sample : samples) sample.y *= std::exp(random.between(-1, 1) * std::log(1.1));
-  // The estimate's deviation is s / sqrt(sum of (x - mean)^2) = 0.0550 / sqrt(280 ln(2)^2) = 0.0047; four of them.
+  // Four standard deviations of the estimate: s / sqrt(sum of (x - mean)^2) = 0.0550 / sqrt(280
+  // ln(2)^2) = 0.0047.
   CHECK(std::abs(fit_power_law(samples).exponent - 1) <= 0.02);
 }
 
 TEST_CASE("the bend is found where two power laws meet, and none in a straight line") {
-  std::vector<Sample> bent = power_law(2, 0, 1, 7);  // flat up to x = 64
+  std::vector<Sample> bent = power_law(2, 0, 1, 7);  // constant up to x = 64
   for (const Sample& sample : power_law(2.0 / 64, 1, 128, 6)) bent.push_back(sample);
   const auto bend = find_bend(bent);
   REQUIRE(bend);

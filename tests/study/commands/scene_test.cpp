@@ -1,4 +1,4 @@
-// glassbox study scene, from the outside.
+// The command `glassbox study scene`.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
 

@@ -1,4 +1,4 @@
-// glassbox study, from the outside.
+// The command `glassbox study`.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
 #include <tests/support/skip.h>
@@ -19,10 +19,10 @@ using nlohmann::json;
 using test::Outcome;
 using test::Workplace;
 
-// A quick experiment of those there are.
+// One of the experiments that take little time.
 constexpr const char* kQuick = "D-13 --quick --threads 1";
 
-// Everything but the times, and what the machine was at.
+// The results without the times and without the state of the machine.
 json errors_of(json results) {
   for (json& experiment : results["experiments"]) {
     experiment.erase("load"), experiment.erase("mhz");
@@ -141,7 +141,7 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
   };
   if (shell("parallel --version").exit_code != 0) SKIP_TEST("parallel is not installed");
   const std::string some = " D-5 D-7 D-8 D-13 --quick --threads 1";
-  // The command of docs/study.md.
+  // The command that docs/study.md gives.
   const Outcome parallel =
       shell("mkdir parts && seq 3 | parallel --will-cite '" GLASSBOX_PROGRAM " study run" + some +
             " --part {}/3 --json parts/{}.json'");
@@ -155,7 +155,7 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
   CHECK(errors_of(joined) == errors_of(json::parse(place.read("whole.json"))));
   CHECK(place.run("study report --from joined.json -o page.html").exit_code == 0);
 
-  // A part that is missing, there twice, damaged, or of another machine.
+  // A part that is missing, is there twice, is damaged, or comes from another machine.
   const auto refused = [&](const std::string& words, const std::string& what) {
     const Outcome outcome = place.run("study collect " + words + " -o never.json");
     INFO(outcome.err);
@@ -178,16 +178,16 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
   CHECK(place.run("study collect parts -o both.json --any-machine").exit_code == 0);
   CHECK(json::parse(place.read("both.json")).at("machine").get<std::string>().find("another") !=
         std::string::npos);
-  // A part of another list of experiments.
+  // A part of a different list of experiments.
   json other = second;
   other["experiments"][0]["id"] = json::parse(place.read("parts/1.json"))["experiments"][0]["id"];
   put("2.json", other);
-  refused("parts --any-machine", "which another part has as well");
+  refused("parts --any-machine", "which another part contains too");
   second["version"] = "another build";
   put("2.json", second);
   refused("parts --any-machine", "the version is");
   put("2.json", json::parse(place.read("parts/1.json")));
-  refused("parts", "is part 1, and so is");
+  refused("parts", "is the same part");
   second["part"] = {7, 3};
   put("2.json", second);
   refused("parts", "is damaged");
@@ -200,7 +200,7 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
   const Workplace place;
   REQUIRE(place.run(std::string("study run --json one.json ") + kQuick).exit_code == 0);
   CHECK(place.run("study agree one.json one.json").exit_code == 0);
-  // The first is slower than all others now, and was faster than one of them.
+  // In the second file the configuration that was fastest is slower than all others.
   json turned = json::parse(place.read("one.json"));
   auto& all = turned["experiments"][0]["configurations"];
   std::size_t fastest = 0;
@@ -212,12 +212,12 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
     time["ns_quartiles"] = time["ns_octiles"] = {1e12, 1e12};
   }
   place.write("other.json", turned.dump());
-  // What is no file of this version's is said in words of ours.
+  // A file that this version did not write is refused with our own message.
   for (const auto& [damage, says] : std::vector<std::pair<std::function<void(json&)>, std::string>>{
            {[](json& time) { time.erase("ns_octiles"); },
-            "has no 'ns_octiles', and so is an older"},
-           {[](json& time) { time["threads"] = "two"; }, "is damaged: a value is of another kind"},
-           {[](json& time) { time["ns"] = "much"; }, "is damaged: 'much' is no number"},
+            "has no 'ns_octiles', so it was written by an older version"},
+           {[](json& time) { time["threads"] = "two"; }, "is damaged: a value has the wrong type"},
+           {[](json& time) { time["ns"] = "much"; }, "is damaged: 'much' is not a number"},
            {[](json& time) { time["ns_octiles"] = json::array(); }, "is damaged"}}) {
     json damaged = turned;
     damage(damaged["experiments"][0]["configurations"][0]["times"][0]);
@@ -231,7 +231,7 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
   CHECK(run.exit_code == 1);
   CHECK(run.out.find(all[fastest]["series"].get<std::string>() + " at ") != std::string::npos);
   CHECK(run.out.find("faster") != std::string::npos);
-  // Others, and of others.
+  // Fewer configurations, then other experiments.
   turned["experiments"][0]["configurations"].erase(0);
   place.write("less.json", turned.dump());
   CHECK(place.run("study agree one.json less.json").exit_code == 2);
@@ -257,7 +257,7 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
     bool listed = false;
     for (const json& each : budget.at("candidates")) {
       CHECK(each.at("fits") == (each.at("error").get<double>() < budget.at("limit").get<double>()));
-      // Frames are timed where they may be recommended.
+      // Configurations that may be recommended are timed.
       const bool timed = budget.at("quantity") != "position" && each.at("fits");
       CHECK(timed == !each.at("ns").is_null());
       if (each.at("name") == chosen) listed = each.at("fits");
@@ -290,14 +290,14 @@ TEST_CASE("study recommend reads a scene from standard input") {
 
 TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate candidate") {
   const Workplace place;
-  // What fits has more subpixel bits than render has.
+  // A configuration that is precise enough has more subpixel bits than `render` offers.
   const Outcome finer =
       place.run("study recommend teapot --size 64x48 --error-budget position<0.001px");
   CHECK(finer.exit_code == 1);
-  CHECK(finer.out.find("which glassbox render does not have") != std::string::npos);
+  CHECK(finer.out.find("but glassbox render has") != std::string::npos);
   const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget depth<1e-12");
   CHECK(run.exit_code == 1);
-  CHECK(run.out.find("No candidate fits") != std::string::npos);
+  CHECK(run.out.find("No candidate is accurate enough") != std::string::npos);
 }
 
 TEST_CASE("more samples are drawn only until one number of them fits") {

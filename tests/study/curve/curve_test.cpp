@@ -1,4 +1,4 @@
-// The ways to draw a scene, and what is measured of them.
+// The ways to draw a scene, and the measurements of them.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Scene scene_of(const char* name) {
   return *scene;
 }
 
-// Framed whole, 64 x 48 pixels.
+// The whole scene, framed in 64 x 48 pixels.
 ViewOf view_of(const Scene& scene) {
   return [&scene](const RenderSettings& settings, int factor) {
     const auto range = settings.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
@@ -94,7 +94,7 @@ TEST_CASE("each knob is turned alone to all that it has but what is asked for") 
   const Ways ways = single_turns(room, {.threads = 4});
   CHECK(ways.all.front().knob == Knob::kNone);
   const std::set<std::string> names = names_of(ways.all);
-  CHECK(names.size() == ways.all.size());  // none twice
+  CHECK(names.size() == ways.all.size());  // no name occurs twice
   for (const char* name :
        {"as asked", "--shade unlit", "--shade flat", "--shade gouraud", "--filter nearest",
         "--filter bilinear", "--filter bilinear-levels", "--samples 2", "--samples 16",
@@ -104,7 +104,7 @@ TEST_CASE("each knob is turned alone to all that it has but what is asked for") 
     CHECK(names.contains(name));
   }
   CHECK_FALSE(names.contains("--shade phong"));
-  CHECK_FALSE(names.contains("--filter trilinear"));  // what the samplers say
+  CHECK_FALSE(names.contains("--filter trilinear"));  // the samplers' own filter
 }
 
 TEST_CASE(
@@ -121,10 +121,10 @@ TEST_CASE(
   CHECK(names_of(of_teapot.all).contains("level 4"));
   const Ways held = single_turns(room, {.held = {Knob::kShading, Knob::kFilter, Knob::kSamples}});
   for (const Knob knob : {Knob::kShading, Knob::kFilter, Knob::kSamples}) {
-    CHECK(why(held, knob) == "it was asked for");
+    CHECK(why(held, knob) == "you gave its value");
     CHECK(std::ranges::none_of(held.all, [&](const Way& way) { return way.knob == knob; }));
   }
-  CHECK(why(held, Knob::kLevel) == "the scene has one level of detail");
+  CHECK(why(held, Knob::kLevel) == "the scene has only one level of detail");
 }
 
 TEST_CASE("shading, filter and samples are combined, each with each, and nothing else") {
@@ -139,7 +139,7 @@ TEST_CASE("shading, filter and samples are combined, each with each, and nothing
   for (const Way& way : combined) {
     INFO(name_of(way));
     CHECK(way.knob == Knob::kSeveral);
-    // Each option says what the settings have.
+    // Each option has the value of the setting.
     for (std::size_t i = 0; i < way.options.size(); i += 2) {
       const std::string& option = way.options[i];
       CHECK((option == "--shade" || option == "--filter" || option == "--samples"));
@@ -154,14 +154,14 @@ TEST_CASE("errors of a picture: root mean square, largest, share of wrong pixels
   CHECK(picture_error(right, right).rms == 0);
   CHECK(picture_error(right, right).flip == 0);
   wrong.at(3, 4) = {100, 109, 100, 255};  // wrong
-  wrong.at(5, 5) = {92, 100, 100, 255};   // hardly seen
+  wrong.at(5, 5) = {92, 100, 100, 255};   // hardly visible
   const PictureError error = picture_error(wrong, right);
   CHECK(error.largest == 9);
   CHECK(error.wrong == 0.01);
-  // sqrt((81 + 64) / 300) / 255, to a rounding of double each
+  // sqrt((81 + 64) / 300) / 255, with a rounding of double for each operation.
   CHECK(error.rms == Approx(std::sqrt(145.0 / 300) / 255).epsilon(1e-14));
   CHECK(error.flip > 0);
-  CHECK(error.flip < 0.01);  // one and a half pixels of a hundred, of which little is seen
+  CHECK(error.flip < 0.01);  // one and a half pixels of a hundred, which are hardly visible
 }
 
 TEST_CASE("a curve: more samples err less, the engine changes no byte, and all is timed") {
@@ -172,7 +172,8 @@ TEST_CASE("a curve: more samples err less, the engine changes no byte, and all i
   REQUIRE(curve);
   CHECK(curve->faults.empty());
   CHECK(curve->vertices > 0);
-  // Half a step of the snap in x and y, and some roundings of float: below a hundredth of a pixel.
+  // Half a step of snapping in x and y and some roundings of float: less than a hundredth of a
+  // pixel.
   CHECK(curve->position_error > 0);
   CHECK(curve->position_error < 0.01);
   const CurvePoint& base = curve->points.front();
@@ -183,12 +184,13 @@ TEST_CASE("a curve: more samples err less, the engine changes no byte, and all i
     CHECK(each.ns.median > 0);
     CHECK(each.standing.has_value() == (each.way.tile.threads == 1));
     if (each.way.knob == Knob::kEngine) CHECK(each.picture == base.picture);
-    // The errors are those of its picture.
+    // Each point has the error of its picture.
     CHECK(each.error.rms == picture_error(curve->pictures[each.picture], curve->reference).rms);
   }
   CHECK(point(*curve, "--samples 16").error.rms < base.error.rms);
   CHECK(point(*curve, "--filter nearest").error.rms > base.error.rms);
-  // SPEC B.3: with the eye at the planes' scale, unorm16 errs by thousands of times what a reversed float does.
+  // The eye's distance is of the order of the planes' distances, so unorm16 errs thousands of times
+  // as much as a reversed float (B.3).
   CHECK(point(*curve, "--depth d16").depth_error > 100 * point(*curve, "--depth d32r").depth_error);
   std::set<std::size_t> different;
   for (const CurvePoint& each : curve->points) different.insert(each.picture);
@@ -234,7 +236,7 @@ TEST_CASE("a plan that leaves out what is seen is found out as a fault of the pr
   request.combine = false;
   request.ways.tile.planner = [](std::span<const PlannedEye> eyes, bool leave_out) {
     std::vector<Plan> plans = make_plans(eyes, leave_out);
-    if (leave_out) plans.front().order.pop_back();  // a wall, say
+    if (leave_out) plans.front().order.pop_back();  // for example a wall
     return plans;
   };
   const auto curve = measure_curve(request);

@@ -1,4 +1,4 @@
-// What is made of errors and times: comparison with the theory, and the Pareto front.
+// Conclusions from errors and times: the comparison with the theory, and the Pareto front.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -59,7 +59,8 @@ TEST_CASE("findings are counted, and those without an explanation apart") {
   result.configurations[0].explanation = Finding{"not needed", 1, 2};
   CHECK(count_findings(result) == 2);
   CHECK(count_unexplained(result) == 1);
-  // A reason for another ratio is none: a text does not stand for whatever is measured.
+  // An explanation holds only for the ratios that it states: a larger or smaller ratio is
+  // unexplained.
   result.configurations[2].error = 11;
   CHECK(count_unexplained(result) == 2);
   result.configurations[2].error = 4.5;
@@ -89,7 +90,7 @@ TEST_CASE(
 }
 
 TEST_CASE("times whose middle three quarters overlap order nothing, whatever the errors") {
-  // Quartiles lie apart, octiles do not.
+  // The quartiles do not overlap, but the octiles do.
   ConfigurationResult fast = result_of(1, 1, 10, 2), slow = result_of(1, 2, 15, 2);
   slow.timings.front().ns.first_octile = 11;
   CHECK(standings_of({fast, slow}, false) == std::vector{kFront, kFront});

@@ -1,4 +1,4 @@
-// Results as a file: to the last digit, and to go on from.
+// Results in a file: exact to the last digit, and a basis for continuing.
 #include <tests/images/temporary_directory.h>
 #include <tests/support/catch.h>
 
@@ -111,7 +111,7 @@ TEST_CASE("a run goes on where it stopped: what the file has is not measured aga
   CHECK(two.errors == 2);
   REQUIRE(both->experiments.size() == 2);
   CHECK(both->experiments[0].id == "D-1");
-  const auto last = run_study({&third}, kHere, {}, path);  // keeps what it has nothing to do with
+  const auto last = run_study({&third}, kHere, {}, path);  // keeps the results of other experiments
   REQUIRE(last);
   CHECK(last->experiments.size() == 1);
   const auto kept = read_results(path);

@@ -1,4 +1,4 @@
-// The protocol of SPEC D.
+// The protocol by which experiments are run: rounds, threads, disturbed samples.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ TEST_CASE("another measure of the same work has its times, and the experiment's 
     REQUIRE(other.timings.size() == 1);
     CHECK(other.timings[0].ns.median == own.timings[0].ns.median);
   }
-  CHECK(result.configurations[4].timings.empty());  // there is no such work
+  CHECK(result.configurations[4].timings.empty());  // nothing can be timed there
 }
 
 TEST_CASE("one thread is timed first, then all, where the experiment has a use for them") {
@@ -90,7 +90,7 @@ TEST_CASE("one thread is timed first, then all, where the experiment has a use f
   CHECK(std::all_of(first_of_three, calls.works.end(), three));
 }
 
-// Until the threads of cases before this one sleep, too: their work counts as the process's.
+// Waits until the threads of previous cases sleep: their work is counted in the process's time.
 void wait_until_idle() {
   using namespace std::chrono_literals;
   double worked = 1;
@@ -107,10 +107,10 @@ TEST_CASE("one thread's time is the processor's, and a sample that had to wait i
   const auto sleeps = [] { std::this_thread::sleep_for(2ms); };
   const std::vector<Timed> timed = time_in_turn({{sleeps, 1, 1}, {sleeps, 1, 2}}, 3);
   REQUIRE(timed.size() == 2);
-  // Nothing was computed; and no other round was any better.
+  // Nothing was computed, and every round was disturbed.
   CHECK(timed[0].ns.median < 1e6);
   CHECK(timed[0].disturbed == 3);
-  // Of several threads the wall's clock is all there is.
+  // For several threads only the wall clock can be used.
   CHECK(timed[1].ns.lower >= 2e6);
 }
 
@@ -119,14 +119,15 @@ void spin() {
   for (int i = 0; i < 400000; ++i) sum = sum + i;
 }
 
-// A reference that takes one second, but kMostSlower and a bit in the rounds that are named.
+// A reference that takes one second, but a little more than kMostSlower times that in the named
+// rounds.
 std::function<double()> reference_slow_in(const std::set<int>& rounds) {
   return
       [rounds, round = 0]() mutable { return rounds.contains(round++) ? 1.01 * kMostSlower : 1; };
 }
 
 TEST_CASE("a round in which the reference was slower is measured again, or flagged") {
-  // Of two threads that are said never to give way, so that only the reference judges it.
+  // Two threads that are reported never to yield, so that only the reference decides.
   const auto rounds_and_disturbed = [&](const std::set<int>& slow) {
     int calls = 0;
     const auto counted = [&] {
@@ -140,13 +141,13 @@ TEST_CASE("a round in which the reference was slower is measured again, or flagg
   CHECK(rounds_and_disturbed({}) == std::pair{4, 0});
   CHECK(rounds_and_disturbed({1, 3}) == std::pair{6, 0});
   CHECK(rounds_and_disturbed({1, 2, 3, 4, 5, 6}) == std::pair{8, 2});
-  // The first round is what the others are compared with.
+  // The other rounds are compared with the first one.
   CHECK(rounds_and_disturbed({0}) == std::pair{4, 0});
 }
 
 TEST_CASE(
     "a sample of several threads one of which had to give way is measured again, or flagged") {
-  // Asked before and after each sample.
+  // The probe is called before and after each sample.
   const auto disturbed_samples = [](const std::set<int>& samples) {
     int readings = 0;
     long switches = 0;
@@ -173,7 +174,8 @@ TEST_CASE("two busy threads on one processor have to give way") {
   REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
   const long switches = involuntary_switches();
   {
-    // A thread inherits where it may run. Each takes many time slices, which are milliseconds.
+    // A thread inherits the processors that it may use. Each runs for many time slices, which take
+    // milliseconds.
     const auto busy = [] {
       const double start = processor_ms();
       while (processor_ms() - start < 200) spin();
@@ -206,12 +208,12 @@ TEST_CASE("works are repeated in turn, each round beginning one further on") {
     return [&order, number] {
       order.push_back(number);
       volatile double sum = 0;
-      for (int i = 0; i < 2000000; ++i) sum = sum + i;  // above kLeastSample
+      for (int i = 0; i < 2000000; ++i) sum = sum + i;  // takes longer than kLeastSample
     };
   };
   time_in_turn({{work(0)}, {work(1)}, {work(2)}}, 4);
-  // The first six before any clock runs: one call for the caches, one to see how long it takes. More rounds than four only where
-  // the machine was busy.
+  // The first six calls are before any clock runs: one for the caches and one to see how long the
+  // work takes. There are more than four rounds only if the machine was busy.
   REQUIRE(order.size() >= 18);
   CHECK(std::vector(order.begin() + 6, order.begin() + 18) ==
         std::vector<int>{0, 1, 2, 1, 2, 0, 2, 0, 1, 0, 1, 2});
@@ -221,9 +223,9 @@ TEST_CASE("times are for one item, and a short work is called often enough to be
   int calls = 0;
   const auto times = time_in_turn({{[&calls] { ++calls; }, 1}}, 11);
   REQUIRE(times.size() == 1);
-  CHECK(calls > 11 * 100);  // a call takes some nanoseconds of kLeastSample's 200 us
+  CHECK(calls > 11 * 100);  // a call takes a few nanoseconds, kLeastSample is 200 us
   const auto pair = time_in_turn({{spin, 1}, {spin, 1000}}, 11);
-  // The same work, so that only the machine's disturbance is between a thousand and the ratio.
+  // The work is the same, so the ratio is a thousand apart from disturbances of the machine.
   CHECK(pair[0].ns.median / pair[1].ns.median > 100);
 }
 

@@ -1,4 +1,4 @@
-// An experiment of known errors, and results made by hand.
+// An experiment with known errors, and results made by hand.
 #pragma once
 
 #include <atomic>
@@ -42,7 +42,7 @@ inline study::Experiment sample_experiment(std::string id, Calls& calls) {
       each.predicted_error = 1 / steps;
       each.work = [&calls, steps](int threads) {
         calls.works.push_back(std::to_string(int(steps)) + "/" + std::to_string(threads));
-        // Long enough that one call makes a sample.
+        // Long enough for a sample of a single call.
         volatile double sum = 0;
         for (int i = 0; i < 400000; ++i) sum = sum + i;
       };

@@ -1,4 +1,5 @@
-// D-32: the pyramid in eye space and the box in clip space leave the same polygon (S3-11).
+// D-32: clipping with the pyramid in eye space leaves the same polygon as clipping with the box in
+// clip space (S3-11).
 #include <cmath>
 
 #include "exact/clip.h"
@@ -14,7 +15,7 @@ using exact::ExactPoint;
 using exact::ExactPolygon;
 using exact::Rational;
 
-// A lens with planes for which depth and offset are floats exactly: near 1, far 2.
+// A lens with near 1 and far 2, for which depth and offset are exact floats.
 d32::Lens exact_lens() {
   d32::Lens lens = d32::course_lens();
   lens.depth = -2, lens.offset = -2;
@@ -22,7 +23,7 @@ d32::Lens exact_lens() {
   return lens;
 }
 
-// The pyramid's planes, for points with w = 1, in the order of frustum_planes.
+// The planes of the pyramid, for points with w = 1, in the order of frustum_planes.
 std::array<ClipPlane, 6> pyramid(const d32::Lens& lens) {
   const double a = double(lens.a), b = double(lens.b);
   return {{{0, 0, -1, -double(lens.near), 0, "near"},
@@ -88,8 +89,9 @@ TEST_CASE("in floats both leave as many vertices, nearly all in the same places"
   WARN("S3-11: of " << vertices << " vertices " << apart << " more than 0.001 px apart, at most "
                     << farthest << " px");
   CHECK(polygons > 1000);
-  // The roundings of an edge's ends, 2^-24 of 512 px, move its crossing with a plane by that over
-  // the sine of the angle: by 0.001 px below a sine of 1/33, which 2 % of random directions have.
+  // The roundings of an edge's ends, 2^-24 of 512 px, move its crossing with a plane by that much
+  // divided by the sine of the angle: by more than 0.001 px for a sine below 1/33, which 2 % of
+  // random directions have.
   CHECK(apart < vertices / 50);
 }
 

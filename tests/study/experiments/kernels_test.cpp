@@ -1,4 +1,4 @@
-// What D-2 .. D-5 time is what they measure the errors of.
+// The kernels timed in D-2 to D-5 are those whose errors are measured there.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@
 namespace glassbox::study {
 namespace {
 
-// Clockwise on the screen (y down), corners up to `reach` px from the tile's middle, on multiples of `step` / 256 px.
+// Clockwise triangles (y down) whose corners are up to `reach` px from the tile's middle, on
+// multiples of `step` / 256 px.
 std::vector<TileEdges> random_edges(std::int64_t reach, std::int64_t step, int count) {
   Random random(11);
   std::vector<TileEdges> triangles;
@@ -58,7 +59,7 @@ std::int64_t count_exactly(const std::vector<TileEdges>& triangles) {
 }  // namespace
 
 TEST_CASE("the integer edge kernels count what exact arithmetic counts, near and far (D-3)") {
-  // Corners on half pixels have edges that run through pixel centres.
+  // Corners on half pixels, so that edges pass through pixel centres.
   for (const std::int64_t step : {1, 128}) {
     for (const std::int64_t reach : {40, 1000, 16000}) {
       CAPTURE(step, reach);
@@ -71,8 +72,9 @@ TEST_CASE("the integer edge kernels count what exact arithmetic counts, near and
   }
 }
 
-// Edges of 64 px and less have products below 2^24 * 2^6: no float form is wrong but where a centre lies on an edge, which
-// none of them looks at; one centre in 2^8 or so next to an edge does.
+// Edges up to 64 px long have products below 2^24 * 2^6: the float forms are wrong only where a
+// centre is on an edge, because none of them applies a tie rule. About one centre in 2^8 next to an
+// edge is on it.
 TEST_CASE("the floating-point edge kernels count the same but for ties (D-3)") {
   const auto triangles = random_edges(40, 1, 200);
   const std::int64_t right = count_exactly(triangles);
@@ -84,7 +86,7 @@ TEST_CASE("the floating-point edge kernels count the same but for ties (D-3)") {
   }
 }
 
-// 1.5 * 2^-12 is what x86 promises; NEON's 8 bits and one table's 2^-11 are not better. One bound for all: 2^-7.
+// x86 promises 1.5 * 2^-12; NEON has 8 bits and one table 2^-11. The bound for all is 2^-7.
 TEST_CASE("the instructions approximate, and Newton's step squares what they miss (D-5)") {
   Random random(12);
   std::vector<float> w(1024), out(w.size());
@@ -108,7 +110,8 @@ TEST_CASE("the instructions approximate, and Newton's step squares what they mis
   CHECK(largest(Reciprocal::kRootNewton, true) <= 1.5 * rough_root * rough_root + 4 * 0x1p-24);
 }
 
-// The magic number is integer arithmetic and the step three rounded products: the same bits in lanes as in scalars.
+// The magic constant is used in integer arithmetic and Newton's step consists of three rounded
+// products, so lanes give the same bits as scalar code.
 TEST_CASE("0x5f3759df gives the same bits in lanes (D-5)") {
   Random random(13);
   std::vector<float> w(1024), out(w.size());
@@ -127,7 +130,7 @@ TEST_CASE("lines look up the texel that exact perspective names, where the divid
     for (int x = 0; x < kLinePixels; ++x) {
       const double far = (x + 0.5) / kLinePixels;
       const double u = 256 * 0.125 * far / ((1 - far) + 0.125 * far);
-      // Six roundings of 256 texels, 2^-13, decide at a texel's border only.
+      // Six roundings of 256 texels, 2^-13, matter only at a texel's border.
       if (std::abs(u - std::floor(u + 0.5)) < 0x1p-12) continue;
       CHECK(out[std::size_t(x)] == std::int32_t(std::floor(u)));
     }
@@ -139,7 +142,7 @@ TEST_CASE("lines look up the texel that exact perspective names, where the divid
 TEST_CASE("lines of any length end where they should, in spans and pixel by pixel (D-4)") {
   std::vector<std::int32_t> texture(kLinePixels), out(2 * kLinePixels);
   std::iota(texture.begin(), texture.end(), 0);
-  // One texel a pixel: each pixel looks up its own number, whatever the way.
+  // One texel per pixel: each pixel looks up its own number by every method.
   for (const int pixels : {1, 7, 8, 9, 31, 33, 200, 256}) {
     const PerspectiveLine line{0, float(pixels), 0.5f, 0.5f, pixels};
     const std::vector<PerspectiveLine> two{line, line};

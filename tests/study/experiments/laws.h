@@ -1,4 +1,5 @@
-// What holds for every experiment: its errors are what the theory predicts, or it says why not.
+// The law for every experiment: its errors are what the theory predicts, or a finding explains why
+// not.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +34,8 @@ inline std::string describe(const Measured& m) {
   return text;
 }
 
-// Exact where 0 is predicted; within a factor of two of what is predicted, or by the ratio that the finding states (SPEC D).
+// Whether the error is exactly 0 where 0 is predicted, and otherwise within a factor of two of the
+// prediction or within the ratios that the finding states.
 inline bool obeys_theory(const Measured& m) {
   const std::optional<double>& predicted = m.configuration.predicted_error;
   if (!predicted) return m.error >= 0;
@@ -43,7 +45,7 @@ inline bool obeys_theory(const Measured& m) {
          (m.configuration.finding && m.configuration.finding->explains(m.error / *predicted));
 }
 
-// The laws, and that a second run gives the same to the last digit; returns what was measured.
+// Checks the law, and that a second run gives the same to the last digit. Returns the measurements.
 inline std::vector<Measured> check_experiment(const study::Experiment& experiment) {
   const std::vector<Measured> first = measure(experiment), second = measure(experiment);
   REQUIRE(!first.empty());
@@ -56,7 +58,7 @@ inline std::vector<Measured> check_experiment(const study::Experiment& experimen
   return first;
 }
 
-// The largest error of a series on a scene (empty: on all), in one measure.
+// The largest error of a series in one measure, on one scene or (if empty) on all scenes.
 inline double largest_error(const std::vector<Measured>& all, const std::string& series,
                             const std::string& scene = "", const std::string& measure = "") {
   double largest = -1;
@@ -66,11 +68,11 @@ inline double largest_error(const std::vector<Measured>& all, const std::string&
       largest = std::max(largest, m.error);
   }
   INFO(series);
-  REQUIRE(largest >= 0);  // there is such a series
+  REQUIRE(largest >= 0);  // the series exists
   return largest;
 }
 
-// The error of a series on a scene at one place of the axis.
+// The error of a series on a scene at one parameter.
 inline double error_at(const std::vector<Measured>& all, const std::string& series,
                        const std::string& scene, double parameter,
                        const std::string& measure = "") {

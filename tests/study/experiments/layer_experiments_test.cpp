@@ -1,4 +1,4 @@
-// The experiments on layered depth images (SPEC D): D-14 to D-17.
+// The experiments on layered depth images, D-14 to D-17.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,7 +13,7 @@ using namespace glassbox::test;
 
 namespace {
 
-// Of one configuration alone.
+// The error of a single configuration.
 double error_of(const Experiment& experiment, const std::string& series, double parameter,
                 const std::string& measure = "") {
   for (const Configuration& c : experiment.configurations(Effort::kQuick)) {
@@ -25,20 +25,21 @@ double error_of(const Experiment& experiment, const std::string& series, double 
 
 }  // namespace
 
-// n additions to a sum of the size W are off by n ulp(W): the square of the width, but for where W lies within its power of two.
+// n additions to a sum of size W err by n ulp(W): the square of the width, apart from where W is
+// within its power of two.
 TEST_CASE("D-14: sums that are not begun anew drift with the square of the width, ours do not") {
   const Experiment experiment = d14_layer_warp();
   const auto growth = [&](const char* series) {
     return std::log(error_of(experiment, series, 8192) / error_of(experiment, series, 300)) /
            std::log(8192.0 / 300);
   };
-  CHECK(std::abs(growth("float, added up, anew each row") - 2) < 0.25);
-  CHECK(std::abs(growth("float, multiples of the step, anew every 64 px") - 1) < 0.25);
+  CHECK(std::abs(growth("float, added up, restarted each row") - 2) < 0.25);
+  CHECK(std::abs(growth("float, multiples of the step, restarted every 64 px") - 1) < 0.25);
 }
 
 TEST_CASE("D-14: a coordinate comes to another pixel with the probability E min(1, |error|)") {
-  // The integral of P(|e| > t) over t of 0 .. 1 by the midpoint rule, which is off by h^2/24 of the greatest second derivative,
-  // 0.5 / deviation^2.
+  // The integral of P(|e| > t) over t from 0 to 1 by the midpoint rule, whose error is h^2/24 of
+  // the largest second derivative, 0.5 / deviation^2.
   constexpr int kSteps = 1000;
   for (const double deviation : {0.2, 0.7, 1.0, 5.0}) {
     double share = 0;

@@ -1,4 +1,5 @@
-// The experiments on depth, culling, the second eye, anaglyphs, walks over pixels, elision, tracing and samples (SPEC D).
+// The experiments on depth, culling, the second eye, anaglyphs, the order in which pixels are
+// visited, work left out by a plan, tracing and samples.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -27,12 +28,13 @@ TEST_CASE(
     "1]") {
   const auto all = check_experiment(d06_depth());
   for (const double z : {0.2, 1.0, 10.0, 100.0, 1000.0, 9000.0}) {
-    // Two neighbouring floats of the distance are told apart: 2^-23.
+    // Surfaces at two neighbouring floats of the distance are distinguished: 2^-23.
     CHECK(error_at(all, "float, reversed", "ladder", z) <= 0x1p-23);
     CHECK(error_at(all, "float, reversed, infinite far", "ladder", z) <= 0x1p-23);
   }
   CHECK(error_at(all, "float, reversed through [-1, 1]", "ladder", 1000) > 1000 * 0x1p-23);
-  // The city lies within the ladder: no format is coarser there than where it is coarsest on the ladder.
+  // The city is within the distances of the ladder: no format is coarser there than where it is
+  // coarsest on the ladder.
   for (const Measured& m : all) {
     if (m.configuration.scene != "city of boxes") continue;
     double coarsest = 0;
@@ -44,7 +46,7 @@ TEST_CASE(
     INFO(describe(m));
     CHECK(m.error <= 2 * coarsest);
   }
-  // Reversing does nothing for fixed point (Reed 2015).
+  // Reversing has no effect on fixed point (Reed 2015).
   for (const double z : {1.0, 10.0, 100.0}) {
     const double ratio =
         error_at(all, "u24, reversed", "ladder", z) / error_at(all, "u24", "ladder", z);
@@ -62,7 +64,8 @@ TEST_CASE("D-9: only the test that knows nothing of the snap throws fronts away"
 
 TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
   const auto all = check_experiment(d09_culling());
-  // Eight roundings of 2^-24 on terms that are no smaller than their sum; and 2^29 times as much of that as of 2^-53.
+  // In float: eight roundings of 2^-24 of terms that are no smaller than their sum. In double: the
+  // same with 2^-53, 2^29 times less.
   for (const char* scene : {"teapot", "ellipsoid", "ellipsoid as if scanned"}) {
     const double in_float = largest_error(all, "filter in float", scene, "exact fallbacks"),
                  in_double = largest_error(all, "filter in double", scene, "exact fallbacks");
@@ -80,7 +83,7 @@ TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
     for (Point<Object>& p : t) {
       p.x = coordinate(), p.y = coordinate(), p.z = coordinate();
     }
-    // In the plane of the triangle, but for its own rounding.
+    // In the plane of the triangle, apart from the point's own rounding.
     const float s = coordinate(), r = coordinate();
     const Vector<Object, double> eye{
         double(t[0].x + s * (t[1].x - t[0].x) + r * (t[2].x - t[0].x)),
@@ -91,7 +94,7 @@ TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
     exact += one.used_exact;
     fronts += !one.back;
   }
-  CHECK(exact > 10000);  // they are that near
+  CHECK(exact > 10000);  // they are that close to the plane
   CHECK((fronts > 8000 && fronts < 12000));
 }
 
@@ -99,7 +102,7 @@ TEST_CASE("D-10: culling by the centre camera loses half the parallax, by the un
   const auto all = check_experiment(d10_stereo_culling());
   CHECK(largest_error(all, "each eye by itself") == 0);
   CHECK(largest_error(all, "union, eight planes") == 0);
-  CHECK(largest_error(all, "union, ball of the object") == 0);
+  CHECK(largest_error(all, "union, bounding sphere of the object") == 0);
   CHECK(largest_error(all, "centre camera", "strips behind the window") > 10);
 }
 
@@ -147,7 +150,8 @@ TEST_CASE("D-11: PSNR is the RMS difference in decibels, and is infinite where t
     }
   }
   CHECK(judged == 24);
-  CHECK(exact == 10);  // four ways that draw on either scene, and three and four layers of cards
+  // Four methods that draw exactly on either scene, and three and four layers of cards.
+  CHECK(exact == 10);
 }
 
 TEST_CASE(
@@ -163,7 +167,8 @@ TEST_CASE(
     for (const char* full : {"depth-image warp, holes filled", "warp of 2 layers, holes filled",
                              "shared vertex stage", "left picture twice"})
       CHECK(holes(full) == 0);
-    // What is drawn has the right distance, and the left picture has none of it: 12 px on the cards, of floats.
+    // Drawn pixels have the right distance. The left picture has no disparity, which is wrong by 12
+    // px on the cards, in floats.
     CHECK(largest_error(all, "shared vertex stage", scene, "disparity") == 0);
     CHECK(largest_error(all, "tile engine, shared stages", scene, "disparity") == 0);
     CHECK(largest_error(all, "left picture twice", scene, "disparity") > 11.999);
@@ -184,19 +189,20 @@ TEST_CASE(
     for (const std::size_t eye : {0u, 1u}) CHECK(are_same(alone[eye], shared[eye]));
     degenerate += !alone[0].has_value();
     both_ways += alone[0] && alone[1] && alone[0]->clockwise != alone[1]->clockwise;
-    // A right eye that is 1/256 px higher than the left one shares nothing.
+    // A right eye that is 1/256 px higher than the left one shares nothing with it.
     for (ScreenVertex& v : t.right) v.position.y += 1.0f / 256;
     const auto higher = set_up_each(t), wrong = set_up_shared(t);
     moved += higher[1].has_value() && !are_same(higher[1], wrong[1]);
   }
   CHECK(moved + degenerate > int(triangles.size()) * 9 / 10);
-  CHECK(both_ways > 0);  // thin ones show one eye their front
+  CHECK(both_ways > 0);  // thin triangles of which only one eye sees the front
 }
 
-// What a warp of the forest lacks, in shares of the picture: holes; and the error of the rest, where the surface is the right one.
+// The errors of a warp of the forest: the share of pixels that are holes, and the error of the
+// other pixels that show the right surface.
 struct WarpedForest {
   double holes = 0;
-  double rms_elsewhere = 0;  // 1/255
+  double rms_elsewhere = 0;  // in 1/255
 };
 WarpedForest warped_forest(int layers, Cull cull = Cull::kMaterial) {
   const Scene forest = make_forest();
@@ -222,9 +228,10 @@ WarpedForest warped_forest(int layers, Cull cull = Cull::kMaterial) {
   return {holes / double(right.color.pixels.size()), std::sqrt(squares / same)};
 }
 
-// Two layers have the first thing behind every edge, which is all that a hole among cards shows. Between trees most of what comes
-// into view lies behind two surfaces or more of the left picture, so that the second layer fills less than half of the holes and the
-// third as much again: neither the warp nor the peeling errs, for where the surface is the right one so is the colour.
+// Two layers contain the first surface behind every edge, which is all that a hole among cards
+// shows. Between trees, most of what comes into view is behind two or more surfaces of the left
+// picture: the second layer fills less than half of the holes, the third as many again. Neither the
+// warp nor the peeling errs: where the surface is right, so is the colour.
 TEST_CASE(
     "D-11: what is wrong with a warped forest is holes, which go on behind the second layer") {
   const WarpedForest one = warped_forest(1), two = warped_forest(2), three = warped_forest(3),
@@ -233,7 +240,7 @@ TEST_CASE(
   CHECK(two.holes > one.holes / 2);
   CHECK(three.holes < one.holes / 3);
   CHECK(four.holes < three.holes);
-  // The second layer of a tree is its own back, unless backs are culled.
+  // The second layer of a tree is its own back side, unless back faces are culled.
   CHECK(warped_forest(2, Cull::kBack).holes < 0.75 * two.holes);
   for (const WarpedForest& each : {one, two, three, four}) CHECK(each.rms_elsewhere < 3);
 }
@@ -250,17 +257,18 @@ TEST_CASE(
       CHECK(rivalry < before);
       before = rivalry;
     }
-    // One eye's colours cannot be another's where both see one and the same grey, or each has channels of its own.
+    // The colours of the eyes do not conflict if both see the same grey, or if each has its own
+    // channels.
     CHECK(largest_error(all, "grey", scene) == 0);
     CHECK(largest_error(all, "true", scene) == 0);
   }
 }
 
-// What photographs are known by: light differs little from pixel to pixel but for rare edges, whatever the scale, and varies more than
-// colour does.
+// Statistics that are typical of photographs: the light changes little from pixel to pixel except
+// at rare edges, at every scale, and it varies more than the colour.
 struct PictureStatistics {
-  double deviation = 0, kurtosis = 0;  // of the difference of the logarithms of neighbours' light
-  double colour = 0;                   // deviation of log(R/G) over that of log(light)
+  double deviation = 0, kurtosis = 0;  // of the difference of log(light) between neighbours
+  double colour = 0;                   // deviation of log(R/G), divided by that of log(light)
 };
 PictureStatistics statistics_of(const Image<Linear>& picture) {
   const auto logarithm = [](float x) { return std::log(std::max(double(x), 0x1p-12)); };
@@ -302,9 +310,9 @@ TEST_CASE("D-12: dead leaves have the statistics of photographs, and even noise 
   const Image<Linear> leaves = d12::make_leaves(256, 192, 12);
   const PictureStatistics fine = statistics_of(leaves), coarse = statistics_of(halved(leaves));
   CAPTURE(fine.deviation, coarse.deviation, fine.kurtosis, coarse.kurtosis, fine.colour);
-  CHECK(fine.kurtosis > 6);  // 3 for normal differences
+  CHECK(fine.kurtosis > 6);  // 3 for normally distributed differences
   CHECK(coarse.kurtosis > 6);
-  // The same at half the size, but for the discs below a pixel that there are none of.
+  // The same at half the size, apart from discs smaller than a pixel, which do not exist.
   CHECK((coarse.deviation / fine.deviation > 0.67 && coarse.deviation / fine.deviation < 1.5));
   CHECK(fine.colour < 0.5);
   Image<Linear> noise = leaves;
@@ -357,11 +365,12 @@ TEST_CASE("D-31: random samples err as S^-1/2, samples in cells as S^-3/4") {
   const auto fall = [&](const char* pattern) {
     return error_at(all, pattern, "star chart", 1) / error_at(all, pattern, "star chart", 16);
   };
-  // 16^(1/2) = 4 and 16^(3/4) = 8 for the ratio from 1 to 16; a thousand pixels give it to a few per cent.
+  // The ratio from 1 to 16 samples is 16^(1/2) = 4 or 16^(3/4) = 8; a thousand pixels give it to a
+  // few per cent.
   CHECK((fall("random") > 3.6 && fall("random") < 4.4));
   CHECK((fall("jittered") > 7.2 && fall("jittered") < 8.8));
   CHECK(largest_error(all, "D3D standard") < largest_error(all, "random"));
-  // A pattern that fills the pixel gains with every doubling.
+  // A pattern that fills the pixel improves with every doubling.
   for (const char* scene : {"star chart", "forest"}) {
     for (const double samples : {2.0, 4.0, 8.0}) {
       INFO(scene << ", " << samples);

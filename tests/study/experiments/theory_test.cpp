@@ -1,4 +1,5 @@
-// Every experiment that computes and does not draw against its theory, and the laws that the theory rests on.
+// All experiments that compute without drawing, compared with their theory, and the laws that the
+// theory is based on.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -19,8 +20,8 @@
 namespace glassbox::study {
 namespace {
 
-// All but those that draw, which are held against their theory in picture_experiments_test.cpp,
-// layer_experiments_test.cpp and clipping_test.cpp.
+// All experiments except those that draw, which are compared with their theory in
+// picture_experiments_test.cpp, layer_experiments_test.cpp and clipping_test.cpp.
 std::vector<Experiment> numeric_experiments() {
   const std::set<std::string> drawing{"D-6",  "D-9",  "D-10", "D-11", "D-12", "D-17", "D-18",
                                       "D-19", "D-24", "D-27", "D-28", "D-29", "D-31", "D-32"};
@@ -36,7 +37,7 @@ std::string name_of(const Experiment& experiment, const Configuration& c) {
          std::to_string(c.parameter);
 }
 
-// The errors of one series in one measure, by parameter.
+// The errors of one series in one measure, as samples over the parameter.
 std::vector<Sample> curve(const Experiment& experiment, const std::string& series,
                           const std::string& scene = {}, const std::string& measure = {}) {
   std::vector<Sample> samples;
@@ -79,7 +80,7 @@ TEST_CASE("an experiment's errors are the same to the last digit when it is made
     const auto first = experiment.configurations(Effort::kQuick);
     const auto second = experiment.configurations(Effort::kQuick);
     REQUIRE(first.size() == second.size());
-    // Every fifth: the others run the same code.
+    // Every fifth configuration: the others run the same code.
     for (std::size_t i = 0; i < first.size(); i += 5) {
       INFO(name_of(experiment, first[i]));
       CHECK(first[i].error() == second[i].error());
@@ -105,7 +106,7 @@ TEST_CASE(
         return other.work && axis_of(other) == axis_of(c) && other.series == c.series &&
                other.scene == c.scene && other.parameter == c.parameter;
       });
-      // Of what stands for an instruction of other processors there is the error alone.
+      // A table that imitates an instruction of other processors has an error, but cannot be timed.
       const bool is_table = experiment.id == "D-5" && c.series.starts_with("from a table");
       CHECK(is_timed != is_table);
       CHECK(c.items >= 1);
@@ -115,9 +116,9 @@ TEST_CASE(
   }
 }
 
-// D-1: above 100 units all that matters is of the size of the offset, below 10^7 the error is linear in it (first order in
-// u D / z, 2 % at 10^6). 48 shots of 20 roundings each scatter by less than 5 % in the mean square, 0.02 in the exponent
-// over four decades.
+// D-1: above 100 units only the size of the offset matters, and below 10^7 the error is linear in
+// it (to first order in u D / z, 2 % at 10^6). 48 camera positions with 20 roundings each scatter
+// by less than 5 % in the mean square, which is 0.02 in the exponent over four decades.
 TEST_CASE("the float vertex stage's error grows with the offset, exponent 1 (D-1)") {
   const auto law = fit_power_law(between(curve(d01_vertex_stage(), "float"), 1e2, 1e6));
   CHECK(std::abs(law.exponent - 1) < 0.04);
@@ -135,8 +136,9 @@ TEST_CASE("subtracting the eye first, or composing in double, keeps the error fl
   }
 }
 
-// Double's roundings are random over all of it, 2 % of scatter a point. Floats have some hundred depths left at 10^6, and a factor
-// of two of what their few products round to.
+// In double the roundings are random everywhere, with a scatter of 2 % per point. In float only
+// some hundred depths are left at 10^6, and the roundings of its few products scatter by a factor
+// of two.
 TEST_CASE(
     "the near plane moves no vertex on the screen, and the depth's error goes as 1/near (D-1)") {
   for (const char* series : {"float", "composed in double, then float", "double"}) {
@@ -165,7 +167,8 @@ TEST_CASE(
   }
 }
 
-// Counts of n flips scatter by 1/sqrt(n): 12 % at 8 bits, the finest that is looked at here, 0.05 in a slope over 8 bits.
+// Counts of n changed pixels scatter by 1/sqrt(n): 12 % at 8 bits, the finest case here, which is
+// 0.05 in the slope over 8 bits.
 TEST_CASE("each subpixel bit halves the pixels that change hands (D-2)") {
   const auto samples =
       between(curve(d02_subpixel_bits(), "32-bit edges", "triangles of up to 64 px"), 0, 8);
@@ -176,7 +179,8 @@ TEST_CASE("each subpixel bit halves the pixels that change hands (D-2)") {
   }
 }
 
-// Many edges, each in 64 places: 1 % of scatter. Overlap is flips over a union that differs by half of them: 1 % at 2 bits.
+// Many edges, each in 64 places: a scatter of 1 %. Overlap is the number of changed pixels over the
+// union, which differs by half of them: 1 % at 2 bits.
 TEST_CASE("overlap and crawl halve with each subpixel bit too (D-2)") {
   const char* scene = "triangles of up to 64 px";
   for (const char* measure : {"overlap", "crawl"}) {
@@ -212,14 +216,14 @@ TEST_CASE("integers and double decide every pixel right, and floats do not (D-3,
   CHECK(judged > 0);
 }
 
-// The law is exact; what is sampled are pixel centres, half a pixel of an eighth of a span away from the worst place at
-// most, where the parabola is 1/64 lower.
+// The law is exact, but errors are sampled at pixel centres. These are at most half a pixel, a
+// sixteenth of a span of eight, from the worst place, where the parabola is 1/64 lower.
 TEST_CASE("a divide every n pixels errs by du (sqrt r - 1)/(sqrt r + 1) (D-4, SPEC B.11)") {
   int judged = 0;
   for (const Configuration& c : d04_perspective().configurations(Effort::kQuick)) {
     if (c.series.rfind("a division every", 0) != 0 && c.series != "none: affine") continue;
     if (c.scene != "wall" || !c.measure.empty()) continue;
-    if (c.parameter < 1.4) continue;  // roundings are 1 % of it
+    if (c.parameter < 1.4) continue;  // roundings are 1 % of the error
     ++judged;
     INFO(c.series << ", " << c.parameter);
     CHECK(c.error() <= *c.predicted_error * 1.0001);
@@ -228,8 +232,8 @@ TEST_CASE("a divide every n pixels errs by du (sqrt r - 1)/(sqrt r + 1) (D-4, SP
   CHECK(judged > 0);
 }
 
-// The integral is exact for a continuous span; half a pixel of a sixteenth is left out at each end, 1/16^2 of the mean square,
-// and short spans at the teapot's edges have few centres.
+// The integral is exact for a continuous span. Half a pixel of sixteen is left out at each end,
+// 1/16^2 of the mean square, and short spans at the teapot's edges have few centres.
 TEST_CASE(
     "spans err by the integral of their law, on walls, on a rolled floor and on the teapot (D-4)") {
   int judged = 0;
@@ -244,7 +248,7 @@ TEST_CASE(
   CHECK(judged == 3 * 8);
 }
 
-// A bound, of which no w may fall short; and the table reaches 90 % of it.
+// An upper bound for every w, of which the table's errors reach 90 %.
 TEST_CASE("the table's reciprocals keep to 2^-12 + 2^-14 (D-5)") {
   for (const Sample& s : curve(d05_reciprocal(), "from a table", "1/w")) {
     CHECK(s.y <= 0x1p-12 + 0x1p-14);
@@ -266,7 +270,7 @@ TEST_CASE("one matrix multiplies the depth's error by z/n where two do not (D-7)
   const char* scene = "depth 0..1, planes at 0.1 and 1000";
   const auto one = curve(d07_composition(), "one matrix", scene);
   const auto two = curve(d07_composition(), "view, then projection", scene);
-  // sqrt 2 * 10/0.1, from 10^4 units on, where the offset is what matters in both.
+  // The factor is sqrt 2 * 10/0.1, from 10^4 units on, where the offset dominates in both.
   for (std::size_t i = 2; i < one.size(); ++i) {
     CHECK(one[i].y / two[i].y > 141 / 1.5);
     CHECK(one[i].y / two[i].y < 141 * 1.5);
@@ -275,7 +279,8 @@ TEST_CASE("one matrix multiplies the depth's error by z/n where two do not (D-7)
 
 TEST_CASE("noise over bend at one corner, noise alone for Newell (D-8, C-21)") {
   const char* scene = "second corner bent by the axis' value, heights off by 1e-4";
-  // Below an angle of 0.13 radian the arctangent is its argument to 1 %; 500 polygons scatter by 3 %.
+  // For angles below 0.13 radians the arctangent equals its argument to 1 %; 500 polygons scatter
+  // by 3 %.
   const auto cross = fit_power_law(
       between(curve(d08_normals(), "cross product at the first corner", scene), 1e-3, 1));
   CHECK(std::abs(cross.exponent + 1) < 0.03);
@@ -287,8 +292,8 @@ TEST_CASE("a rotation's drift is linear in the steps, unless it is renormalised 
   int judged = 0;
   for (const Configuration& c : d13_rotation().configurations(Effort::kQuick)) {
     if (c.series != "float, never renormalised" || c.parameter != 100'000) continue;
-    // SPEC B.5 measured 0.33 u a step about another axis; 2 u/3 at most would be a step whose nine entries all err by u/2
-    // the same way.
+    // 0.33 u per step was measured about another axis (B.5). A step whose nine entries all err by
+    // u/2 in the same direction would give at most 2 u/3.
     const double per_step = c.error() / c.parameter / 0x1p-24;
     CHECK(per_step > 0.1);
     CHECK(per_step < 2);
@@ -297,14 +302,15 @@ TEST_CASE("a rotation's drift is linear in the steps, unless it is renormalised 
   CHECK(judged > 0);
 }
 
-// The next term of the series is in level^-4: 3 % at level 8.
+// The next term of the series is of order level^-4: 3 % at level 8.
 TEST_CASE("error times triangles stays the same as a mesh is refined (D-26)") {
   const auto samples = curve(d26_tessellation(), "teapot, 32 patches of level x level cells");
   const auto law = fit_power_law(between(samples, 8, 32));
   CHECK(std::abs(law.exponent + 2) < 0.03);
 }
 
-// Both fall as the inverse of the number; a chosen set of edges scatters by a fifth, an outline by its few places.
+// Both errors fall as the inverse of the number of triangles; a chosen set of edges scatters by a
+// fifth, and an outline more, since it has few places.
 TEST_CASE("fewer triangles, chosen, are nearer to the surface than a grid of as many (D-26)") {
   const Experiment experiment = d26_tessellation();
   const char *grid = "teapot, 32 patches of level x level cells", *chosen = "decimated by quadrics";
@@ -336,7 +342,7 @@ TEST_CASE("a decimated mesh has the triangles asked for, and none that fold or g
     }
     return edges;
   };
-  // Euler's number of what is left: the same as before, and no directed edge twice.
+  // Euler's number of the remaining mesh is the same as before, and no directed edge occurs twice.
   const auto euler = [&] {
     std::set<std::uint32_t> vertices;
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -365,7 +371,7 @@ TEST_CASE("the distance to a triangle is to its nearest point, side and corner a
   CHECK(d26::distance_to({2, -3, 0}, a, b, c) == 3);
   CHECK(d26::distance_to({-3, -4, 0}, a, b, c) == 5);
   CHECK(d26::distance_to({7, 0, 4}, a, b, c) == 5);
-  // Beside the long side, in the plane: (4, 3) is 12/5 away.
+  // Outside the longest side, in the plane: (4, 3) is 12/5 away.
   CHECK(std::abs(d26::distance_to({4, 3, 0}, a, b, c) - 2.4) < 1e-15);
   CHECK(d26::distance_to({3, 4, 0}, a, a, a) == 5);
 }

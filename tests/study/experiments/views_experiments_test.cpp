@@ -1,4 +1,5 @@
-// D-18 to D-23: the laws of voxels and of two pictures, beside those that every experiment is held against.
+// D-18 to D-25: the laws of voxels and of two or more pictures, in addition to those that hold for
+// every experiment.
 #include <cmath>
 
 #include "study/bench/statistics.h"
@@ -19,8 +20,9 @@ std::vector<Sample> series_of(const std::vector<Measured>& all, const std::strin
   return samples;
 }
 
-// Width, height and disparities all go with the axis. Along the row the first columns have fewer disparities, by terms of the second
-// power: 1/3 of a width's share at 32 px, less than 0.03 in the exponent.
+// Width, height and number of disparities are proportional to the parameter. Along a row the first
+// columns have fewer disparities, a term of second order: 1/3 of the width's share at 32 px, less
+// than 0.03 in the exponent.
 TEST_CASE("matching along rows goes with W H D, in the whole picture with W^2 H^2 (D-20)") {
   const auto all = measure(d20_search());
   const auto row = fit_power_law(series_of(all, "along the row", "comparisons"));
@@ -31,7 +33,8 @@ TEST_CASE("matching along rows goes with W H D, in the whole picture with W^2 H^
 
 TEST_CASE("the best baseline is neither the shortest nor the longest (D-21)") {
   const std::vector<Measured> all = measure(d21_baseline());
-  // What is guessed is bounded from both sides: neither the law alone nor ten times as much would be explained.
+  // Estimates are bounded from both sides: neither the law alone nor ten times as much would be
+  // accepted.
   for (const Measured& each : all) {
     const auto& [why, least, greatest] = each.configuration.finding.value_or(Finding{});
     if (why.empty()) continue;
@@ -49,7 +52,8 @@ TEST_CASE("the best baseline is neither the shortest nor the longest (D-21)") {
   CHECK(best->x <= 0.2);
 }
 
-// 1177 and 145 samples: eight times. Medians of five runs, each of which ends with its own share of inliers.
+// 1177 and 145 samples: a factor of eight. Medians of five runs, each of which finds its own share
+// of inliers.
 TEST_CASE(
     "with half of the matches wrong, eight points take eight times the samples of five (D-22)") {
   const auto all = measure(d22_samples());
@@ -86,7 +90,7 @@ TEST_CASE(
   }
 }
 
-// Voxels and pictures are counted, and not timed.
+// Visits of voxels and pictures are counted, not timed.
 TEST_CASE(
     "voxel colouring looks N^3 m times and asks for memory as N^2, and smaller voxels are nearer "
     "to "
@@ -96,7 +100,7 @@ TEST_CASE(
   CHECK(std::abs(looks.exponent - 3) < 0.01);
   const auto memory = fit_power_law(series_of(all, "centre", "memory"));
   CHECK(std::abs(memory.exponent - 2) < 0.1);
-  // Nothing is explained by an interval: the laws hold within a third, and of the memory exactly.
+  // No finding is needed: the laws hold within a third, and for the memory nearly exactly.
   for (const Measured& each : all) {
     CHECK_FALSE(each.configuration.finding);
     if (!each.configuration.predicted_error) continue;
@@ -105,10 +109,10 @@ TEST_CASE(
     CHECK(ratio > 0.95);
     CHECK(ratio < (each.configuration.measure.empty() ? 4.0 / 3 : 1.001));
   }
-  // Four times as many voxels across, while each has pixels of its own.
+  // Four times as many voxels across, as long as each voxel has its own pixels.
   const auto surface = series_of(all, "centre", "");
   CHECK(surface.front().y > 2 * surface.back().y);
-  // More pictures do no harm to a picture that was left out.
+  // More pictures do not worsen the match with a picture that was left out.
   const auto pictures = series_of(all, "centre", "pictures");
   CHECK(pictures.back().y < 1.5 * pictures.front().y);
 }
@@ -118,7 +122,7 @@ TEST_CASE("coarse to fine looks at a part of the voxels, and loses what is thin 
   const char* twice = "coarse thresholds times 2";
   CHECK(error_at(all, twice, "ball", 2, "judged") < 0.6);
   CHECK(error_at(all, twice, "ball", 2) < 0.1);
-  // A level more never brings back what was lost; rods are lost before the ball is.
+  // One more level never restores what was lost, and the rods are lost before the ball.
   const char* rods = "ball and rods two voxels thick";
   CHECK(error_at(all, twice, rods, 3) > error_at(all, twice, rods, 1));
   CHECK(error_at(all, twice, rods, 3) > error_at(all, twice, "ball", 3));
@@ -134,11 +138,13 @@ TEST_CASE(
   }
   for (const char* blend :
        {"the nearest picture", "barycentric weights", "four neighbours by their angles"}) {
-    // The control: without highlights the angle changes nothing, and without colours nothing is left.
+    // The control: without highlights the angle has no effect, and with a single colour no error is
+    // left.
     CHECK(error_at(all, blend, "dull teapot", 24) < 1.5 * error_at(all, blend, "dull teapot", 4));
     CHECK(error_at(all, blend, "teapot of one colour", 24) == 0);
-    // It is the resampling of pixels: of pictures eight times finer a linear interpolation is off by 1/64 within a smooth colour, and one
-    // pixel in eight times as many lies on an edge, which is 1/sqrt(8) of the RMS.
+    // This error is the resampling of pixels. In pictures eight times as fine, a linear
+    // interpolation errs by 1/64 as much within a smooth colour, and one pixel in eight times as
+    // many is on an edge, which gives 1/sqrt(8) of the RMS.
     const double fall = error_at(all, blend, "dull teapot, 8 degrees apart", 1, "finer") /
                         error_at(all, blend, "dull teapot, 8 degrees apart", 8, "finer");
     CHECK(fall > std::sqrt(8.0));

@@ -1,5 +1,5 @@
-// Every case that breaks pipelines: ours within its bound, naive code beyond it, every mutant caught, and no
-// floating-point exception that the case does not ask for.
+// Every extreme case: our code is within its bound, naive code exceeds it, every mutant is caught,
+// and no floating-point exception is raised that the case does not declare.
 #include <tests/support/catch.h>
 
 #include <cfenv>
@@ -13,15 +13,16 @@
 namespace glassbox::study {
 namespace {
 
-// clang++ may compute what is not asked for, and choose afterwards: its flags say nothing of the source.
+// clang++ may compute a value that is not needed and select afterwards, so its flags say nothing
+// about the source.
 #ifdef __clang__
 constexpr int kExceptions = 0;
 #else
 constexpr int kExceptions = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 #endif
 
-// What was raised in this thread since it was made. Flags in place of traps: a trap would be inherited by the tile engine's
-// threads, and stay with them for the rest of the program.
+// The exceptions raised in this thread since the object was made. It uses flags instead of traps,
+// because the tile engine's threads would inherit a trap and keep it for the rest of the program.
 class RaisedExceptions {
 public:
   RaisedExceptions() { std::feclearexcept(FE_ALL_EXCEPT); }
@@ -84,7 +85,7 @@ TEST_CASE("cases that show in a picture are drawn right by both engines and for 
   CHECK(drawers().front().name == "staged");
   int drawn = 0;
   for (const ExtremeCase& each : extreme_cases()) {
-    // The cases of other stages than the renderer's have numbers from C-80 on.
+    // Cases of stages outside the renderer have numbers from C-80 on.
     const bool is_renderers = std::stoi(each.id.substr(2)) < 80;
     if (is_renderers) {
       INFO(each.id << ": it is drawn, or says why no picture shows it");

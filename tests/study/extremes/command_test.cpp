@@ -1,4 +1,4 @@
-// glassbox study extremes, from the outside.
+// The command `glassbox study extremes`.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
 
@@ -44,7 +44,7 @@ TEST_CASE("study extremes --sweep prints the curve of one parameter") {
   const Outcome run = place.run("study extremes --sweep near-far --html curves.html");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
-  CHECK(run.out.find("gives up at") != std::string::npos);
+  CHECK(run.out.find("fails at") != std::string::npos);
   CHECK(run.out.find("C-43") == std::string::npos);
   const Outcome both = place.run("study extremes --sweep near-far --case C-43");
   CHECK(both.out.find("C-43") == 0);

@@ -1,4 +1,4 @@
-// Stiffness sweeps: errors within their bounds, ours the last to give up.
+// Stiffness sweeps: errors are within their bounds, and our code is the last to fail.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -36,11 +36,11 @@ TEST_CASE("what is measured at the end of a sweep is harder than at its beginnin
     for (const SweepSeries& series : sweep.series()) {
       INFO(sweep.name << ", " << series.name);
       for (std::size_t i = 1; i < series.points.size(); ++i) {
-        // Along the axis, one way or the other.
+        // The parameter changes in one direction, up or down.
         const bool upwards = series.points[1].parameter > series.points[0].parameter;
         CHECK((series.points[i].parameter > series.points[i - 1].parameter) == upwards);
       }
-      // Shares of wrong pixels are counts of accidents; errors of numbers grow.
+      // Shares of wrong pixels vary by chance; errors of numbers grow.
       const bool counted = sweep.error.starts_with("share");
       if (series.gives_up && !series.ours && !counted) {
         CHECK(series.points.back().error >= series.points.front().error);
@@ -49,7 +49,7 @@ TEST_CASE("what is measured at the end of a sweep is harder than at its beginnin
   }
 }
 
-// SPEC B: the places where formats give up follow from the formulas.
+// Where the formats fail follows from their formulas.
 TEST_CASE("float and 24 bits give up three decades of near-far ratio after 16 bits", "[extremes]") {
   const Sweep& sweep = sweeps().front();
   REQUIRE(sweep.name == "near-far");
@@ -59,7 +59,7 @@ TEST_CASE("float and 24 bits give up three decades of near-far ratio after 16 bi
     if (series.name == "16 bits") at_16_bits = series.gives_up.value_or(0);
     if (series.name == "float") at_float = series.gives_up.value_or(0);
   }
-  // 2^8 lies between two and three decades; points stand half a decade apart.
+  // The ratio 2^8 is between two and three decades; the points are half a decade apart.
   CHECK(at_float / at_16_bits >= 99);
   CHECK(at_float / at_16_bits <= 1001);
 }

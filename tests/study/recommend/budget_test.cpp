@@ -1,4 +1,4 @@
-// Error budgets as people write them, and what is chosen by them.
+// Error budgets as users write them, and the choices that they lead to.
 #include <tests/support/catch.h>
 
 #include <limits>
@@ -68,7 +68,7 @@ Candidate candidate(double error, double ns, double spread, bool in_render = tru
 TEST_CASE("the fastest candidate with an error below the limit is recommended") {
   const std::vector<Candidate> all{candidate(3, 10, 1), candidate(2, 20, 1), candidate(1, 30, 1)};
   CHECK(cheapest(all, 4) == 0u);
-  CHECK(cheapest(all, 3) == 1u);  // below, not at
+  CHECK(cheapest(all, 3) == 1u);  // below the limit, not equal to it
   CHECK(cheapest(all, 1.5) == 2u);
   CHECK_FALSE(cheapest(all, 1).has_value());
   CHECK_FALSE(cheapest({}, 1).has_value());
@@ -82,7 +82,8 @@ TEST_CASE("what render can do comes first, then the first of the rest") {
   const auto other = [](double error) { return candidate(error, 1, 0, false); };
   const auto ours = [](double error) { return candidate(error, 1, 0); };
   CHECK(nearest_to_render({other(1), other(2), ours(3)}, 4) == 2u);
-  CHECK(nearest_to_render({other(5), other(2), ours(3)}, 3) == 1u);  // below, not at
+  // Below the limit, not equal to it.
+  CHECK(nearest_to_render({other(5), other(2), ours(3)}, 3) == 1u);
   CHECK_FALSE(nearest_to_render({other(1), ours(1)}, 1).has_value());
 }
 

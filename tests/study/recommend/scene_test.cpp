@@ -1,4 +1,4 @@
-// What is measured on a scene for a recommendation, against what must hold.
+// The measurements on a scene for a recommendation, compared with what must be true.
 #include <tests/support/catch.h>
 
 #include <string>
@@ -13,7 +13,7 @@
 namespace glassbox::study {
 namespace {
 
-// Six units in front of the origin, looking at it.
+// A view from six units in front of the origin, towards it.
 View view_of(DepthRange range, double near, double far) {
   Camera camera;
   camera.lens = PerspectiveLens{0.8, near, far};
@@ -33,8 +33,9 @@ TEST_CASE(
   REQUIRE(positions.candidates.size() == 15);
   for (const Candidate& each : positions.candidates) {
     INFO(each.name);
-    // Each coordinate is moved by half a step at most; of hundreds of vertices some come within a quarter of that. What
-    // float adds: some ten roundings of 2^-24 of at most 640 px, 4e-4 px.
+    // Each coordinate is moved by at most half a step; among hundreds of vertices some are moved by
+    // more than a quarter of that. Float adds about ten roundings of 2^-24 of at most 640 px, 4e-4
+    // px.
     const auto at = each.name.find("; ");
     const int bits = std::stoi(each.name.substr(at + 2));
     const double step = std::ldexp(1.0, -bits), most = step * std::sqrt(0.5);
@@ -53,8 +54,9 @@ TEST_CASE("depth: each format errs by its own step, carried to the distance") {
   const auto reversed = SceneVertices::of(*scene, view_of(DepthRange::kReversed, near, far));
   REQUIRE(standard);
   REQUIRE(reversed);
-  // SPEC B.3: dz/z = z dd (f - n)/(f n); z is at most 7.1 and at least 4.9 from the eye. Half a step of the format, and for
-  // float depths near 1 half an ulp of 2^-24 more than once: the divide's and z's own.
+  // dz/z = z dd (f - n)/(f n), where z is between 4.9 and 7.1 from the eye (B.3). dd is half a step
+  // of the format; floats near depth 1 add half an ulp of 2^-24 several times, for the division and
+  // for z itself.
   const double scale = (far - near) / (far * near);
   for (const auto& [format, half_step] : {std::pair(DepthFormat::kUnorm16, 0.5 / 65535),
                                           std::pair(DepthFormat::kUnorm24, 0.5 / 16777215)}) {
@@ -62,7 +64,7 @@ TEST_CASE("depth: each format errs by its own step, carried to the distance") {
     CHECK(error <= 7.1 * scale * (half_step + 4 * 0x1p-24));
     CHECK(error >= 4.9 * scale * half_step / 2);
   }
-  // Reversed: the error of a float, relative: a few 2^-24, wherever it is.
+  // Reversed depth has the relative error of a float, a few 2^-24 at every distance.
   CHECK(reversed->depth_error(DepthFormat::kFloat32Reversed) < 8 * 0x1p-24);
   CHECK(reversed->depth_error(DepthFormat::kFloat32Reversed) > 0);
   CHECK(standard->depth_error(DepthFormat::kFloat32) > 8 * 0x1p-24);
@@ -83,7 +85,7 @@ TEST_CASE("a picture is shrunk by averaging light, not bytes") {
   const Image<Rgba8> light = shrunk(large, 2, Transfer::kSrgb);
   REQUIRE(light.width == 2);
   REQUIRE(light.height == 1);
-  CHECK(light.at(0, 0) == Rgba8{188, 188, 188, 255});  // IEC 61966-2-1 of one half: 187.5...
+  CHECK(light.at(0, 0) == Rgba8{188, 188, 188, 255});  // one half by IEC 61966-2-1: 187.5...
   CHECK(light.at(1, 0) == Rgba8{255, 255, 255, 255});
   CHECK(shrunk(large, 2, Transfer::kNone).at(0, 0) == Rgba8{128, 128, 128, 255});
 }
@@ -92,7 +94,7 @@ TEST_CASE("the colour error is the root mean square over red, green and blue") {
   Image<Rgba8> a(2, 1, Rgba8{10, 20, 30, 255}), b = a;
   CHECK(color_error(a, b) == 0);
   b.at(1, 0).g = 26;
-  b.at(1, 0).a = 0;  // alpha is no colour
+  b.at(1, 0).a = 0;  // alpha is not compared
   CHECK(color_error(a, b) == Approx(std::sqrt(36.0 / 6) / 255));
   CHECK(color_error(a, b) == color_error(b, a));
 }

@@ -1,4 +1,4 @@
-// The condition numbers' bounds against exact arithmetic: no error is larger.
+// The bounds of the condition numbers, compared with exact arithmetic: no error is larger.
 #include "study/stiffness/numbers.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ View view_with(double near, std::optional<double> far, DepthRange range) {
   return *view;
 }
 
-// The distance that the buffer's number stands for.
+// The distance to which a number in the depth buffer corresponds.
 Decimal distance_of(Decimal depth, const View& view) {
   if (view.depth_range == DepthRange::kReversed) depth = Decimal(1) - depth;
   const Decimal n(view.near);
@@ -62,7 +62,7 @@ TEST_CASE("what a depth stands for is within its share of the distance") {
     const double reach = far ? std::log10(*far / near) : 7;
     const auto z = float(near * std::pow(10, random.unit() * reach));
     if (double(z) < view.near || double(z) > view.far) continue;
-    // A vertex straight ahead, by the run's own stages.
+    // A vertex straight ahead, computed by the stages of the run.
     const Transform<Clip, Eye, float> matrix = round_to_float(view.clip_from_eye);
     const Point<Eye> eye(0, 0, -z);
     ClipVertex clip;

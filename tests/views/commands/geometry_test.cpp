@@ -1,4 +1,5 @@
-// glassbox views geometry: of scenes whose truth is known, of the files that it writes, and of what it cannot be asked.
+// Tests glassbox views geometry: with scenes whose true cameras are known, with the files that it
+// writes, and with requests that it refuses.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A general pair with half a pixel of noise and three outliers in ten.
+// Options for a general pair of cameras with half a pixel of noise and 30 % outliers.
 const std::string kNoisy =
     "--scene room --size 640x480 --move 0.5,0.1,0.2 --turn -10,3,5 --noise 0.5 --outliers 0.3 ";
 
@@ -42,7 +43,8 @@ double constraint(const Rows& f, const std::vector<double>& left,
   return sum;
 }
 
-// How far from 0 F e is, the matrix and the vector being of length 1.
+// Returns the length of F e, or of F^T e if `transposed`, for a matrix and a vector of length 1:
+// its distance from 0.
 double image_of(const Rows& f, const Row3& e, bool transposed) {
   double squares = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -74,7 +76,8 @@ TEST_CASE("exact matches give the cameras of all three scenarios back (S2-02, S2
     CHECK(json["estimator"] == "5-point");
     CHECK(json["pair_is"]["kind"] == "general");
     CHECK(json["inliers"] == 500);
-    // Places are floats of some hundred pixels, off by 2^-16 px at most, and the focal length is 290 px: 3e-6 degrees each.
+    // Coordinates are floats of some hundred pixels, off by at most 2^-16 px, and the focal length
+    // is 290 px: each is off by 3e-6 degrees.
     CHECK(json["truth"]["rotation_error_degrees"] < 1e-4);
     CHECK(json["truth"]["direction_error_degrees"] < 1e-3);
     CHECK(json["residuals"]["sampson"]["largest_px"] < 1e-4);
@@ -96,7 +99,8 @@ TEST_CASE(
   const Workplace here;
   const Json json = geometry_of(here, "--scene room --size 320x240 --eye-separation 0.3");
   const Rows e = json["E"], other = json["E_of_shift"];
-  // R = 1 and T = (1, 0, 0): S has -1 and 1 in its lower right corner; [t]x R is the same with the other sign.
+  // R = 1 and T = (1, 0, 0): S has -1 and 1 in its lower right corner, and [t]x R is the same with
+  // the opposite sign.
   const Rows expected{{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,19 +119,21 @@ TEST_CASE("with noise and outliers every estimator finds the cameras (S2-12, C-9
     INFO(estimator);
     const Json json = geometry_of(here, kNoisy + "--estimator " + estimator);
     CHECK(json["estimator"] == estimator + "-point");
-    // A coordinate is off by 0.5 px of a focal length of 461 px, a sixteenth of a degree, and 330 matches average it.
+    // A coordinate is off by 0.5 px with a focal length of 461 px, which is a sixteenth of a
+    // degree; 330 matches average it.
     CHECK(json["truth"]["rotation_error_degrees"] < 0.2);
     CHECK(json["truth"]["direction_error_degrees"] < 1);
     const Json& outliers = json["truth"]["outliers"];
     CHECK(outliers["planted"] == 151);
-    // An outlier is near its line, 2 px of some 400, one time in 200; of the others 4.6 % are beyond two sigma.
+    // One in 200 outliers is near its epipolar line by chance, within 2 px of some 400. Of the
+    // other matches 4.6 % are beyond two sigma.
     CHECK(outliers["kept"] <= 5);
     CHECK(outliers["lost_matches"] < 349 / 10);
     CHECK(json["threshold_px"] == 1.0);
     CHECK(json["samples"] >= json["samples_wanted"]);
     CHECK(json["system"]["condition_raw"] >
           100 * json["system"]["condition_normalised"].get<double>());
-    // rms of Sampson's distance is sigma, and less what the threshold cuts off.
+    // The rms of Sampson's distance is sigma, minus what the threshold cuts off.
     CHECK(std::abs(json["residuals"]["sampson"]["rms_px"].get<double>() - 0.45) < 0.05);
   }
 }
@@ -142,7 +148,7 @@ TEST_CASE("F, its residuals and its epipoles belong together") {
   for (const Json& match : json["matches"]) {
     const auto left = match["left"].get<std::vector<double>>();
     const auto right = match["right"].get<std::vector<double>>();
-    double slope = 0;  // of p_r^T F p_l by all four coordinates, squared
+    double slope = 0;  // squared gradient of p_r^T F p_l in all four coordinates
     for (std::size_t i = 0; i < 2; ++i) {
       slope += std::pow(f[i][0] * left[0] + f[i][1] * left[1] + f[i][2], 2);
       slope += std::pow(f[0][i] * right[0] + f[1][i] * right[1] + f[2][i], 2);
@@ -165,17 +171,18 @@ TEST_CASE("what --scene writes, --matches and --cameras read, and find the same 
     INFO(name);
     CHECK(files[name] == scene[name]);
   }
-  // The reader takes the nearest rotation to what it reads: some roundings of numbers up to 1.
+  // The reader replaces the matrix by the nearest rotation, which costs some roundings of numbers
+  // up to 1.
   const Rows read = files["truth"]["R"], drawn = scene["truth"]["R"];
   for (std::size_t i = 0; i < 9; ++i)
     CHECK(std::abs(read[i / 3][i % 3] - drawn[i / 3][i % 3]) < 16 * 0x1p-53);
-  // Without pictures, and without cameras: the latter leaves F.
+  // First without pictures, then without cameras too, which still gives F.
   CHECK(geometry_of(here, "--matches m.csv --cameras c.txt --sigma 0.5")["F"] == scene["F"]);
   const Json bare = geometry_of(here, "--matches m.csv --sigma 0.5");
   CHECK(bare["estimator"] == "8-point");
   CHECK(bare["E"].is_null());
   CHECK(bare["pose"].is_null());
-  CHECK(says(bare, "no K"));
+  CHECK(says(bare, "K is unknown"));
   CHECK(std::abs(bare["inliers"].get<int>() - scene["inliers"].get<int>()) < 10);
   CHECK(here.run("views geometry --scene room --size 160x120 --count 20 --matches-out -")
             .out.starts_with("x_left,y_left,x_right,y_right\n"));
@@ -220,7 +227,7 @@ TEST_CASE(
   CHECK(truth("--cameras swapped.txt") != right_way);
   const Outcome half = here.run("views geometry " + words + "--pair a.png y.png --cameras c.txt");
   CHECK(half.exit_code == 2);
-  CHECK(half.err.find("c.txt: none of its 2 cameras is of 'y.png'") != std::string::npos);
+  CHECK(half.err.find("c.txt: none of its 2 cameras is for 'y.png'") != std::string::npos);
 }
 
 TEST_CASE(
@@ -252,7 +259,8 @@ TEST_CASE(
 }
 
 TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
-  // x^2 - x + y Z = 0 has both centres, (0, 0, 0) and (1, 0, 0), on it, but not the line between them.
+  // The surface x^2 - x + y Z = 0 contains both camera centres, (0, 0, 0) and (1, 0, 0), but not
+  // the line between them.
   const Workplace here;
   constexpr double kFocal = 800;
   std::ostringstream matches;
@@ -280,15 +288,15 @@ TEST_CASE(
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   for (const char* words :
-       {"room, 640 x 480\n", "seen in the right one", "500, 151 of them outliers", "E = R S",
+       {"room, 640 x 480\n", "visible in the right one", "500, 151 of them outliers", "E = R S",
         "[t]x R", "log(1 - 0.99)/log(1 - 0.", "epipoles  left (", "Sampson's distance", "(chosen)",
-        "rotation off by", "condition", "with normalised points", "left out\n  - |T|"}) {
+        "rotation off by", "condition", "with normalised", "left out\n  - |T|"}) {
     INFO(words << " in\n" << outcome.out);
     CHECK(outcome.out.find(words) != std::string::npos);
   }
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
-  // Nearly all outliers: what agrees may do so by chance, and that is said.
+  // With almost only outliers, matches may agree by chance, and the report must state that.
   CHECK(says(geometry_of(here, "--scene room --size 320x240 --outliers 0.97"), "by chance"));
 }
 
@@ -365,18 +373,18 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
     std::string words, cause;
   };
   for (const auto& [words, cause] : std::vector<Case>{
-           {"", "which points"},
-           {"--pair a.png b.png", "which points"},
-           {"--matches few.csv", "few.csv: the matches: there are 7, and 8 are needed"},
+           {"", "matching points"},
+           {"--pair a.png b.png", "matching points"},
+           {"--matches few.csv", "few.csv: the matches: there are 7, but 8 are needed"},
            {"--matches same.csv", "only 1 of the 12 are different"},
-           {"--matches line.csv", "line.csv: the matches: no sample of the 12"},
-           {"--matches one_left.csv", "no sample of the 12"},
-           {"--matches inf.csv", "inf.csv: line 13: 'inf' is no finite number"},
+           {"--matches line.csv", "line.csv: the matches: none of the 12 samples"},
+           {"--matches one_left.csv", "none of the 12 samples"},
+           {"--matches inf.csv", "inf.csv: line 13: 'inf' is not a finite number"},
            {"--matches empty.csv", "there are 0"},
            {"--matches nowhere.csv", "nowhere.csv"},
-           {"--matches m.csv --estimator 5", "only where K is known"},
+           {"--matches m.csv --estimator 5", "only if K is known"},
            {"--matches m.csv --estimator 6", "8|7|5"},
-           {"--matches m.csv --cameras no_k.txt", "no_k.txt: line 2: K is no camera matrix"},
+           {"--matches m.csv --cameras no_k.txt", "no_k.txt: line 2: K is not a camera matrix"},
            {"--matches m.csv --cameras m.csv", "m.csv: line 1"},
            {"--matches m.csv --pair a.png small.png", "unequal sizes, 640 x 480 and 32 x 32"},
            {"--matches m.csv --pair a.png m.csv", "m.csv"},
@@ -387,17 +395,17 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
            {"--matches m.csv --threshold nan", "--threshold"},
            {"--matches m.csv --confidence 1", "--confidence"},
            {"--matches m.csv --seed -1", "--seed"},
-           {"--scene room --matches m.csv", "files have one as well"},
+           {"--scene room --matches m.csv", "given as files too"},
            {"--scene room --ortho 3", "no centre"},
            {"--scene room --outliers 1", "--outliers"},
            {"--scene room --noise -1", "--noise"},
            {"--scene room --count 7", "too few"},
            {"--scene room --seen-by left", "both pictures"},
            {"--scene room --eye-separation -1", "exchanges the eyes"},
-           {"--scene room --arrangement arbitrary", "where the second camera is"},
+           {"--scene room --arrangement arbitrary", "position of the second camera"},
            {"--scene room --arrangement converging --move 1,0,0", "a converging pair"},
            {"--scene room --move 1,0,0 --window 3", "decided by --move"},
-           {"--scene room --turn 1e9,0,0", "more than a turn"},
+           {"--scene room --turn 1e9,0,0", "more than a full turn"},
            {"--scene room --turn 180,0,0 --size 64x48", "8 are needed"},
            {"--scene room --arrangement converging --eye-separation 0.1 --window inf", "finite"},
            {"--scene room --size 1x1", "8 are needed"},

@@ -1,4 +1,5 @@
-// glassbox views glyphs: a wall out, glyphs and the camera from its pictures, and what is refused.
+// Tests glassbox views glyphs: it writes a wall, finds the glyphs and the camera in pictures of it,
+// and refuses wrong requests.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ TEST_CASE("a wall is photographed, its glyphs are found, and the camera is that 
     CHECK(json["error"]["millimetres"] < 2);
   }
   CHECK(here.read("found.html").find("id=\"manifest\"") != std::string::npos);
-  // A wall that it is not: no camera agrees.
+  // With the grid of another wall, no camera fits.
   const Outcome other = here.run("views glyphs find shots/view001.png --grid 5x12");
   CHECK(other.exit_code == 1);
   CHECK(other.out.find("no camera") != std::string::npos);
@@ -52,7 +53,7 @@ TEST_CASE("a panel is printed at its size, and read from the print") {
   REQUIRE(
       here.run("views glyphs sheet -o sheet.png --pitch 28 --diameter 21 --dpi 100").exit_code ==
       0);
-  // White paper around it, as on a table: glyphs at the picture's border are not whole.
+  // The sheet has a white margin, as on a table: glyphs at the picture's border would not be whole.
   const Outcome found =
       here.run("views glyphs find sheet.png --pitch 28 --diameter 21 --fov 40 --json -");
   REQUIRE(found.exit_code == 0);
@@ -104,7 +105,7 @@ TEST_CASE("walls, pictures and cameras that are none are refused in a line") {
   }
   CHECK_FALSE(std::filesystem::exists(here.file("a.png")));
   CHECK_FALSE(std::filesystem::exists(here.file("a.glb")));
-  // No glyphs at all is no mistake of whoever asks, but there is no camera.
+  // A picture without glyphs is not an error of usage, but gives no camera.
   CHECK(here.run("views glyphs find cube.png").exit_code == 1);
   const Outcome rules = here.run("views glyphs sweep rules --json -");
   REQUIRE(rules.exit_code == 0);

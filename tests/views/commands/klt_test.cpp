@@ -1,4 +1,5 @@
-// glassbox views klt: bands in, components and a globe out, and what is refused.
+// Tests glassbox views klt: it reads bands, writes components and a globe, and refuses wrong
+// requests.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -38,24 +39,25 @@ TEST_CASE("the generated planet's bands come back from files, and its clouds go 
   const Json read = klt_answer(here, bands + "--components 2");
   CHECK(read["components"] == made["components"]);
   CHECK(read["mse"] == made["mse"]);
-  // Components are uncorrelated: theirs are the axes.
+  // Components are uncorrelated, so that their own principal axes are the coordinate axes.
   const Json again = klt_answer(here, "klt/components.hdr");
   CHECK(again["components"][0]["vector"][0] == Approx(1));
   CHECK(again["trace"].get<double>() ==
         Approx(made["trace"].get<double>() - made["dropped"].get<double>()));
-  // What two components say has two.
+  // Bands that are made from two components have only two components.
   CHECK(klt_answer(here, "klt/again.hdr --components 2")["dropped"] < 1e-6);
 }
 
 TEST_CASE("components of one eigenvalue are said to be a space") {
   const Workplace here;
-  // Every pair of 0 and 1 once.
+  // Every pair of 0 and 1 occurs once.
   here.write("a.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\1\0\1", 4));
   here.write("b.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\0\1\1", 4));
   const Outcome outcome = here.run("views klt a.pgm b.pgm");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("only the space that they span") != std::string::npos);
-  CHECK(outcome.out.find("the bands come back, but for rounding") != std::string::npos);
+  CHECK(outcome.out.find("the reconstruction equals the bands, except for rounding") !=
+        std::string::npos);
 }
 
 TEST_CASE("bands that cannot be taken apart are refused in a line, and no file is left") {
@@ -66,7 +68,7 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
   here.write("short.pgm", "P5\n20 10\n255\nxy");
   here.write("huge.pgm", "P5\n99999 99999\n255\nxy");
   here.write("text.png", "no picture");
-  // Two floats, the second of which is none; and a cube that would fill the memory.
+  // Two floats, the second one a NaN; and a cube that would fill the memory.
   here.write("nan.hdr", "ENVI\nsamples = 2\nlines = 1\nbands = 1\ndata type = 4\n");
   here.write("nan.img", std::string("\0\0\x80\x3f\0\0\xc0\x7f", 8));
   here.write("huge.hdr", "ENVI\nsamples = 16384\nlines = 16384\nbands = 512\ndata type = 5\n");
@@ -106,11 +108,11 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
     CHECK(std::ranges::count(outcome.err, '\n') == 1);
     CHECK_FALSE(std::filesystem::exists(here.file("out")));
   }
-  // The folder is no file.
+  // The given folder is a file.
   const Outcome outcome = here.run("views klt two.pgm -o one.pgm");
   CHECK(outcome.exit_code == 2);
-  CHECK(outcome.err.find("one.pgm: is no folder") != std::string::npos);
-  // 4096 x 2048 doubles are 64 MB; five bands, two components and five bands again are 768.
+  CHECK(outcome.err.find("one.pgm: is not a folder") != std::string::npos);
+  // 4096 x 2048 doubles are 64 MB. Five bands, two components and again five bands are 768 MB.
   CHECK(here.run("views klt clouds:4096 --max-mb 767").err.find("--max-mb 769") !=
         std::string::npos);
 }

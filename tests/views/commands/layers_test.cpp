@@ -1,4 +1,5 @@
-// glassbox views layers: what it builds and draws of scenes whose truth is known, and what it refuses.
+// Tests glassbox views layers: what it builds and draws of scenes whose correct pictures are known,
+// and what it refuses.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Json answer(const Workplace& here, const std::string& words) {
   return Json::parse(outcome.out);
 }
 
-// A little to the right of the room's door.
+// A view a little to the right of the room's door.
 const std::string kBeside = " --eye 1.75,1.62,-0.3 --look-at 0.68,1.39,-2.46 ";
 
 }  // namespace
@@ -57,7 +58,7 @@ TEST_CASE(
     holes = now;
     wrong = wrong_now;
   }
-  // What is left lies beside the first picture: a few columns of 96.
+  // The holes that are left are beside the first picture: fewer pixels than a hundredth.
   CHECK(holes < 96 * 64 / 100);
   const Json one = answer(here, "draw room.ldi -o one.png" + kBeside);
   const Json many = answer(here, "draw room.ldi -o many.png --threads 4" + kBeside);
@@ -91,7 +92,7 @@ TEST_CASE("info says what a layered depth image has, and from where") {
 
 TEST_CASE("other views of a scene add what the camera's own does not see (S1-02)") {
   const Workplace here;
-  // Cameras beside the room's, which geometry tells in the format.
+  // The cameras beside the room's come from views geometry, which writes them in the right format.
   REQUIRE(here.run("views geometry --scene room --size 96x64 --eye-separation 0.8 --cameras-out "
                    "cameras.txt")
               .exit_code == 0);
@@ -100,7 +101,7 @@ TEST_CASE("other views of a scene add what the camera's own does not see (S1-02)
       answer(here, "build room --size 96x64 --layers 1 --views cameras.txt -o many.ldi");
   CHECK(many["views"] == 3);
   CHECK(many["samples"] > one["samples"]);
-  // A surface that three views see is one surface.
+  // A surface that three views see is stored once.
   CHECK(many["samples"] < 2 * one["samples"].get<std::size_t>());
   const auto holes = [&](const char* file) {
     return answer(here, std::string("draw ") + file + " -o a.png --against room" +
@@ -217,7 +218,7 @@ TEST_CASE(
   CHECK(report["pixels"] == 192 * 108);
   CHECK(report["warped"]["wrong_pixels"] < report["left_in_its_place"]["wrong_pixels"]);
   CHECK(report["holes"] == told["stereo"]["warped"]["holes"]);
-  // The left half is what it was.
+  // The left half of the picture does not change.
   const auto drawn = read_image(here.file("drawn.png")), warped = read_image(here.file("one.png"));
   REQUIRE(drawn);
   REQUIRE(warped);
@@ -229,7 +230,7 @@ TEST_CASE(
     }
   }
   CHECK(differ > 0);
-  // Off unless it is asked for.
+  // The second eye is warped only on request.
   REQUIRE(here.run(pair + "--second-eye drawn -o same.png").exit_code == 0);
   CHECK(here.run("diff drawn.png same.png").exit_code == 0);
   for (const char* words :
@@ -280,10 +281,10 @@ TEST_CASE(
   const auto left_out = [&](const std::string& words) {
     return here.run("views layers build room --size 48x32 -o room.ldi " + words).out;
   };
-  CHECK(left_out("--layers 1").find("what lies behind 1 surface, if") != std::string::npos);
-  CHECK(left_out("--layers 2 --views cameras.txt").find("what lies behind 2 surfaces, if") !=
+  CHECK(left_out("--layers 1").find("surfaces behind 1 surface, if") != std::string::npos);
+  CHECK(left_out("--layers 2 --views cameras.txt").find("surfaces behind 2 surfaces, if") !=
         std::string::npos);
-  CHECK(left_out("--layers 99 --views cameras.txt").find("what lies behind") == std::string::npos);
+  CHECK(left_out("--layers 99 --views cameras.txt").find("surfaces behind") == std::string::npos);
 }
 
 TEST_CASE("a page without a picture has no use for what a picture is drawn by, and says so") {
@@ -297,7 +298,8 @@ TEST_CASE("a page without a picture has no use for what a picture is drawn by, a
     const std::string name = std::string(option).substr(0, std::string(option).find(' '));
     INFO(option << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err.find(name + ": no picture is drawn; give -o") != std::string::npos);
+    CHECK(outcome.err.find(name + ": no picture is drawn without -o; give -o") !=
+          std::string::npos);
     CHECK_FALSE(std::ifstream(here.file("cube.html")).good());
     CHECK_FALSE(std::ifstream(here.file("out.json")).good());
   }

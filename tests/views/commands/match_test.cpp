@@ -1,4 +1,5 @@
-// glassbox views match: of a scene whose disparities are known, of the pictures that render draws, and of what it cannot be asked.
+// Tests glassbox views match: with a scene whose disparities are known, with the pictures that
+// render draws, and with requests that it refuses.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ void write_pgm(const Workplace& here, const std::string& name, int width, int he
       name, "P5\n" + size + "\n255\n" + std::string(std::size_t(width) * std::size_t(height), '7'));
 }
 
-// Two pixels by two, of which one is half transparent.
+// Returns a PNG of 2 x 2 pixels, one of them half transparent.
 std::string clear_png() {
   Image<Rgba8> image(2, 2, {10, 20, 30, 255});
   image.at(1, 1).a = 128;
@@ -35,7 +36,8 @@ std::string clear_png() {
   return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
 }
 
-// Whether each pixel and its eight neighbours are joined in the surface: disparities within a pixel of each other.
+// For each pixel, whether it is joined to its eight neighbours in the surface: their disparities
+// differ by at most one pixel.
 using Away = std::vector<bool>;
 Away away_from_jumps(const Plane& disparity) {
   Away away(disparity.values.size(), false);
@@ -52,7 +54,8 @@ Away away_from_jumps(const Plane& disparity) {
   return away;
 }
 
-// How many pixels of two pictures of one size differ by more than `codes` in some channel, per cent; of all, or of some.
+// Returns how many pixels, in per cent of all, differ by more than `codes` in some channel between
+// two pictures of one size. With `of`, only those pixels count.
 double differing(const std::string& a, const std::string& b, int codes, const Away* of = nullptr) {
   const auto first = read_image(a), second = read_image(b);
   REQUIRE(first);
@@ -67,7 +70,8 @@ double differing(const std::string& a, const std::string& b, int codes, const Aw
   return 100 * double(count) / double(first->pixels.size());
 }
 
-// Of a square of 20 pixels; infinite where half of it has no depth.
+// Returns the median over a square of 20 x 20 pixels in the middle. It is infinite if half of them
+// have no depth.
 double median_in_the_middle(const Plane& depth) {
   std::vector<float> middle;
   for (int y = depth.height / 2 - 10; y < depth.height / 2 + 10; ++y) {
@@ -79,7 +83,8 @@ double median_in_the_middle(const Plane& depth) {
   return double(middle[200]);
 }
 
-// An OpenCV whose matcher of eight paths fails, and whose others find the disparity 0 everywhere.
+// A replacement for OpenCV whose matcher of eight paths fails, and whose other matchers find the
+// disparity 0 everywhere.
 constexpr const char* kFailingOpenCv = R"py(
 __version__ = "0.0"
 class Zeros:
@@ -105,7 +110,7 @@ TEST_CASE("the surface that views match writes is drawn again by render, as the 
   const Outcome outcome = here.run("views match " + kPair + "--ply room.ply -o d.pfm");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  // The command's own last line.
+  // The last line that the command prints is a render command.
   const std::size_t at = outcome.out.find(" render room.ply");
   REQUIRE(at != std::string::npos);
   const std::string words = outcome.out.substr(at, outcome.out.find('\n', at) - at);
@@ -114,8 +119,9 @@ TEST_CASE("the surface that views match writes is drawn again by render, as the 
   REQUIRE(drawn.exit_code == 0);
   REQUIRE(here.run("render room --size 320x240 --eye-separation 0.2 --seen-by left -o left.png")
               .exit_code == 0);
-  // A vertex lies at its pixel's centre, where its colour is what is drawn, but for the snap and codes of rounding. Elsewhere are the gaps
-  // at jumps, where a triangle is left out, and the picture's edge, beyond which there is none.
+  // A vertex is drawn at its pixel's centre with its colour, up to the snap and rounding of codes.
+  // The pixels that differ are in the gaps at jumps, where triangles are left out, and at the
+  // picture's edge.
   const Away away = away_from_jumps(parse_pfm(here.read("d.pfm")));
   const double everywhere = differing(here.file("again.png"), here.file("left.png"), 2);
   const double elsewhere = differing(here.file("again.png"), here.file("left.png"), 2, &away);
@@ -140,15 +146,17 @@ TEST_CASE(
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   const auto json = nlohmann::json::parse(outcome.out);
-  // One unit of the world's, which --cameras-out has: the baseline is |(0.3, 0.02, 0.03)|.
+  // The unit is that of the world, which --cameras-out has: the baseline is |(0.3, 0.02, 0.03)|.
   CHECK(json["rectification"]["baseline"].get<double>() == Approx(0.30216).margin(1e-4));
   const Plane depth = parse_pfm(here.read("d.pfm"));
   REQUIRE(here.run("render room --size 320x240 --depth-out true.pfm -o t.png").exit_code == 0);
-  // The left camera is the scene's, and is turned by half of what the right one is, three degrees: the cosine takes 0.14 % off a depth, and
-  // the middle moves by some pixels on the same wall. A pixel of disparity is 1 in f B/Z, which is 4 % there: 5 % for both.
+  // The left camera is the scene's. Rectification turns it by half of the right one's angle, three
+  // degrees: the cosine reduces a depth by 0.14 %, and the middle moves by some pixels on the same
+  // wall. A pixel of disparity is 1 in f B/Z, which is 4 % there: 5 % for both.
   const double turned = median_in_the_middle(depth);
   CHECK(std::abs(turned / median_in_the_middle(parse_pfm(here.read("true.pfm"))) - 1) < 0.05);
-  // With pictures and cameras exchanged disparities are below 0, and depths are the same: those of the other picture's middle, as above.
+  // With the pictures and cameras exchanged, disparities are negative, and depths stay the same:
+  // they are those in the other picture's middle, with the tolerance as above.
   std::istringstream cameras(here.read("c.txt"));
   std::string count, left, right;
   std::getline(cameras, count), std::getline(cameras, left), std::getline(cameras, right);
@@ -164,7 +172,7 @@ TEST_CASE(
     INFO(words);
     CHECK(here.run(std::string("views match ") + words).exit_code == 2);
   }
-  // Without --pair there is nothing to turn.
+  // Without --pair there are no pictures to rectify.
   CHECK(here.run("views geometry --matches none.csv --rectified-out l.png r.png").exit_code == 2);
 }
 
@@ -215,7 +223,7 @@ TEST_CASE("where OpenCV cannot match one pair it is asked for the next one") {
   for (const char* scene : {"room", "cube"}) {
     const auto names_it = [&](const auto& note) {
       const std::string text = note.template get<std::string>();
-      return text.starts_with("OpenCV, 8 paths has nothing of " + std::string(scene));
+      return text.starts_with("OpenCV, 8 paths did not match " + std::string(scene));
     };
     CHECK(std::ranges::any_of(json["notes"], names_it));
   }
@@ -226,7 +234,7 @@ TEST_CASE("eyes in one place are matched, and have no depth") {
   const Outcome outcome = here.run("views match --scene cube --size 64x48 --eye-separation 0");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(outcome.out.find("depths are below") == std::string::npos);
+  CHECK(outcome.out.find("median depth is") == std::string::npos);
   CHECK(outcome.out.find("depth: both eyes are in one place") != std::string::npos);
   for (const char* words : {"--depth-out d.pfm", "--ply s.ply"}) {
     const Outcome refused =
@@ -247,10 +255,11 @@ TEST_CASE("a report advises nothing that the command refuses") {
       here.run("views match a.png b.png --calibration 60,0.3,0 --range -10,30");
   REQUIRE(turned.exit_code == 0);
   REQUIRE(calibrated.exit_code == 0);
-  // A truth is of the pictures as they are; and a calibration does not say that rows are epipolar lines.
+  // A true disparity map refers to the pictures before rectification. With a calibration, rows may
+  // or may not be epipolar lines.
   CHECK(turned.out.find("--truth") == std::string::npos);
   CHECK(turned.out.find("epipolar lines") == std::string::npos);
-  CHECK(calibrated.out.find("whether the rows are epipolar lines") != std::string::npos);
+  CHECK(calibrated.out.find("a check that the rows are epipolar lines") != std::string::npos);
 }
 
 TEST_CASE(
@@ -262,7 +271,8 @@ TEST_CASE(
   REQUIRE(outcome.exit_code == 0);
   const auto json = nlohmann::json::parse(outcome.out);
   CHECK(json["width"] == 320);
-  // Of what both eyes see, and has a texture to be told by, one pixel in a hundred at most is more than a pixel off (docs/matching.md).
+  // Among the pixels that both eyes see and that have texture, at most 1 % are off by more than a
+  // pixel (docs/matching.md).
   const auto& textured = json["errors"]["visible_and_textured"];
   CHECK(textured["density_percent"] == 100);
   CHECK(textured["bad_percent"]["1"] < 1);

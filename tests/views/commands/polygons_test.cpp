@@ -1,4 +1,5 @@
-// glassbox views polygons and texture: a surface of pictures, its colours from other eyes, and what is refused.
+// Tests glassbox views polygons and texture: a surface from pictures, its colours seen from other
+// places, and what is refused.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -38,11 +39,12 @@ TEST_CASE(
   CHECK(found["duplicates"] == 0);
   CHECK(found["polygons"] > 1000);
   CHECK(found["left_out"]["picture"] == "view002.png");
-  // Voxels on the cube's edges have two colours and are lost (voxels_test.cpp); a surface is laid around the rest.
+  // Voxels on the cube's edges have two colours and are lost (voxels_test.cpp); the surface
+  // encloses the others.
   CHECK(found["left_out"]["covered"] > 0.8);
   CHECK(found["truth"]["iou"] > 0.5);
   CHECK(here.read("cube.html").find("id=\"places\"") != std::string::npos);
-  // The surface is a scene like any other, and so is its texture.
+  // The surface, with or without its texture, can be rendered like any scene.
   CHECK(here.run("render cube.glb --size 64x64 -o again.png").exit_code == 0);
   CHECK(here.run("views polygons ring --resolution 20 -o cube.ply --half-way --no-carving")
             .exit_code == 0);
@@ -67,13 +69,13 @@ TEST_CASE("from a picture's own place a textured surface is that picture") {
   const Workplace here;
   surface_answer(here, "ring sphere -o ring --views 7 --elevation 20 --size 64x64");
   surface_answer(here, "polygons ring --resolution 24 --threshold 200 -o ball.glb");
-  // Left out of a set that has it twice, it is made of its twin.
+  // The set has the first picture twice: when one is left out, it is predicted from the other.
   std::string cameras = here.read("ring/ring_par.txt");
   REQUIRE(cameras.starts_with("7\n"));
   const std::string first = cameras.substr(2, cameras.find('\n', 2) - 1);
   std::ofstream(here.file("ring/ring_par.txt")) << "8\n" << cameras.substr(2) << first;
   const SurfaceJson made = surface_answer(here, "texture ball.glb ring --leave-out 8");
-  CHECK(made["left_out"]["psnr"].is_null());  // infinite
+  CHECK(made["left_out"]["psnr"].is_null());  // infinite: the pictures are equal
   CHECK(made["left_out"]["rms"] == 0);
   CHECK(made["left_out"]["covered"] > 0.5);
 }
@@ -94,19 +96,19 @@ TEST_CASE(
   const auto has = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
   };
-  // Voxels alone would fit.
+  // The voxels alone would fit into the memory.
   CHECK(here.run("views voxels ring --resolution 96 --max-mb 16").exit_code == 0);
   CHECK(has(refusal("polygons ring --resolution 96 --max-mb 16"),
             "--resolution: 96 x 96 x 96 voxels, their polygons and the layered images of 3 "
-            "pictures would take"));
+            "pictures would need"));
   const SurfaceJson found = surface_answer(here, "polygons ring --resolution 96 --threshold 200");
   const auto megabytes = std::to_string(found["bytes"].get<std::int64_t>() / 1048576);
   CHECK(has(refusal("polygons ring --resolution 96 --threshold 200 --max-mb " + megabytes),
-            " would take "));
-  // What pictures see.
+            " would need "));
+  // The memory for what each picture sees counts too.
   CHECK(here.run("views texture cube.glb ring -o a.png").exit_code == 0);
   CHECK(has(refusal("texture cube.glb ring -o b.png --max-mb 3"),
-            "--max-mb: the surface, and what each picture sees of it, would take"));
+            "--max-mb: the surface, and what each picture sees of it, would need"));
   CHECK_FALSE(std::ifstream(here.file("b.png")).good());
 }
 

@@ -1,4 +1,5 @@
-// glassbox views ring and voxels: pictures of a scene, its shape from them again, and what is refused.
+// Tests glassbox views ring and voxels: pictures of a scene, its shape recovered from them, and
+// what is refused.
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -37,11 +38,12 @@ TEST_CASE("a ring of a scene gives its shape again, and a picture that was left 
   CHECK(found["coloured"] > 2000);
   CHECK(found["left_out"]["picture"] == "view002.png");
   CHECK(found["left_out"]["covered"] > 0.8);
-  // A face has one colour, and no voxel at an edge has: there faces lie open to what is behind them.
+  // A face has one colour, but a voxel at an edge has two and is lost: there the background is seen
+  // through the faces.
   CHECK(found["left_out"]["rms"] < 60);
   CHECK(found["truth"]["iou"] > 0.6);
   CHECK(here.read("cube.html").find("id=\"verdicts\"") != std::string::npos);
-  // The cubes are a scene like any other.
+  // The cubes can be rendered like any scene.
   CHECK(here.run("render cube.ply --shade unlit --size 64x64 -o again.png").exit_code == 0);
   CHECK(here.run("views voxels ring --resolution 20 -o points.ply --shape points").exit_code == 0);
   CHECK(here.read("points.ply").find("element face") == std::string::npos);
@@ -63,7 +65,7 @@ TEST_CASE("carving, coarse to fine and the other tests of consistency are asked 
   CHECK(voxels_answer(here, voxels + "--threshold 0")["coloured"] == 0);
   CHECK(voxels_answer(here, voxels)["along"] == "-y");
   CHECK(voxels_answer(here, voxels + "--direction x")["along"] == "x");
-  // A picture that is left out of some that are chosen.
+  // A picture is left out of four chosen ones.
   CHECK(voxels_answer(here, voxels + "--pictures 1-4 --leave-out 2")["left_out"]["picture"] ==
         "view001.png");
   CHECK(voxels_answer(here, voxels + "--pictures 1-4 --leave-out 2")["pictures"] == 3);
@@ -74,7 +76,7 @@ TEST_CASE("carving, coarse to fine and the other tests of consistency are asked 
 TEST_CASE("rings and voxels that cannot be made are refused in a line, and no file is left") {
   const Workplace here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
-  // A camera that is finite, and whose pixels no float has.
+  // The camera is finite, but its pixel coordinates exceed the floats.
   for (const char* k : {"100 0 40 0 100 40 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1e300",
                         "1e300 0 40 0 100 40 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1"}) {
     std::ofstream(here.file("ring/ring_par.txt")) << "1\nview000.png " << k << "\n";
@@ -150,17 +152,17 @@ TEST_CASE("more voxels than fit into memory are refused by the option that asks 
   const auto has = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
   };
-  CHECK(has(refusal("--total 1e30"), "--total: the box would have"));
-  CHECK(has(refusal("--voxel 1e-9"), "--voxel: the box would have"));
+  CHECK(has(refusal("--total 1e30"), "--total: the box has"));
+  CHECK(has(refusal("--voxel 1e-9"), "--voxel: the box has"));
   CHECK(has(refusal("--resolution 1000 --max-mb 64"), "--resolution: 1000 x 1000 x 1000 voxels"));
   CHECK(has(refusal("--total 1e9 --max-mb 64"), "--total: 1000 x 1000 x 1000 voxels"));
   CHECK(has(refusal("--voxel 0.002 --max-mb 64"), "--voxel: 1000 x 1000 x 1000 voxels"));
-  // What is asked of the voxels counts as well.
+  // The memory for comparing the voxels and for the page counts too.
   const std::string small = "--resolution 96 --max-mb 3 ";
   CHECK(here.run("views voxels ring " + small).exit_code == 0);
   CHECK(
-      has(refusal(small + "--truth cube"), "96 x 96 x 96 voxels and what is asked of them would"));
-  CHECK(has(refusal(small + "--html a.html"), "voxels and what is asked of them would"));
+      has(refusal(small + "--truth cube"), "96 x 96 x 96 voxels and the requested outputs would"));
+  CHECK(has(refusal(small + "--html a.html"), "voxels and the requested outputs would"));
 }
 
 }  // namespace glassbox::test

@@ -1,4 +1,4 @@
-// Text files of matches and cameras: what is read, what is written, what is refused.
+// Text files of matches and cameras: valid ones are read and written, others are refused.
 #include <tests/support/catch.h>
 
 #include <filesystem>
@@ -36,10 +36,10 @@ TEST_CASE("matches are read with any separator, and written so that they are rea
 
 TEST_CASE("lines that are no matches are named") {
   CHECK(message_of(parse_matches("1 2 3 4\n1 2 3\n")) ==
-        "line 2: a match is 4 numbers, and there are 3; write x and y of the left picture, then of "
-        "the right one");
+        "line 2: a match needs 4 numbers, but there are 3; write x and y of the left picture, then "
+        "of the right one");
   CHECK(message_of(parse_matches("x_left,y_left,x_right,y_right\n1 2 3 nan\n"))
-            .starts_with("line 1: 'nan' is no finite number"));
+            .starts_with("line 1: 'nan' is not a finite number"));
   CHECK(message_of(parse_matches("1 2 3 1e999\n")).starts_with("line 1: '1e999'"));
   CHECK(message_of(parse_matches("1 2 3 +-4\n")).starts_with("line 1: '+-4'"));
   CHECK(message_of(parse_matches("a 1 2 3 4")).find("after a word") != std::string::npos);
@@ -69,13 +69,12 @@ TEST_CASE("cameras are read as they were written, and bad ones are refused") {
   CHECK(parse_cameras(sample_cameras("1 0 0 0 1 0 0 0 1")));
   CHECK(message_of(parse_cameras(sample_cameras("1 0 0 0 1 0 0 0 -1"))).find("mirror") !=
         std::string::npos);
-  CHECK(message_of(parse_cameras(sample_cameras("1 0 0 0 1 0 0 0.1 1"))).find("no rotation") !=
+  CHECK(message_of(parse_cameras(sample_cameras("1 0 0 0 1 0 0 0.1 1"))).find("not a rotation") !=
         std::string::npos);
-  CHECK(message_of(parse_cameras("2\n")).find("it says 2 cameras, and there are 0") !=
+  CHECK(message_of(parse_cameras("2\n")).find("announces 2 cameras, but there are 0") !=
         std::string::npos);
-  CHECK(
-      message_of(parse_cameras("1\na 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0")).find("K is no") !=
-      std::string::npos);
+  CHECK(message_of(parse_cameras("1\na 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0"))
+            .find("K is not") != std::string::npos);
   CHECK_FALSE(parse_cameras(""));
 }
 
@@ -90,7 +89,7 @@ TEST_CASE("the temple's cameras project a point of it into all of its pictures")
   REQUIRE(cameras);
   CHECK(cameras->size() == 16);
   for (const NamedCamera& each : *cameras) {
-    // The corners of the tight box that README.txt gives.
+    // The corners of the tight bounding box that README.txt gives.
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3d pixel =
           project(each.camera, {corner & 1 ? -0.073568 : 0.028855, corner & 2 ? 0.021728 : 0.181892,

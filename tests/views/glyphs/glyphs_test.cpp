@@ -1,4 +1,4 @@
-// Glyphs: their codes, the walls that have them, and the rules by which they are told from what is none.
+// Glyphs: their codes, walls of glyphs, and the rules that distinguish glyphs from other things.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Seen seen_in(Studio& studio, const WallLayout& layout, double azimuth, int width
   return seen;
 }
 
-// The default wall, which is drawn once for all cases.
+// A picture of the default wall, which is prepared once for all cases.
 Seen seen_from(double azimuth, int width) {
   static Studio studio(*make_wall({}));
   return seen_in(studio, {}, azimuth, width);
@@ -50,7 +50,8 @@ Seen other_wall(const WallLayout& layout, double azimuth, int width) {
   return seen_in(studio, layout, azimuth, width);
 }
 
-// Of those that a camera sees at least `across` px large; of `picture`, which may be another one than the camera's.
+// The score of the glyphs that the camera sees at least `across` px large, in `picture`, which may
+// differ from the camera's own picture.
 GlyphScore score_in(const Seen& seen, const Image<Rgba8>& picture, const FindSettings& settings,
                     double across = 0) {
   auto visible = visible_glyphs(seen.wall, seen.camera, picture.width, picture.height);
@@ -59,7 +60,7 @@ GlyphScore score_in(const Seen& seen, const Image<Rgba8>& picture, const FindSet
                   visible);
 }
 
-// Of 30 glyphs 29 are right, and none is wrong.
+// At least 29 of 30 glyphs must be right, and none may be wrong.
 void check_found(const GlyphScore& score) {
   CHECK(score.visible >= 30);
   CHECK(score.wrong == 0);
@@ -106,11 +107,12 @@ TEST_CASE(
       }
     }
   }
-  // 0.4 is not far from the most that may be: red and green, half each, are 82 codes from yellow, whose next prototype is 192 away, 0.427.
+  // 0.4 is close to the largest possible threshold: half red and half green is 82 codes from
+  // yellow, whose nearest other prototype is 192 away: 0.427.
   const Light red_and_green = (lights[1] + lights[2]) / 2;
   CHECK(prototype_of(codes_of(red_and_green), 0.42f) == kNoPrototype);
   CHECK(prototype_of(codes_of(red_and_green), 0.43f) == 5);
-  // Without a threshold yellow takes all mixtures between the two where it is nearer than both.
+  // Without a threshold, yellow takes all mixtures of the two that are nearer to it than to either.
   CHECK(taken_by_nearest > 100);
 }
 
@@ -119,7 +121,8 @@ TEST_CASE("each rule leaves out what no other one does, and no glyph (S1-26)") {
   const DecoyScore all = score_decoys(picture, {});
   CHECK(all.found == all.glyphs);
   CHECK(all.all_taken() == 0);
-  // Of each row those that are taken without its rule, and of no other: docs/glyphs.md has them.
+  // The number of decoys in each row that are taken without the row's rule; decoys of other rows
+  // are not taken. docs/glyphs.md lists them.
   constexpr std::array<int, kGlyphRules> kTaken{2, 6, 12, 12, 12, 12, 2, 12, 12};
   for (int rule = 0; rule < kGlyphRules; ++rule) {
     FindSettings some;
@@ -156,8 +159,9 @@ TEST_CASE(
 
 namespace {
 
-// Of all glyphs that are found, the mean squares of how far their centres are off and of what is allowed, px, and the mean of how much
-// larger they are than what the camera makes of them.
+// Means over all glyphs that are found: of the squared error of their centres, of the squared error
+// that is allowed (both in px^2), and of how much larger than the camera's picture of them they
+// are.
 struct Places {
   double squares = 0, allowed = 0, larger = 0;
 };
@@ -175,8 +179,9 @@ Places places_in(const Seen& seen, const Image<Rgba8>& picture) {
     const auto there = std::ranges::find(visible, region.identity, &VisibleGlyph::identity);
     if (there != visible.end())
       places.larger += (region.ellipse.diameter() / there->diameter - 1) / count;
-    // A circle of radius r crosses 8 r pixels, whose share is off by at most an eighth, evenly: a variance of 1/192 each. They move the
-    // centre by r / (pi r^2) of that, along the two axes together: 8 r / 192 / (pi r)^2.
+    // A circle of radius r crosses 8 r pixels, whose shares are off by at most an eighth, evenly
+    // distributed: a variance of 1/192 each. A share moves the centre by r / (pi r^2) of its error,
+    // so both axes together have 8 r / 192 / (pi r)^2.
     const double r = region.ellipse.diameter() / 2;
     places.allowed += 8 * r / 192 / (kPi * kPi * r * r) / count;
   }
@@ -189,11 +194,14 @@ TEST_CASE("where a glyph is, and how large, is known as well as four samples a p
   const Seen seen = seen_from(5, 640);
   const Places places = places_in(seen, seen.picture);
   INFO(std::sqrt(places.squares) << " px of " << std::sqrt(places.allowed));
-  // Half a pixel of one coordinate, or a border of pixels that are in or out, is far more.
+  // Errors of half a pixel in one coordinate, or of counting border pixels wholly or not at all,
+  // are far larger.
   CHECK(places.squares < 2 * places.allowed);
-  // A share that is rounded to paper is lost: 0.04 of a border pixel, 8 r of them in pi r^2, 0.5 % of 25 px across.
+  // Shares that are rounded to paper are lost: 0.04 of a border pixel, 8 r of them in pi r^2, 0.5 %
+  // of a diameter of 25 px.
   CHECK(std::abs(places.larger) < 0.005);
-  // With darker corners paper is what it is around each glyph: of that of the whole picture a tenth of the ring would be glyph.
+  // With darker corners, the paper's colour is taken around each glyph: with that of the whole
+  // picture a tenth of the ring would count as glyph.
   const Places darker = places_in(seen, through_sensor(seen.picture, {.falloff = 0.3}, 1));
   INFO("darker: " << std::sqrt(darker.squares) << " px, " << darker.larger);
   CHECK(std::abs(darker.larger) < 0.01);
@@ -208,7 +216,8 @@ TEST_CASE("glyphs are found through blur, JPEG, another white, tilt, and beside 
     INFO(what);
     check_found(score_in(seen, changed, {}));
   }
-  // Without the paper's white only those that are far from the borders of their classes are: blue of 0.4 is code 146, not 224.
+  // Without the paper's white only glyphs far from the borders of their classes are right: blue
+  // times 0.4 is code 146, not 224.
   FindSettings as_they_are;
   as_they_are.balances = false;
   const GlyphScore tinted = score_in(seen, with_gains(seen.picture, {0.9, 0.6, 0.4}), as_they_are);
@@ -256,7 +265,8 @@ TEST_CASE("what stands before the wall hides glyphs that it touches, and no othe
   const Seen seen = seen_from(8, 640);
   const OccludedPicture hidden = occluded(seen.picture, 0.15, 3);
   auto clear = visible_glyphs(seen.wall, seen.camera, 640, 480);
-  // Those of which nothing is covered, nor the ring of paper that their colours are taken by.
+  // Keeps the glyphs of which nothing is covered, including the ring of paper that their colours
+  // are compared with.
   std::erase_if(clear, [&](const VisibleGlyph& glyph) {
     const double reach = 1.45 * glyph.diameter / 2;
     for (int y = 0; y < 480; ++y) {
@@ -278,7 +288,7 @@ TEST_CASE("a panel's discs have their areas, in light") {
   layout.columns = layout.rows = 1;
   layout.first = 23;
   const Wall wall = *make_wall(layout);
-  constexpr double kPixels = 1000;  // to a metre: the glyph is 90 px across
+  constexpr double kPixels = 1000;  // per metre: the glyph is 90 px across
   const Image<Rgba8> panel = draw_panel(wall, 0, kPixels);
   REQUIRE(panel.width == 120);
   std::array<double, 3> areas{};  // of the discs
@@ -294,17 +304,18 @@ TEST_CASE("a panel's discs have their areas, in light") {
   }
   for (std::size_t disc = 0; disc < 3; ++disc) {
     const double radius = kDiscRadii[disc] * wall.radius() * kPixels;
-    // Of the border's pixels, 8 r of them, a part is of neither colour.
+    // Some of the 8 r pixels of the border are classified as neither colour.
     INFO("disc " << disc);
     CHECK(areas[disc] <= kPi * radius * radius + 4 * radius);
     CHECK(areas[disc] >= kPi * radius * radius - 8 * radius * double(disc + 1));
   }
-  // Exactly: what the paper's light misses.
+  // More exactly: the light that the paper lacks.
   double missing = 0;
   const float dark = light_of({32, 32, 32, 255})[0];
   for (const Rgba8& pixel : panel.pixels)
     missing += double((1 - light_of(pixel).minCoeff()) / (1 - dark));
-  // 360 border pixels, each of 16 points: off by at most 1/32 each, evenly, and half a code of 255.
+  // 360 border pixels with 16 sample points each: errors of at most 1/32, evenly distributed, and
+  // of half a code of 255.
   const double area = kPi * 45 * 45;
   CHECK(std::abs(missing - area) < 5 * std::sqrt(360.0) * (1.0 / 32 + 1.0 / 255));
 }
@@ -326,7 +337,7 @@ TEST_CASE("walls of too many glyphs, or of glyphs that touch, are refused") {
   CHECK(refusal([](WallLayout& layout) { layout.diameter = 0; }) == "--diameter");
   CHECK(refusal([](WallLayout& layout) { layout.panels = 3; }) == "--panels");
   CHECK(refusal([](WallLayout& layout) { layout.pitch = std::nan(""); }) == "--pitch");
-  // 0.72 m are 16384 px at 22755.6 px to a metre; 1.2 m more of them.
+  // 0.72 m are 16384 px at 22755.6 px per metre; the other side has 1.2 m and more pixels.
   CHECK(check_panel_picture(*make_wall({}), 4000));
   CHECK_FALSE(check_panel_picture(*make_wall({}), 14000));
   CHECK_FALSE(check_panel_picture(*make_wall({}), 1));

@@ -1,4 +1,5 @@
-// What is done to pictures before glyphs are looked for in them, and what is said to be seen in them.
+// The changes made to pictures before glyphs are looked for in them, and the list of the glyphs
+// that are visible.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@
 namespace glassbox::views {
 namespace {
 
-// What another program's file holds: stb_image_write's JPEG, 4:2:0 up to quality 90.
+// The picture after being stored by another program: stb_image_write's JPEG, 4:2:0 up to quality
+// 90.
 Image<Rgba8> through_file(const Image<Rgba8>& picture, int quality) {
   std::vector<std::byte> bytes;
   const auto append = [](void* target, void* data, int size) {
@@ -34,7 +36,7 @@ Image<Rgba8> through_file(const Image<Rgba8>& picture, int quality) {
   return *decode_image(bytes);
 }
 
-// Of a circle with the area of the glyph's picture.
+// The diameter of a circle that has the area of the glyph's picture.
 double diameter_of(const PinholeCamera& camera, const Wall& wall, const WallGlyph& glyph) {
   const WallPanel& panel = wall.panels[std::size_t(glyph.panel)];
   constexpr int kCorners = 2000;
@@ -54,7 +56,8 @@ double diameter_of(const PinholeCamera& camera, const Wall& wall, const WallGlyp
 }  // namespace
 
 TEST_CASE("JPEG's rounding is that of a file") {
-  // Greys of all frequencies on one colour a picture: how chrominance is enlarged again, which decoders do in several ways, changes nothing.
+  // Greys of all frequencies added to one colour, so that the way in which a decoder enlarges
+  // chrominance, which varies, has no effect.
   for (const Rgba8& color : {Rgba8{128, 128, 128, 255}, Rgba8{190, 90, 60, 255},
                              Rgba8{60, 110, 190, 255}, Rgba8{80, 170, 70, 255}}) {
     Image<Rgba8> picture(48, 32);
@@ -74,8 +77,9 @@ TEST_CASE("JPEG's rounding is that of a file") {
         other += std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > 3;
       }
       INFO("quality " << quality << ", " << int(color.r) << " " << int(color.g));
-      // Floats and integers of twelve bits in place of doubles: a coefficient that lies within a thousandth of the middle of two steps may
-      // go the other way, and takes a block of the 24 with it.
+      // The other program uses floats and integers of twelve bits instead of doubles: a coefficient
+      // within a thousandth of the middle between two steps may be rounded differently, which
+      // changes one block of the 24.
       CHECK(other <= 2 * 64);
     }
   }
@@ -90,7 +94,8 @@ TEST_CASE("JPEG's chrominance is the mean of two by two pixels") {
   const Image<Rgba8> again = through_jpeg(columns, 100);
   const auto luma = [](const Rgba8& p) { return 0.299 * p.r + 0.587 * p.g + 0.114 * p.b; };
   const double red = (left.r + right.r) / 2.0 - (luma(left) + luma(right)) / 2;
-  // Steps of 1, then 1.402 times as much, and codes: off by little beside the 98 codes between the two columns.
+  // Rounding in steps of 1, times 1.402, and rounding to codes: little compared with the 98 codes
+  // between the two columns.
   for (const int x : {6, 7}) CHECK(std::abs(again.at(x, 7).r - luma(again.at(x, 7)) - red) < 4);
 }
 
@@ -108,7 +113,8 @@ TEST_CASE("a blurred edge is the integral of a Gaussian, in light, along both ax
       const Rgba8& pixel = is_upright ? soft.at(i, 7) : soft.at(7, i);
       const double share = (1 + std::erf((i - 19.5) / (kDeviation * std::sqrt(2.0)))) / 2;
       INFO(i);
-      // Cut off at three deviations (0.0027), summed in steps of a pixel, and a code of 255, at most 0.009 of light.
+      // Cut off at three deviations (0.0027), summed in steps of a pixel, and rounded to a code of
+      // 255, at most 0.009 of light.
       CHECK(std::abs(double(decode_srgb(pixel.r)) - share) < 0.012);
     }
   }
@@ -137,24 +143,26 @@ TEST_CASE(
   const Image<Rgba8> mosaic = through_sensor(slope, {.has_mosaic = true}, 1);
   for (int y = 1; y < 29; ++y) {
     for (int x = 1; x < 39; ++x) {
-      // Neighbours' means are what stands between them, but for the rounding of all of them to codes.
+      // In a linear slope the mean of the neighbours is the value between them, up to the rounding
+      // to codes.
       CHECK(std::abs(int(mosaic.at(x, y).r) - int(slope.at(x, y).r)) <= 1);
       CHECK(std::abs(int(mosaic.at(x, y).g) - int(slope.at(x, y).g)) <= 1);
       CHECK(std::abs(int(mosaic.at(x, y).b) - int(slope.at(x, y).b)) <= 1);
     }
   }
-  // A white line a pixel wide has one colour of the mosaic, which spreads.
+  // Each pixel of a white line a pixel wide measures one colour of the mosaic, which spreads to its
+  // neighbours.
   Image<Rgba8> line(20, 20, {0, 0, 0, 255});
   for (int y = 0; y < 20; ++y) line.at(8, y) = {255, 255, 255, 255};
   const Image<Rgba8> fringed = through_sensor(line, {.has_mosaic = true}, 1);
-  // Red there; of four green neighbours two are on the line; no blue.
+  // Red is measured here; two of the four green neighbours are on the line, and no blue one is.
   CHECK(fringed.at(8, 8) == Rgba8{255, 188, 0, 255});
   CHECK(fringed.at(9, 8).r == 188);
 }
 
 TEST_CASE("noise has the variance of the electrons that are counted") {
   const std::uint8_t code = 137;
-  const double light = double(decode_srgb(code)), electrons = 1000;  // 0.25
+  const double light = double(decode_srgb(code)), electrons = 1000;  // light: 0.25
   const Image<Rgba8> noisy =
       through_sensor(Image<Rgba8>(200, 200, {code, code, code, 255}), {.electrons = electrons}, 5);
   double sum = 0, squares = 0;
@@ -163,7 +171,8 @@ TEST_CASE("noise has the variance of the electrons that are counted") {
     sum += off / 40000;
     squares += off * off / 40000;
   }
-  // The deviation of the mean is 0.0158 / 200; of the variance, 1 / sqrt(20000) of it, and codes add 0.5 %.
+  // The deviation of the mean is 0.0158 / 200, that of the variance 1 / sqrt(20000) of its value;
+  // codes add 0.5 %.
   CHECK(std::abs(sum) < 3 * 0.0158 / 200);
   CHECK(squares == Approx(light / electrons).epsilon(3 * 0.0071 + 0.005));
 }
@@ -172,9 +181,10 @@ TEST_CASE("corners are darker, and a bent lens draws together") {
   const Image<Rgba8> white(81, 61, {255, 255, 255, 255});
   const Image<Rgba8> dark = through_sensor(white, {.falloff = 0.5}, 1);
   CHECK(dark.at(40, 30).r == 255);
-  // The corner's pixel is a hundredth nearer to the middle than the corner itself: 0.5 of light is code 188, 0.51 are 190.
+  // The centre of the corner's pixel is a hundredth nearer to the middle than the corner itself:
+  // 0.5 of light is code 188, 0.51 is 190.
   CHECK(dark.at(0, 0).r == 190);
-  // An edge 30.5 px from the middle, of a picture whose half height is 50.
+  // An edge 30.5 px from the middle of a picture whose half height is 50.
   Image<Rgba8> edge(101, 100, {0, 0, 0, 255});
   for (int y = 0; y < 100; ++y) {
     for (int x = 81; x < 101; ++x) edge.at(x, y) = {255, 255, 255, 255};
@@ -182,7 +192,7 @@ TEST_CASE("corners are darker, and a bent lens draws together") {
   const Image<Rgba8> bent = through_sensor(edge, {.bend = 0.2}, 1);
   double right = 0;
   for (int x = 60; x < 101; ++x) right += double(decode_srgb(bent.at(x, 50).r));
-  // 101 less the edge, which is at 50.5 + 50 r with r = 0.5634 where r + 0.2 r^3 = 0.61.
+  // 101 minus the position of the edge, 50.5 + 50 r with r = 0.5634, where r + 0.2 r^3 = 0.61.
   double r = 0.61;
   for (int i = 0; i < 50; ++i) r = 0.61 - 0.2 * r * r * r;
   CHECK(std::abs(101 - right - (50.5 + 50 * r)) < 0.1);
@@ -214,11 +224,13 @@ TEST_CASE("a glyph is visible from the front, whole, and where at most a tenth o
   for (const VisibleGlyph& glyph : all) {
     const WallGlyph& there = *wall.find(glyph.identity);
     CHECK((glyph.centre - project(camera, there.centre).head<2>()).norm() < 1e-9);
-    // Squeezed by 45 degrees, about, but as large as its picture is, a polygon of 2000 corners.
+    // Foreshortened by up to about 45 degrees; its size is that of its picture, approximated by a
+    // polygon of 2000 corners.
     CHECK(glyph.diameter == Approx(diameter_of(camera, wall, there)).epsilon(1e-3));
     CHECK(glyph.shorter < glyph.diameter);
   }
-  // Bars over its upper part, down to a share of the diameter: circle segments of 5 and of 25 % of the area.
+  // Bars cover its upper part down to a share of the diameter: circle segments of 5 % and of 25 %
+  // of the area.
   for (const auto& [depth, is_seen] : {std::pair(0.1, true), std::pair(0.3, false)}) {
     const VisibleGlyph& glyph = all[33];
     Image<std::uint8_t> covered(640, 480, 0);

@@ -1,4 +1,4 @@
-// The camera from glyphs: three points, six points, and the least squares of all.
+// The camera from glyphs: from three points, from six, and by least squares from all.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ SeenPoint disc_of(const Wall& wall, std::size_t glyph) {
   return {one.centre, {}, wall.radius() * panel.right, wall.radius() * panel.down};
 }
 
-// Every `step`th glyph, where the camera sees it.
+// Every `step`th glyph, at the place where the camera sees it.
 std::vector<SeenPoint> points_seen(const Wall& wall, const PinholeCamera& camera, std::size_t count,
                                    std::size_t step) {
   std::vector<SeenPoint> points;
@@ -36,7 +36,7 @@ std::vector<SeenPoint> points_seen(const Wall& wall, const PinholeCamera& camera
   return points;
 }
 
-// The centre of the conic through eight points, by its six coefficients.
+// The centre of the conic through eight points, from the conic's six coefficients.
 Vector2d centre_of_conic(const std::array<Vector2d, 8>& border) {
   Vector2d mean = Vector2d::Zero();
   for (const Vector2d& point : border) mean += point / 8;
@@ -54,7 +54,8 @@ Vector2d centre_of_conic(const std::array<Vector2d, 8>& border) {
   return mean + centre / scale;
 }
 
-// A camera of a step of the unknowns away: a turn, a move, and of the lens what is open.
+// A camera that differs by a step of the unknowns: a rotation, a translation, and the unknown
+// numbers of the lens.
 PinholeCamera stepped(const PinholeCamera& from, const Eigen::VectorXd& by) {
   PinholeCamera camera = from;
   camera.camera_from_world = turned_by(by.head<3>()) * from.camera_from_world;
@@ -64,8 +65,8 @@ PinholeCamera stepped(const PinholeCamera& from, const Eigen::VectorXd& by) {
   return camera;
 }
 
-// The expected squared distance of the best possible estimate's place, for noise of this deviation in each coordinate: the part of
-// sigma^2 (J^T J)^-1 that is the centre's (Gauss and Markov).
+// The expected squared distance of the best possible estimate of the camera's centre, for noise of
+// this deviation in each coordinate: the centre's part of sigma^2 (J^T J)^-1 (Gauss and Markov).
 double expected_square(const PinholeCamera& camera, const std::vector<SeenPoint>& points,
                        int unknowns, double deviation) {
   Eigen::MatrixXd j(Eigen::Index(2 * points.size()), unknowns);
@@ -106,11 +107,11 @@ TEST_CASE("the centre of a disc's picture is that of the ellipse through its bor
           project(camera, disc.world + turn.cos * disc.right + turn.sin * disc.down).head<2>();
     }
     const Vector2d seen = centre_seen(camera, disc);
-    // Coefficients of order 1, found to some roundings each, of an ellipse of at most 200 px.
+    // Coefficients of order 1 with a few roundings each, for an ellipse of at most 200 px.
     CHECK((seen - centre_of_conic(border)).norm() < 1e-9);
     apart = std::max(apart, (seen - project(camera, disc.world).head<2>()).norm());
   }
-  // It is not the picture of the disc's centre.
+  // The centre of the ellipse is not the picture of the disc's centre.
   CHECK(apart > 0.2);
 }
 
@@ -144,8 +145,9 @@ TEST_CASE("three points have up to four cameras, each of which sees them, one of
       for (const SeenPoint& point : points) {
         const Vector3d seen = project(one, point.world);
         CHECK(seen.z() > 0);
-        // Roots are off by up to 3e-6 of themselves, a double one by half its digits; two of Newton's steps leave roundings of 800 px,
-        // 1e-13, times what the thinnest triangle makes of them: a side of a metre over its height of 2 cm, squared.
+        // Roots have a relative error of up to 3e-6, and a double root half the digits. After two
+        // steps of Newton's method the roundings of 800 px are left, 1e-13, multiplied by the shape
+        // of the thinnest triangle: a side of a metre over its height of 2 cm, squared.
         CHECK((seen.head<2>() - point.pixel).norm() < 1e-9);
       }
     }
@@ -163,7 +165,8 @@ TEST_CASE("three points that are seen as mirrored have their camera among those 
   PinholeCamera camera;
   camera.intrinsic << 800, 0, 320, 0, 800, 240, 0, 0, 1;
   for (const double height : {0.25, -0.5, 0.5}) {
-    // Mirrored in x = 0, in which the camera stands and looks, away from the cylinder through the three, where roots are more than double.
+    // Symmetric about x = 0, the plane of the camera and its gaze, and not on the cylinder through
+    // the three points, where roots coincide further.
     camera.camera_from_world = turned_by({radians_from_degrees(10), 0, 0});
     camera.centre = {0, 0.1, -2};
     std::array<SeenPoint, 3> points{SeenPoint{{-0.5, 0, 0}, {}}, SeenPoint{{0, height, 0}, {}},
@@ -196,7 +199,8 @@ TEST_CASE("six points of two planes decide the camera and its lens, six of one p
     for (SeenPoint& point : points) point.pixel = project(camera, point.world).head<2>();
     const auto found = camera_by_dlt(points);
     REQUIRE(found);
-    // Normalised, the system's condition is below 10^4: of sixteen digits twelve are left.
+    // After normalization the condition of the system is below 10^4: twelve of sixteen digits are
+    // left.
     CHECK((found->intrinsic - camera.intrinsic).norm() < 1e-9 * camera.intrinsic.norm());
     CHECK(pose_error(*found, camera).distance < 1e-9);
     CHECK(pose_error(*found, camera).degrees < 1e-7);
@@ -204,7 +208,7 @@ TEST_CASE("six points of two planes decide the camera and its lens, six of one p
     REQUIRE(points.size() == 7);
     const auto flat = camera_by_dlt(points);
     REQUIRE_FALSE(flat);
-    CHECK(flat.error().message().find("in a plane") != std::string::npos);
+    CHECK(flat.error().message().find("in one plane") != std::string::npos);
   }
 }
 
@@ -226,18 +230,19 @@ TEST_CASE("a camera from points with noise is as near as the best estimate can b
         point.pixel += kDeviation * Vector2d{gaussian(random), gaussian(random)};
       const auto pose = find_pose(points, {known, camera.intrinsic, 640, 480, 2});
       REQUIRE(pose);
-      // 2 px are ten deviations: none is left out.
+      // 2 px are ten deviations, so no point is left out.
       CHECK(pose->inliers == 60);
       const double off = pose_error(pose->camera, camera).distance;
       squares += off * off / kRuns;
       residuals += pose->rms * pose->rms / kRuns;
     }
     INFO(name_of(known) << ": " << squares << " of " << expected);
-    // Most of the error is along one direction, so that the mean of 24 squares has a deviation of sqrt(2 / 24) = 0.29 of itself:
-    // three of them to both sides.
+    // Most of the error is along one direction, so the mean of 24 squares has a relative deviation
+    // of sqrt(2 / 24) = 0.29; three deviations to either side.
     CHECK(squares > 0.13 * expected);
     CHECK(squares < 1.87 * expected);
-    // 120 coordinates less the unknowns, times the variance, over 60 points; 24 runs of 111 to 114 squares: 0.027 of it is one deviation.
+    // 120 coordinates minus the unknowns, times the variance, over 60 points. In 24 runs of 111 to
+    // 114 squares one deviation is 0.027 of it.
     CHECK(residuals == Approx((120 - unknowns) * kDeviation * kDeviation / 60).epsilon(3 * 0.027));
   }
 }
@@ -261,7 +266,7 @@ TEST_CASE("wrong glyphs are found out by those that agree, as long as these are 
     for (std::size_t i = 0; i < 40; ++i) CHECK(pose->is_inlier[i] == (i >= 12));
     CHECK(pose_error(pose->camera, camera).distance < 1e-6);
   }
-  // 17 of 40 are no half.
+  // 17 of 40 are less than half.
   const auto refused = find_pose(with_wrong(23), {LensKnown::kAll, camera.intrinsic, 800, 600, 2});
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message().find("17 of 40 glyphs agree") != std::string::npos);

@@ -1,4 +1,5 @@
-// Bands in files: what is written is read again, in every order of samples, and what is hostile is refused.
+// Bands in files: written bands are read again in every order of samples, and invalid files are
+// refused.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ TEST_CASE("cubes of every type, byte order and order of samples are read") {
       for (const std::string interleave : {"bsq", "bil", "BIP"}) {
         INFO("type " << type << ", " << interleave << ", big " << big);
         std::vector<std::byte> bytes(5);
-        // Sample (x, y) of band b is 20 b + 5 y + x.
+        // Sample (x, y) of band b has the value 20 b + 5 y + x.
         const auto add = [&, &bytes_of = bytes_of](int b, int y, int x) {
           for (const std::byte byte : bytes_of(20 * b + 5 * y + x, big)) bytes.push_back(byte);
         };
@@ -148,9 +149,9 @@ TEST_CASE("headers that are none are refused, with the place") {
            {"ENVI\nsamples = 0\n", "whole number"},
            {"ENVI\nsamples = 3x\n", "whole number"},
            {"ENVI\nnonsense\n", "line 2"},
-           {header_with("data type = 6\n"), "6 is none that is read"},
+           {header_with("data type = 6\n"), "6 is not supported"},
            {header_with("data type = 1\ninterleave = bsx\n"), "'interleave'"},
-           {header_with("data type = 1\nband names = {a}\n"), "1, and there are 2 bands"},
+           {header_with("data type = 1\nband names = {a}\n"), "has 1 names, but there are 2 bands"},
            {header_with("data type = 1\nband names = {a, b\n"), "line 6"},
            {header_with("data type = 1\nbyte order = 2\n"), "'byte order'"}}) {
     INFO(text);
@@ -223,7 +224,7 @@ TEST_CASE("what files would take is asked of their headers, before anything is d
   const std::string whole = directory.file("whole.png"), broken = directory.file("broken.png"),
                     other = directory.file("other.pgm");
   REQUIRE(write_image(whole, Image<Rgba8>(64, 48, {10, 20, 30, 255})));
-  // The check sums of its pixels are wrong, which only decoding finds.
+  // The check sums of its pixels are wrong, which only decoding reveals.
   auto bytes = *read_file(whole);
   const std::size_t pixels =
       std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find("IDAT");
@@ -237,11 +238,11 @@ TEST_CASE("what files would take is asked of their headers, before anything is d
   CHECK(opened->height == 48);
   CHECK(opened->count == 3);
   CHECK(refusal(decode_bands(*opened)).find("broken.png: not a valid PNG") != std::string::npos);
-  // 64 x 48 x 3 doubles are 73728 bytes; of both files twice as many.
+  // 64 x 48 x 3 doubles are 73728 bytes; both files need twice that.
   const std::uint64_t one = 73728;
   CHECK(open_bands({broken}, one));
   CHECK(refusal(open_bands({broken}, one - 1))
-            .find("the bands would take 0.0703 MB; allow for it with --max-mb 1") !=
+            .find("the bands would take 0.0703 MB; allow more memory with --max-mb 1") !=
         std::string::npos);
   CHECK(open_bands({broken, whole}, 2 * one));
   CHECK(refusal(open_bands({broken, whole}, 2 * one - 1)).find("--max-mb") != std::string::npos);
@@ -267,7 +268,7 @@ TEST_CASE("files that are none, cut off or of absurd sizes are refused with thei
   refused("short.png", text.substr(0, 20), "cut off");
   refused("half.png", text.substr(0, text.size() - 20), "cut off");
   std::string huge = text;
-  huge[16] = huge[20] = char(0x7f);  // the high bytes of its sides
+  huge[16] = huge[20] = char(0x7f);  // the high bytes of its width and height
   refused("huge.png", huge, "PNG");
   refused("short.pgm", "P5\n4 4\n255\nabc", "cannot fit");
   refused("huge.pgm", "P5\n4000000000 4000000000\n255\nabc", "limit");
@@ -280,19 +281,20 @@ TEST_CASE("files that are none, cut off or of absurd sizes are refused with thei
 
   const std::string header = directory.file("cube.hdr"), numbers = directory.file("cube.img");
   write(header, "ENVI\nsamples = 2\nlines = 2\nbands = 1\ndata type = 5\n");
-  CHECK(refusal(read_bands({header}, kMegabyte)).find("no file with its numbers") !=
-        std::string::npos);
+  CHECK(
+      refusal(read_bands({header}, kMegabyte)).find("the file with its samples is not beside it") !=
+      std::string::npos);
   write(numbers, "short");
   CHECK(refusal(read_bands({header}, kMegabyte)).find("has 5 bytes") != std::string::npos);
   write(numbers, std::string(32, '\0'));
   CHECK(read_bands({header}, 32));
   CHECK(refusal(read_bands({header}, 31)).find("--max-mb 1") != std::string::npos);
-  // Little may follow the numbers, but not a disk.
+  // A little may follow the numbers, but not a whole disk.
   std::filesystem::resize_file(numbers, 32 + kMostBeyondCube);
   CHECK(read_bands({header}, 32));
   std::filesystem::resize_file(numbers, std::uintmax_t(1) << 40);
   CHECK(refusal(read_bands({header}, 32)).find("has 1099511627776 bytes") != std::string::npos);
-  // 512 bands in all.
+  // 512 bands are allowed altogether.
   write(header, "ENVI\nsamples = 1\nlines = 1\nbands = 300\ndata type = 1\n");
   write(numbers, std::string(300, 'x'));
   CHECK(read_bands({header}, kMegabyte));

@@ -1,4 +1,4 @@
-// Components of bands: what they keep, what they lose, and what of them is determined at all.
+// Components of bands: what they preserve, what they lose, and what is determined at all.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -61,9 +61,10 @@ TEST_CASE(
       const double error = mean_squared_error(bands, again);
       const double bound = identity_bound(bands, *klt, kept);
       CHECK(std::abs(error - klt->dropped(kept)) <= bound);
-      // At most 8 (40 + 30 + 24) u = 8.4e-14 of the trace beside the issue's 1e-10, and what a large mean rounds away.
+      // At most 8 (40 + 30 + 24) u = 8.4e-14 of the trace, added to the required 1e-10, and the
+      // rounding caused by a large mean.
       if (mean == 0) CHECK(bound <= 1.001e-10 * klt->dropped(kept) + 1e-13 * klt->trace());
-      // A check that cannot fail is none: one eigenvalue more or less is another number.
+      // The check must be able to fail: one eigenvalue more or less gives a different number.
       if (kept > 0 && klt->eigenvalues[kept - 1] > 1e-6 * klt->trace())
         CHECK(std::abs(error - klt->dropped(kept - 1)) > identity_bound(bands, *klt, kept));
     }
@@ -89,7 +90,7 @@ TEST_CASE(
       const double error = mean_squared_error(bands, again),
                    bound = identity_bound(bands, *klt, kept);
       CHECK(std::abs(error - klt->dropped(kept)) <= bound);
-      CHECK(bound < klt->eigenvalues[1] / 10);  // or one eigenvalue more or less would pass
+      CHECK(bound < klt->eigenvalues[1] / 10);  // otherwise one eigenvalue more or less would pass
     }
   }
 }
@@ -106,7 +107,7 @@ TEST_CASE("components are uncorrelated, and their vectors orthonormal") {
     for (int k = 1; k < bands.count(); ++k) CHECK(klt->eigenvalues[k - 1] >= klt->eigenvalues[k]);
     for (const auto vector : klt->vectors.colwise())
       CHECK(vector.maxCoeff() == vector.cwiseAbs().maxCoeff());
-    // From the third on they are the same ones.
+    // From the third component on they are the same.
     const Bands all = components_of(bands, *klt, bands.count());
     const Bands rest = components_of(bands, *klt, bands.count(), std::min(2, bands.count()));
     for (int k = 2; k < bands.count(); ++k) {
@@ -117,7 +118,8 @@ TEST_CASE("components are uncorrelated, and their vectors orthonormal") {
 }
 
 TEST_CASE("moments and correlation are those of numbers that are known") {
-  // Means 2 and 5; differences (-1, 1), (1, -1), (-1, -1), (1, 1), doubled in b and its sum with a in c.
+  // The means are 2 and 5. The differences are (-1, 1), (1, -1), (-1, -1), (1, 1), doubled in b; c
+  // is the sum of a and b.
   const Bands bands{4, 1, {{"a", {1, 3, 1, 3}}, {"b", {7, 3, 3, 7}}, {"c", {8, 6, 4, 10}}}};
   const Moments moments = moments_of(bands);
   CHECK(moments.mean == Eigen::Vector3d(2, 5, 7));
@@ -141,7 +143,8 @@ TEST_CASE("components are the singular vectors of the bands without their mean")
     for (int k = 0; k < count; ++k) {
       const double value =
           svd.singularValues()[k] * svd.singularValues()[k] / double(bands.pixels());
-      // What a covariance of 20 + 20 + 3 B roundings is off by (transform.h), and as much for the other.
+      // The error of a covariance of 20 + 20 + 3 B roundings (transform.h), and as much for the
+      // other way.
       CHECK(std::abs(value - klt->eigenvalues[k]) <= 2 * (40 + 3 * count) * u * trace);
       double gap = k > 0 ? klt->eigenvalues[k - 1] - klt->eigenvalues[k] : trace;
       if (k + 1 < count) gap = std::min(gap, klt->eigenvalues[k] - klt->eigenvalues[k + 1]);
@@ -152,7 +155,7 @@ TEST_CASE("components are the singular vectors of the bands without their mean")
 }
 
 TEST_CASE("of equal eigenvalues the space is compared, and not the vectors") {
-  // The corners of a cube: all directions alike.
+  // The corners of a cube, where all directions are equivalent.
   Bands bands{8, 1, {}};
   for (int b = 0; b < 3; ++b) {
     Band band{"band", {}};
@@ -166,7 +169,7 @@ TEST_CASE("of equal eigenvalues the space is compared, and not the vectors") {
       Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 1, 1).normalized()) * klt->vectors;
   CHECK(angle_between(klt->vectors, turned) < 1e-15);
   CHECK(angle_between(klt->vectors.leftCols(1), turned.leftCols(1)) > 0.1);
-  // Small angles are told from none, which their cosine is not.
+  // Small angles are distinguished from 0, which their cosine is not.
   const Eigen::Matrix3d nearly = Eigen::AngleAxisd(1e-10, Eigen::Vector3d::UnitX()).matrix();
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   CHECK(std::abs(angle_between(axes.leftCols(2), nearly.leftCols(2)) - 1e-10) < 1e-20);
@@ -207,10 +210,11 @@ TEST_CASE("the generated planet is the same everywhere, and has no seam") {
     }
   }
   CHECK(is_count);
-  // Of whole numbers, and therefore exact.
+  // A sum of whole numbers, and therefore exact.
   CHECK(sum == 84969586.0);
-  // Across the seam as between any two columns: no more than between the two that differ most, of clouds nor less than between those that
-  // differ least, as it would be if one column stood twice. (Land may be missing there.)
+  // The difference across the seam is like that between two adjacent columns: at most the largest
+  // such difference, and for clouds at least the smallest, so that no column is repeated. (There
+  // may be no land at the seam.)
   const auto apart = [&](const auto& value, std::size_t left, std::size_t right) {
     double sum = 0;
     for (std::size_t y = 0; y < 128; ++y)
@@ -230,10 +234,10 @@ TEST_CASE("the generated planet is the same everywhere, and has no seam") {
   const auto [least_clouds, most_clouds] = extremes(opacity);
   CHECK(apart(opacity, 255, 0) >= least_clouds);
   CHECK(apart(opacity, 255, 0) <= most_clouds);
-  CHECK(apart(opacity, 0, 128) > 2 * most_clouds);  // half round is another place
+  CHECK(apart(opacity, 0, 128) > 2 * most_clouds);  // half a turn away is another place
   CHECK(apart(green, 255, 0) <= extremes(green).second);
-  // All columns meet at the poles: half a row from there they are a circle of 0.7 degrees, whose points differ less than those of any
-  // row of the middle half.
+  // All columns meet at the poles. Half a row from a pole they form a circle of 0.7 degrees, whose
+  // points differ less than those of any row of the middle half.
   const auto range = [&](std::size_t y) {
     const auto first = scene.opacity.begin() + std::ptrdiff_t(256 * y);
     const auto [low, high] = std::minmax_element(first, first + 256);
@@ -246,7 +250,7 @@ TEST_CASE("the generated planet is the same everywhere, and has no seam") {
 }
 
 TEST_CASE("clouds are where the longer tail of a component is, from its median on") {
-  // 0 .. 100, and beyond them a few up to 1100.
+  // 0 .. 96, and a few values beyond, up to 1100.
   Bands component{101, 1, {{"component 1", {}}}};
   for (int i = 0; i <= 100; ++i)
     component.bands[0].samples.push_back(i < 97 ? i : 1000 + 25 * (i - 96));
@@ -260,7 +264,7 @@ TEST_CASE("clouds are where the longer tail of a component is, from its median o
   CHECK(clouds.at(98, 0).a == 249);
   CHECK(clouds.at(99, 0).a == 255);
   CHECK(clouds.at(100, 0).a == 255);
-  // Where nothing varies the sky is clear.
+  // Where the component does not vary, the sky is clear.
   component.bands[0].samples.assign(101, 7);
   CHECK(cloud_alpha(component).at(3, 0).a == 0);
 }

@@ -42,17 +42,18 @@ TEST_CASE(
     const auto read = decode_layers(other, "bad.ldi");
     return !read && read.error().message().find("bad.ldi") != std::string::npos;
   };
-  CHECK(refused(16, std::byte{'2'}));                       // a version to come
+  CHECK(refused(16, std::byte{'2'}));                       // a later version
   CHECK(refused(18 + 3, std::byte{1}));                     // 16 million columns
-  CHECK(refused(18 + 8, std::byte{3}));                     // a lens that there is not
-  CHECK(refused(18 + 8 + 4 + 6 * 8 + 7, std::byte{0x7f}));  // a pose that is none
+  CHECK(refused(18 + 8, std::byte{3}));                     // an unknown kind of lens
+  CHECK(refused(18 + 8 + 4 + 6 * 8 + 7, std::byte{0x7f}));  // an invalid pose
   const std::size_t offsets = bytes.size() - 8 * layers.image.samples() - 4 * (24 * 16 + 1);
-  CHECK(refused(offsets - 4, std::byte(bytes[offsets - 4] ^ std::byte{1})));  // other samples
+  // The number of samples does not match.
+  CHECK(refused(offsets - 4, std::byte(bytes[offsets - 4] ^ std::byte{1})));
   CHECK(refused(offsets, std::byte{1}));
   const std::size_t depths = bytes.size() - 8 * layers.image.samples();
   CHECK(refused(depths + 3, std::byte{0xbf}));  // negative
 
-  // What may follow the colours.
+  // The optional sections that may follow the colours.
   StoredLayers more = layers;
   more.image.normal.assign(more.image.samples(), stored_normal(1, -2, 3));
   more.image.triangle.assign(more.image.samples(), 5);
@@ -73,16 +74,16 @@ TEST_CASE(
     return !decode_layers(other, "bad.ldi");
   };
   const std::size_t section = 4 + 4 * layers.image.samples();
-  CHECK(refused_section(0, std::byte{'N'}));        // no word that there is
+  CHECK(refused_section(0, std::byte{'N'}));        // an unknown section
   CHECK(refused_section(section, std::byte{'n'}));  // normals twice
-  CHECK(refused_section(4, std::byte{127}));        // too long a normal
-  CHECK(refused_section(7, std::byte{1}));          // a fourth number
+  CHECK(refused_section(4, std::byte{127}));        // a normal that is too long
+  CHECK(refused_section(7, std::byte{1}));          // a fourth number of a normal
   for (const std::size_t size : {bytes.size() + 1, bytes.size() + section - 1,
                                  bytes.size() + section + 1, with_both.size() - 1}) {
     CHECK_FALSE(decode_layers(std::span(with_both).first(size), "cut.ldi"));
   }
 
-  // No byte, whatever it becomes, may do more than that.
+  // A changed byte may change the image, but never makes it invalid.
   Random random(6);
   for (int i = 0; i < 3000; ++i) {
     std::vector<std::byte> other = i % 2 == 0 ? bytes : with_both;

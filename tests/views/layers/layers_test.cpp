@@ -1,4 +1,5 @@
-// Layered depth images: how they are packed, merged, warped and drawn (S1-01 to S1-11, C-37, C-80 to C-86).
+// Layered depth images: how they are packed, merged, warped and drawn (S1-01 to S1-11, C-37, C-80
+// to C-86).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,7 +51,7 @@ LayerCamera small_camera() {
 
 TEST_CASE("S1-07: the warp matrix carries a pixel to where the world's point is seen (C-37)") {
   Random random(7);
-  // With a depth of near / distance the inverse is exact to a few roundings, whatever far / near.
+  // With the depth near / distance, the inverse is exact up to a few roundings for any far / near.
   for (const double far : {10.0, 1e5, 1e9}) {
     const View from = make_view(camera_at({1, 2, 6}, {0, 0, 0}, 1e-2, far), 640, 480).value();
     const View to = make_view(camera_at({1.3, 1.9, 5.7}, {0.1, 0, 0}, 1e-2, far), 640, 480).value();
@@ -64,7 +65,8 @@ TEST_CASE("S1-07: the warp matrix carries a pixel to where the world's point is 
       CHECK(double(depth) == Approx(depth_of(from, in1.w())).epsilon(1e-6));
       const Eigen::Vector4d found =
           warp * Eigen::Vector4d(in1.x() / in1.w(), in1.y() / in1.w(), double(depth), 1);
-      // A depth that is 2^-24 off moves the point by as much of its parallax, which is below 640 px.
+      // A depth with an error of 2^-24 moves the point by that share of its parallax, which is
+      // below 640 px.
       const double bound = 640 * 0x1p-23;  // px
       CHECK(std::abs(found.x() / found.w() - in2.x() / in2.w()) < bound);
       CHECK(std::abs(found.y() / found.w() - in2.y() / in2.w()) < bound);
@@ -92,7 +94,7 @@ TEST_CASE("S1-06, C-85: packed from the bottom left, from back to front, and che
   CHECK(counts.most == 3);
   CHECK(counts.complexity() == 2);
 
-  // No layers at all, and more than a byte could count.
+  // No layers at all, then more layers than a byte can count.
   CHECK(check(LayerBuilder(small_camera(), 0).pack(), "empty"));
   LayerBuilder deep(small_camera(), 0);
   for (int i = 1; i <= 300; ++i) deep.add(2, 1, float(i) / 512, {std::uint8_t(i), 0, 0});
@@ -129,7 +131,8 @@ TEST_CASE(
     for (std::size_t i = chain.size(); i-- > 1;) {
       std::swap(chain[i], chain[std::size_t(random.integer(0, int(i)))]);
     }
-    // Every other one is within epsilon of the one before it: six are left, not one.
+    // Depths within epsilon form a chain. Every other one is merged with the one before it: six are
+    // left, not one.
     CHECK(packed.back().samples() == 6);
     CHECK(packed.back().depth == packed.front().depth);
   }
@@ -164,7 +167,7 @@ TEST_CASE(
   const LayeredImage image = build_layers(scene, view, plain(), 4);
   View beside = view;
   beside.eye_from_world.at(0, 3) -= 0.3;
-  beside.eye_from_world.at(2, 3) += 0.7;  // nearer: some samples are behind, some large
+  beside.eye_from_world.at(2, 3) += 0.7;  // nearer: some samples are behind the eye, some are large
   for (const LayerOrder order : {LayerOrder::kDepth, LayerOrder::kOcclusion}) {
     for (const Splat splat : {Splat::kPoint, Splat::kThree, Splat::kProjected, Splat::kSoft}) {
       LayerDrawing drawing;
@@ -205,7 +208,7 @@ TEST_CASE("3 x 3 pixels of each sample: a pixel shows the nearest of those aroun
       REQUIRE(threes.depth.at(x, y) == nearest);
     }
   }
-  // Those whose centre is a pixel beside the picture are drawn as well.
+  // Samples whose centre is one pixel outside the picture are drawn as well.
   CHECK(threes.counts.drawn > points.counts.drawn);
 }
 
@@ -265,7 +268,7 @@ TEST_CASE("the picture does not depend on how many threads draw it") {
 TEST_CASE(
     "C-81, S1-10: magnified by m, points leave 1 - 1/m^2 of a wall, and projected squares "
     "nothing") {
-  // A wall that fills the picture, from twice and four times as far.
+  // A wall that fills the picture, drawn from its own distance, from half and from a quarter of it.
   LayerBuilder builder(layer_camera(view_at({0, 0, 8}, {0, 0, 0}, 64, 64)), 0);
   const View wall = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
   builder.add_picture(wall, Image<Rgba8>(64, 64, {9, 9, 9}), Image<float>(64, 64, 8.0f));
@@ -287,7 +290,7 @@ TEST_CASE(
 TEST_CASE("S1-10: a plane that is seen at a slant has no hole inside, from 10 degrees beside") {
   const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
   const LayerCamera c1 = layer_camera(from);
-  // Where the line from an eye through a pixel meets the plane z = -k x.
+  // The point where the line from the eye through a pixel meets the plane z = -k x.
   const auto on_plane = [](const LayerCamera& camera, int x, int y, double k) {
     const Eigen::Vector4d at_near =
         camera.screen_from_world.inverse() * Eigen::Vector4d(x + 0.5, y + 0.5, 1, 1);
@@ -324,7 +327,8 @@ TEST_CASE("S1-10: a plane that is seen at a slant has no hole inside, from 10 de
 }
 
 TEST_CASE("S1-10: a plane's stored normal gives every sample its size, at the plane's edge, too") {
-  // A column one pixel wide of a plane z = -2 x: beside its samples there is nothing to tell a slope from.
+  // A column of a plane z = -2 x that is one pixel wide: its samples have no neighbours from which
+  // the slope could be computed.
   const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
   const LayerCamera c1 = layer_camera(from);
   LayerBuilder with(c1, 0, {.normals = true}), without(c1, 0);
@@ -352,14 +356,15 @@ TEST_CASE("S1-10: a plane's stored normal gives every sample its size, at the pl
     }
     return count;
   };
-  // By neighbours of the whole plane, the same column of it; alone it is as wide as if it faced its eye.
+  // The whole plane, whose slope follows from neighbours. Without a normal the single column is as
+  // wide as if it faced its own eye.
   LayeredImage all = whole.pack();
   CHECK(2 * covered(with) > 3 * covered(without));
   const LayeredImage image = with.pack();
   REQUIRE(check(image, "normals"));
   CHECK(image.normal.size() == image.samples());
   CHECK(image.triangle.empty());
-  // Both ways to know a slope agree where both know it.
+  // Both ways to get the slope agree where both are possible.
   LayeredImage known = all;
   known.normal.assign(known.samples(), normal);
   const LayerPicture by_neighbours = draw_layers(all, side, {}),
@@ -381,7 +386,7 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   for (const Layer& layer : layers) builder.add_layer(view, layer, normals);
   const LayeredImage image = builder.pack();
   REQUIRE(check(image, "room"));
-  std::vector<bool> has_two_sides{false};  // by numbers from 1
+  std::vector<bool> has_two_sides{false};  // by number, from 1 on
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (const Face& face : mesh.faces)
@@ -401,7 +406,8 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
         const Eigen::Vector4d at(x + 0.5, y + 0.5, double(image.depth[i]), 1);
         const Eigen::Vector3d to_eye = eye - (world_from_screen * at).hnormalized();
         const SampleNormal& n = image.normal[i];
-        // A normal is 127 long and each of its numbers off by a half at most; backs are seen of what has two sides alone.
+        // A normal is 127 long, and each component is off by at most a half. Back sides are seen
+        // only of double-sided materials.
         const double towards = to_eye.normalized().dot(Eigen::Vector3d(n.x, n.y, n.z));
         const bool is_back = towards < -0.5 * std::sqrt(3.0);
         REQUIRE((!is_back || has_two_sides[image.triangle[i]]));
@@ -411,7 +417,7 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   }
   CHECK(known == image.samples());
   CHECK(backs < known / 2);
-  // The nearest and the farthest keep theirs.
+  // The nearest and the farthest samples keep their normals and numbers.
   const LayeredImage ends = ends_of(image);
   REQUIRE(check(ends, "ends"));
   CHECK(ends.normal.size() == ends.samples());
@@ -424,21 +430,21 @@ TEST_CASE(
   const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
   builder.add_picture(from, Image<Rgba8>(64, 64, {9, 9, 9}), Image<float>(64, 64, 3.0f));
   const LayeredImage image = builder.pack();
-  // The wall is at z = 5. The other eye has passed it.
+  // The wall is at z = 5, and the other eye is beyond it.
   const auto passed = draw_layers(image, layer_camera(view_at({0, 0, 4}, {0, 0, 0}, 64, 64)), {});
   CHECK(passed.counts.behind == image.samples());
   CHECK(std::ranges::count(passed.depth.pixels, 0.0f) == 64 * 64);
-  // Between the near plane and the eye nothing is drawn either.
+  // Nothing is drawn between the near plane and the eye.
   const auto at_near =
       draw_layers(image, layer_camera(view_at({0, 0, 5.25}, {0, 0, 0}, 64, 64)), {});
   CHECK(at_near.counts.beside == image.samples());
-  // A near plane of 0.001: 3 / 0.01 pixels each.
+  // A near plane of 0.001: each sample is 3 / 0.01 pixels large.
   const View face = make_view(camera_at({0, 0, 5.01}, {0, 0, 0}, 1e-3, 50), 64, 64).value();
   CHECK(draw_layers(image, layer_camera(face), {}).counts.cut > 0);
 }
 
 TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view looks") {
-  // The warp of floats takes its depth, 1, to a rounding or some beyond.
+  // The warp in float changes their depth, 1, by a rounding, possibly to more than 1.
   Random random(83);
   for (int i = 0; i < 60; ++i) {
     const auto some = [&](double most) { return random.between(-most, most); };
@@ -457,7 +463,7 @@ TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view l
       CHECK(draw_layers(wall, own, drawing).counts.drawn == 64 * 48);
     }
   }
-  // A thousandth nearer than that is between the plane and the eye.
+  // A point a thousandth nearer is between the near plane and the eye.
   LayerBuilder nearer(small_camera(), 0);
   nearer.add(1, 1, 1.001f, {9, 9, 9});
   CHECK(draw_layers(nearer.pack(), small_camera(), {}).counts.beside == 1);
@@ -485,25 +491,28 @@ TEST_CASE("threads that have nothing to do, or no memory for a picture of their 
 TEST_CASE(
     "S1-11, C-82: the order of visits runs towards an epipole before the camera, and away from one "
     "behind") {
-  CHECK(visiting_order(2.5 * 1, 1, 5) == std::vector<int>{0, 1, 4, 3, 2});  // inside, before
-  CHECK(visiting_order(-2.5, -1, 5) == std::vector<int>{3, 4, 2, 1, 0});    // inside, behind
-  CHECK(visiting_order(9, 1, 3) == std::vector<int>{0, 1, 2});              // beside it
+  // Inside the picture, in front of the camera.
+  CHECK(visiting_order(2.5 * 1, 1, 5) == std::vector<int>{0, 1, 4, 3, 2});
+  // Inside, behind the camera.
+  CHECK(visiting_order(-2.5, -1, 5) == std::vector<int>{3, 4, 2, 1, 0});
+  CHECK(visiting_order(9, 1, 3) == std::vector<int>{0, 1, 2});  // outside the picture
   CHECK(visiting_order(-9, 1, 3) == std::vector<int>{2, 1, 0});
   CHECK(visiting_order(1, 0, 3) == std::vector<int>{0, 1, 2});  // at infinity
   CHECK(visiting_order(-1, 0, 3) == std::vector<int>{2, 1, 0});
 }
 
 TEST_CASE("S1-11: along a row of a stereo pair, what is visited later is nearer") {
-  // Eyes side by side: rows stay rows, and two samples that meet in a pixel are on one line. All depths are such that samples fall on
-  // pixels' centres, where the order is exact.
+  // The eyes are side by side: rows stay rows, and two samples that meet in a pixel are on one
+  // line. All depths are chosen so that samples move to pixel centres, where the order is exact.
   const View left = view_at({0, 0, 0}, {0, 0, -1}, 64, 8);
   const LayerCamera from = layer_camera(left);
-  const double pixels = from.screen_from_world(0, 0);  // for each unit, at distance 1
+  const double pixels = from.screen_from_world(0, 0);  // per unit at distance 1
   Random random(82);
   for (const double side : {1.0, -1.0}) {
     LayerBuilder builder(from, 0);
     for (int i = 0; i < 600; ++i) {
-      // Parallaxes of whole pixels: near / distance = n near / (pixels * baseline), with a baseline of 1.
+      // Parallaxes of whole pixels: near / distance = n near / (pixels * baseline), with baseline
+      // 1.
       const double depth = double(random.integer(1, 30)) * 0.5 / pixels;
       const int x = int(random.integer(0, 63)), y = int(random.integer(0, 7));
       builder.add(x, y, float(depth),

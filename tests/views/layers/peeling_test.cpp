@@ -1,4 +1,5 @@
-// What lies behind a picture: the same from both engines, and what a second eye would see of it (S1-01, S1-09).
+// The surfaces behind a picture: the same from both engines, and those of them that a second eye
+// would see (S1-01, S1-09).
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -51,12 +52,12 @@ TEST_CASE(
       const RenderSettings settings = all_planes(format);
       Renderer staged(scene, settings.transfer, EngineKind::kStaged);
       Rendering shown = staged.render(view, settings);
-      // A third of the pixels lets nothing through.
+      // In a third of the pixels nothing is drawn behind.
       Image<std::uint32_t> behind = shown.buffers.depth;
       for (int y = 0; y < 61; ++y) std::fill_n(&behind.at((7 * y) % 56, y), 27, kEmptyDepth);
       Rendering expected;
       staged.render(view, settings, expected, &behind);
-      // A pixel has one sample then, whatever is asked for.
+      // Then a pixel has one sample, even if the settings request more.
       RenderSettings sampled = settings;
       sampled.samples = 4;
       for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
@@ -119,14 +120,15 @@ TEST_CASE("S1-01: each layer is behind the one before it, and the last one shows
   }
 }
 
-// A row whose depths are standard ones of near plane 1 and infinite far plane: code of 1 - 1 / distance.
+// The depths of this row are standard depths with near plane 1 and an infinite far plane: the code
+// of 1 - 1 / distance.
 TEST_CASE("a line of sight goes on to the first place that the other eye would see") {
-  // px: nothing moves at infinity, what is at distance z by 20 / z to the left.
+  // In px: a point at infinity does not move, a point at distance z moves by 20 / z to the left.
   const EyeShift shift{DepthFormat::kFloat32, 1, -1, 0, 20};
   const auto code = [](double z) { return depth_code(DepthFormat::kFloat32, float(1 - 1 / z)); };
   constexpr int kWidth = 40;
-  // A card at 2 in front of a wall at 10: it moves by 10, the wall by 2. The hole is from the card's right edge, 30 - 10, to the wall's first
-  // pixel, 30 - 2.
+  // A card at distance 2 in front of a wall at 10: the card moves by 10, the wall by 2. The hole
+  // reaches from the card's right edge, 30 - 10, to the wall's first pixel, 30 - 2.
   std::vector<std::uint32_t> last(kWidth, code(10)), behind(kWidth);
   std::fill(last.begin() + 20, last.begin() + 30, code(2));
   std::vector<Rgba8> colors(kWidth);
@@ -144,37 +146,41 @@ TEST_CASE("a line of sight goes on to the first place that the other eye would s
   for (int x = 0; x < kWidth; ++x) {
     INFO(x << ": " << behind[std::size_t(x)]);
     const bool card = x >= 20 && x < 30;
-    // The wall at x < 20 goes on to x + 1/2: into the hole from 20 on it comes at x = 20 at the earliest, into that at the right edge from 38 on.
+    // The line of sight of the wall at x < 20 goes on to x + 1/2: it reaches the hole that begins
+    // at 20 for x = 20 at the earliest, and the hole at the right edge, which begins at 38, for x =
+    // 38.
     if (!card) {
       CHECK((behind[std::size_t(x)] != kEmptyDepth) == (x >= 38));
       continue;
     }
-    // Of the card, what is a pixel before the hole, at 19, at the earliest: x + 1/2 - 20 / z = 19; and a pixel beyond the card's own place.
+    // The line of sight of the card goes on to a pixel before the hole, at 19, at the earliest: x +
+    // 1/2 - 20 / z = 19; and at least to a pixel beyond the card's own place.
     const double place = std::max(x + 0.5 - 10 + 1, 19.0), z = 20 / (x + 0.5 - place);
     CHECK(double(behind[std::size_t(x)]) == Approx(double(code(z))).margin(4));
   }
 }
 
 TEST_CASE("a surface that jumps over another one is looked for there") {
-  // A fence of thin posts at 2 before a wall at 10, as the second eye has it: behind a post that is seen in front of the wall, there may be another.
+  // A fence of thin posts at distance 2 in front of a wall at 10, as the second eye sees it: behind
+  // a post that is seen in front of the wall there may be another one.
   const EyeShift shift{DepthFormat::kFloat32, 1, -1, 0, 20};
   constexpr int kWidth = 8;
   std::vector<std::uint32_t> color(kWidth + 1), nearness(kWidth + 1, 0);
   const auto near = [](double z) { return std::bit_cast<std::uint32_t>(float(1 / z)) + 1; };
   for (int q = 0; q < kWidth; ++q) nearness[std::size_t(q)] = near(10);
-  nearness[2] = near(2);  // comes from 2 + 10, the wall after it from q + 2
+  nearness[2] = near(2);  // comes from 2 + 10; the wall after it comes from q + 2
   std::vector<std::uint32_t> last(kWidth, depth_code(DepthFormat::kFloat32, 1 - 1 / 4.0f));
   std::vector<std::uint32_t> behind(kWidth);
   BehindMemory memory;
   const EyeTarget to{color.data(), nearness.data()};
   CHECK(find_seen_behind(shift, last.data(), kWidth, to, memory, behind.data()));
-  // A line that ends at x + 1/2 is in front of what comes from further left: the wall at q >= 3 comes from q + 2 1/2, which is more than a
-  // pixel less for x > q + 3.
+  // A line of sight that ends at x + 1/2 is in front of all that comes from further left: the wall
+  // at q >= 3 comes from q + 2 1/2, which is more than a pixel less for x > q + 3.
   for (int x = 0; x < kWidth; ++x) {
     INFO(x);
     CHECK((behind[std::size_t(x)] != kEmptyDepth) == (x >= 7));
   }
-  // With nothing open there is nothing to look for.
+  // Where nothing is open, there is nothing to find.
   nearness[2] = near(10);
   CHECK_FALSE(find_seen_behind(shift, last.data(), kWidth, to, memory, behind.data()));
   CHECK(std::ranges::all_of(behind, [](std::uint32_t code) { return code == kEmptyDepth; }));

@@ -1,4 +1,5 @@
-// Layers made of rays: the caster against trying every triangle, the rays' law, and what they find (S1-03).
+// Layers by rays: the ray caster, compared with testing every triangle; the distribution of the
+// rays; and the surfaces that they find (S1-03).
 #include <cmath>
 #include <vector>
 
@@ -27,7 +28,7 @@ Eigen::Vector3d random_point(Random& random, double reach) {
           random.between(-reach, reach)};
 }
 
-// In a cube of 20, small and large, some of them slivers.
+// Small and large triangles in a cube of side 20, some of them slivers.
 std::vector<TriangleCorners> random_triangles(Random& random, int count) {
   std::vector<TriangleCorners> triangles;
   for (int i = 0; i < count; ++i) {
@@ -79,13 +80,14 @@ TEST_CASE("a hit is where the ray meets the triangle's plane, and inside") {
   Random random(2);
   int compared = 0;
   for (const TriangleCorners& corners : random_triangles(random, 4000)) {
-    // Towards a point of the plane near the triangle.
+    // Towards a point in the triangle's plane, near the triangle.
     const double s = random.between(-0.5, 1.5), t = random.between(-0.5, 1.5);
     const Eigen::Vector3d a = corners[1] - corners[0], b = corners[2] - corners[0];
     Ray ray{random_point(random, 12).cast<float>(), {}};
     const Eigen::Vector3d to = corners[0] + s * a + t * b;
     ray.direction = to - ray.origin.cast<double>();
-    // As seen from the origin the triangle is not edge on, and the place is not at its edge: then double sums cannot mistake it.
+    // Skips triangles seen edge-on and points near an edge, so that sums in double cannot decide
+    // wrongly.
     const double facing = std::abs(a.cross(b).normalized().dot(ray.direction.normalized()));
     const double edge = std::min({std::abs(s), std::abs(t), std::abs(1 - s - t)});
     if (facing < 1e-2 || edge < 1e-3 || a.cross(b).norm() < 1e-4) continue;
@@ -96,13 +98,16 @@ TEST_CASE("a hit is where the ray meets the triangle's plane, and inside") {
     REQUIRE(hit.has_value() == inside);
     if (!inside) continue;
     CHECK(hit->front == (a.cross(b).dot(ray.direction) < 0));
-    // The mean of corners is on the plane but for the rounding of three products and two sums: 8 u of the largest coordinate, here 18,
-    // along each axis, and the check's own of as much.
+    // The weighted mean of the corners is on the plane up to the rounding of three products and two
+    // sums: 8 u of the largest coordinate, here 18, along each axis, and as much for the check
+    // itself.
     const Eigen::Vector3d at = caster.place(*hit), normal = a.cross(b).normalized();
     CHECK(std::abs(normal.dot(at - corners[0])) < 2 * 8 * kRounding * 18 * std::sqrt(3.0));
-    // Sheared, coordinates have an error of 4 u M, M the largest seen from the origin, and an edge function of two products 48 u M^2: a
-    // place of weights that are shares of the area A is off the ray by 3 * 48 u M^2 * 2 M / A and 4 u M. The shear lengthens by at most
-    // sqrt(3), and `to` and the direction were rounded too, M u each.
+    // After the shear, coordinates have an error of 4 u M, where M is the largest coordinate
+    // relative to the origin, and an edge function, two products, has an error of 48 u M^2. A point
+    // whose weights are shares of the area A is off the ray by 3 * 48 u M^2 * 2 M / A and 4 u M.
+    // The shear lengthens by at most sqrt(3), and `to` and the direction were rounded, too, by M u
+    // each.
     double reach = 0;
     for (const Eigen::Vector3d& corner : corners)
       reach = std::max(reach, (corner - ray.origin.cast<double>()).cwiseAbs().maxCoeff());
@@ -117,7 +122,7 @@ TEST_CASE("a hit is where the ray meets the triangle's plane, and inside") {
 }
 
 TEST_CASE("no ray slips through the edges of a closed surface") {
-  // A fan of sheets around the axis, whose edges and apex are aimed at.
+  // A fan of triangles around the axis; the rays aim at its edges and at its apex.
   Random random(3);
   std::vector<TriangleCorners> fan;
   std::vector<Eigen::Vector3d> rim;
@@ -138,8 +143,9 @@ TEST_CASE("no ray slips through the edges of a closed surface") {
 }
 
 TEST_CASE("a ray that meets an edge or a corner exactly has a triangle there") {
-  // Eight triangles around the corner (0, 0, -4), whose edges run along and between the axes, and rays of dyadic numbers to it and to the edges: an
-  // edge function is 0 then, not nearly.
+  // Eight triangles around the corner (0, 0, -4), whose edges are parallel to the axes or diagonal.
+  // The rays to the corner and to the edges have dyadic numbers, so that edge functions are exactly
+  // 0.
   std::vector<TriangleCorners> around;
   const Eigen::Vector3d middle(0, 0, -4);
   const Eigen::Vector3d rim[] = {{4, 0, -4},  {4, 4, -4},   {0, 4, -4},  {-4, 4, -4},
@@ -155,7 +161,7 @@ TEST_CASE("a ray that meets an edge or a corner exactly has a triangle there") {
         int meet = 0;
         for (const TriangleCorners& triangle : around)
           meet += ShearedRay(ray).meet(triangle).has_value();
-        CHECK(meet == (along == 0 ? 8 : 2));  // on the edge itself both have it
+        CHECK(meet == (along == 0 ? 8 : 2));  // on an edge both neighbours are hit
         const auto hit = caster.cast(ray, kAll);
         REQUIRE(hit);
         CHECK(caster.place(*hit) == to);
@@ -176,7 +182,7 @@ TEST_CASE("parts of a sampling have all of its rays, each once, and none has man
       CHECK(part->strata * std::uint64_t(part->rays) <= std::uint64_t(kRaysOfPart));
       all += part->strata * std::uint64_t(part->rays);
       CHECK(part->stratum == stratum);
-      // It begins where the one before has ended.
+      // The random numbers continue where the previous part ended.
       Random own = part->random;
       CHECK(own.bits() == Random(random).bits());
       for (int i = 0; i < part->rays; ++i)
@@ -217,12 +223,14 @@ TEST_CASE("rays are spread as the cosine law asks, and each in its stratum") {
     }
   }
   CHECK(aside == 0);
-  // Density 2 c of the cosine c: the mean is 2/3, that of the square 1/2. Unstratified means of n would be within 4 sigma = 4 sqrt(1/18 / n)
-  // and 4 sqrt(1/12 / n); strata only lessen that.
+  // Cosines c with density 2 c have mean 2/3, and their squares have mean 1/2. Means of n
+  // unstratified samples would be within 4 sigma = 4 sqrt(1/18 / n) and 4 sqrt(1/12 / n); strata
+  // only reduce that.
   const auto n = double(count);
   CHECK(std::abs(cosines / n - 2.0 / 3) < 4 * std::sqrt(1.0 / 18 / n));
   CHECK(std::abs(squares / n - 0.5) < 4 * std::sqrt(1.0 / 12 / n));
-  // The square is uniform: chi squared of 10 classes, below the quantile 0.9999 of 9 degrees of freedom.
+  // The square is uniformly distributed: chi squared of 10 classes is below the 0.9999 quantile of
+  // 9 degrees of freedom.
   double chi = 0;
   for (const int here : by_height) chi += (here - n / 10) * (here - n / 10) / (n / 10);
   CHECK(chi < 33.7);
@@ -247,8 +255,8 @@ TEST_CASE(
   CHECK(counts.hits <= counts.followed);
   CHECK(one.samples() <= counts.hits);
 
-  // A pixel in the middle of a surface, all around which one triangle's neighbours are as deep, is as far away as the rasterizer has it,
-  // within what half a pixel's step changes.
+  // A pixel in the middle of a surface, whose neighbours have similar distances, has the same
+  // distance as in the rasterizer, up to the change within half a pixel.
   RenderSettings settings;
   settings.want_distance = true;
   const Framebuffer drawn = Renderer(scene, settings.transfer).render(view, settings).buffers;
@@ -273,7 +281,8 @@ TEST_CASE(
   CHECK(alike > 0.97 * compared);
 }
 
-// A teapot with light of its own, mirrored: what is outside is told by the winding, which the mirror turns round.
+// A mirrored teapot that emits light: the winding tells which side is the outside, and mirroring
+// reverses it.
 static Scene mirrored_lamp() {
   Scene scene = make_builtin("teapot").value();
   for (Material& material : scene.materials) material.emission = {0.3f, 0.1f, 0.05f};
@@ -312,7 +321,8 @@ TEST_CASE("a hit has the colour that the rasterizer gives the same point") {
     }
     CHECK(hits > 500);
     CHECK(std::abs(hits - shown) <= 0.03 * hits);
-    // Vertices are snapped to 1/256 px, which moves edges across a few centres and shifts texels a little.
+    // Vertices are snapped to 1/256 px, which moves edges across a few pixel centres and shifts
+    // texels a little.
     CHECK(alike > 0.97 * hits);
   }
 }

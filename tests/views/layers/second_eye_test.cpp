@@ -1,4 +1,4 @@
-// A right eye that is warped from the left one's layers (S0-06, S1-09).
+// A right eye that is warped from the layers of the left one (S0-06, S1-09).
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -25,7 +25,7 @@ View flat_view(double near = 1) {
   return make_view(camera, 100, 10).value();
 }
 
-// Stripes that tell columns apart.
+// Stripes in which every column has its own colour.
 Image<Rgba8> striped(int width, int height) {
   Image<Rgba8> picture(width, height);
   for (int y = 0; y < height; ++y) {
@@ -40,7 +40,7 @@ struct WarpedEye {
   std::size_t holes = 0;
 };
 
-// What the rasterizer stores for distances along the gaze.
+// The depth codes that the rasterizer stores for distances along the gaze.
 Image<std::uint32_t> codes(const View& view, const Image<float>& distance,
                            DepthFormat format = DepthFormat::kFloat32) {
   Image<std::uint32_t> depth(distance.width, distance.height, kEmptyDepth);
@@ -61,7 +61,7 @@ WarpedEye warped(const Image<Rgba8>& color, const Image<float>& distance, const 
   return eye;
 }
 
-// From several layers, the first of them in front.
+// The right eye warped from several layers, the first of which is in front.
 WarpedEye warped(const std::vector<LayerView>& layers, const View& view, const StereoPair& pair,
                  const SecondEyeSettings& settings = {}) {
   WarpedEye eye;
@@ -97,7 +97,7 @@ TEST_CASE("what is at the window has no parallax: the right picture is the left 
 TEST_CASE(
     "a wall behind the window moves to the right by its parallax, and what comes in is filled") {
   const Image<Rgba8> color = striped(100, 10);
-  // 2 s (W/2) a (1/f - 1/z) = 100 px 0.2 (1/2 - 1/4) = 5 px.
+  // The parallax is 2 s (W/2) a (1/f - 1/z) = 100 px 0.2 (1/2 - 1/4) = 5 px.
   const WarpedEye eye = warped(color, Image<float>(100, 10, 4.0f), flat_view(), {0.1, 2});
   CHECK(eye.holes == 5 * 10);
   for (int x = 5; x < 100; ++x) REQUIRE(eye.color.at(x, 3) == color.at(x - 5, 3));
@@ -117,7 +117,8 @@ TEST_CASE("every way to store a depth moves a wall alike, to the parallax of its
             .value();
     const WarpedEye eye = warped(color, wall, view, {0.1, 2}, {.format = format});
     INFO(int(format));
-    // 5 px, in 16 bits to within 20 px / 65535: a mixture with the next column of 256 parts is the same.
+    // 5 px; in 16 bits within 20 px / 65535, which is less than the 256 steps of interpolation
+    // between columns resolve.
     for (int x = 6; x < 99; ++x) CHECK(std::abs(eye.color.at(x, 3).r - 2 * (x - 5)) <= 1);
   }
 }
@@ -127,7 +128,7 @@ TEST_CASE("between pixels there is a mixture of both") {
   // A parallax of 2.5 px.
   const WarpedEye eye = warped(color, Image<float>(100, 10, 4.0f), flat_view(), {0.05, 2});
   for (int x = 3; x < 100; ++x) {
-    // Of 2 (x - 3) and 2 (x - 2), half each.
+    // Half of 2 (x - 3) and half of 2 (x - 2).
     CHECK(int(eye.color.at(x, 0).r) == 2 * x - 5);
   }
 }
@@ -145,9 +146,10 @@ TEST_CASE(
   }
   const StereoPair pair{0.1, 4};
   const WarpedEye eye = warped(color, distance, flat_view(), pair);
-  // 100 px 0.2 (1/2 - 1/8) = 7.5 px beside the card; and 100 px 0.2 (1/4 - 1/8) = 2.5 px come in at the left.
+  // 100 px 0.2 (1/2 - 1/8) = 7.5 px beside the card, and 100 px 0.2 (1/4 - 1/8) = 2.5 px at the
+  // left edge.
   CHECK(double(eye.holes) / 10 == Approx(7.5 + 2.5).margin(1));
-  // The card is 5 px further to the left, the rest is wall.
+  // The card is 5 px further to the left; the rest is wall.
   for (int x = 0; x < 100; ++x) {
     const bool card = x >= 35 && x < 55;
     CHECK(eye.color.at(x, 5) == (card ? Rgba8{0, 0, 200} : Rgba8{200, 0, 0}));
@@ -171,7 +173,7 @@ TEST_CASE("what a second layer has behind the first one fills the holes with wha
   const WarpedEye one = warped({layers[0]}, flat_view(), {0.1, 4});
   const WarpedEye two = warped(layers, flat_view(), {0.1, 4});
   CHECK(one.holes >= 90);
-  CHECK(two.holes <= 30);  // what comes in at the left
+  CHECK(two.holes <= 30);  // the strip at the left edge
   CHECK(int(two.color.at(58, 5).r) > 140);
   CHECK(int(two.color.at(58, 5).r) < 160);
   CHECK(two.color.at(45, 5) == Rgba8{0, 0, 200});
@@ -210,21 +212,20 @@ TEST_CASE(
       Image<Rgba8> right;
       const Image<Rgba8> other(100, 64, {1, 2, 3});
       second.warp({other, nothing}, view, {0.1, 4}, {1, threads, target}, right);
-      // Infinity moves by 2 s 100 px / window = 100 px, the picture's width.
+      // Infinity moves by 2 s 100 px / window = 100 px, the width of the picture.
       CHECK(second.warp({color, nothing}, view, {2, 4}, {1, threads, target}, right) == 6400);
       for (int y = 0; y < 64; ++y) REQUIRE(std::ranges::count(right.pixels, color.at(0, y)) == 100);
     }
   }
 }
 
-// What is seen through stores no depth, so that before the background its colours are those of
-// empty pixels.
+// Translucent surfaces store no depth, so in front of the background their pixels look empty.
 TEST_CASE("what is seen through before the background keeps its colours in the warped eye") {
   constexpr int kWidth = 200;
   const Rgba8 background{20, 30, 40}, pane{120, 90, 40};
   Image<Rgba8> color(kWidth, 10, background);
   const Image<float> nothing(kWidth, 10, kInfinitelyFar);
-  // A pane, one that changes from pixel to pixel, and a single pixel.
+  // A pane of one colour, a pane that changes from pixel to pixel, and a single pixel.
   for (int y = 0; y < 10; ++y) {
     for (int x = 60; x < 130; ++x) color.at(x, y) = x < 90 ? pane : Rgba8{std::uint8_t(x), 0, 100};
     color.at(160, y) = pane;
@@ -232,7 +233,7 @@ TEST_CASE("what is seen through before the background keeps its colours in the w
   Camera camera;
   camera.lens = PerspectiveLens{2 * std::atan(0.05), 1, 100.0};
   const View wide = make_view(camera, kWidth, 10).value();
-  // The background is infinitely far: 2 s f / window = 0.2 * 100 px / 4 = 5 px to the right.
+  // The background is infinitely far away: 2 s f / window = 0.2 * 100 px / 4 = 5 px to the right.
   for (const Target target : available_targets()) {
     INFO(name_of(target));
     const WarpedEye eye = warped(color, nothing, wide, {0.1, 4}, {.target = target});
@@ -288,7 +289,8 @@ TEST_CASE("glass before the background is seen by both eyes, with glass before a
       const auto in_left = count_of(left, color), in_right = count_of(right, color);
       INFO(in_left << " pixels in the left eye, " << in_right << " in the right one");
       CHECK(in_left > 1000);
-      // An edge moves by less than 5 px (0.1 * 165 px / 4), and each of two edges may be a mixture.
+      // An edge moves by less than 5 px (0.1 * 165 px / 4), and the pixel at each of the two edges
+      // may be interpolated.
       CHECK(std::abs(in_left - in_right) <= kRows * (5 + 2));
     }
   }
@@ -316,7 +318,8 @@ std::vector<SecondEyeError> errors_by_layers(const Stage& stage) {
 
 }  // namespace
 
-// The eyes that render chooses. What is left of a room with walls around are edges, which pixels without a mixture put a pixel beside.
+// The eyes are those that `render` chooses. In a room that is closed by walls, edges remain wrong:
+// a picture without interpolated pixels has them up to a pixel away.
 TEST_CASE("warped, a room's right eye is wrong in a ninth of the pixels of the left picture's") {
   const auto errors =
       errors_by_layers(stage_of("room", 480, 270, {0.0663731669793334, 3.982390018760004}));
@@ -364,7 +367,7 @@ TEST_CASE("with no separation there is one picture, and what cannot be warped is
   settings.show = Show::kNormal;
   CHECK_FALSE(check_second_eye(stage.scene, settings, 1));
   settings.show = Show::kColor;
-  // A material that nothing wears is in nobody's way.
+  // A translucent material that no mesh uses does not matter.
   Scene glass = stage.scene;
   glass.materials.emplace_back().alpha_mode = AlphaMode::kBlend;
   CHECK(check_second_eye(glass, settings, 2));

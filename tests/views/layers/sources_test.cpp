@@ -1,4 +1,4 @@
-// What layers are made of: cameras from files, and pictures with distances (S1-02).
+// The sources of layers: cameras from files, and pictures with distances (S1-02).
 #include <filesystem>
 #include <fstream>
 
@@ -41,7 +41,7 @@ TEST_CASE("a camera of K, R and t sees what the view that it comes from sees") {
   const PinholeCamera pinhole = camera_of(view).value();
   const Camera camera = camera_of_pinhole(pinhole, 96, 64, 0.1, 50.0).value();
   const PinholeCamera again = camera_of(make_view(camera, 96, 64).value()).value();
-  // Three products and a sum of doubles each, of numbers up to a hundred.
+  // Three products and a sum of doubles for each entry, of numbers up to a hundred.
   CHECK((again.intrinsic - pinhole.intrinsic).cwiseAbs().maxCoeff() < 1e-11);
   CHECK((again.camera_from_world - pinhole.camera_from_world).cwiseAbs().maxCoeff() < 1e-13);
   CHECK((again.centre - pinhole.centre).norm() < 1e-13);
@@ -92,7 +92,7 @@ TEST_CASE("files of cameras and pictures that are not what they should be are na
   REQUIRE(write_image(folder.file("a.png"), Image<Rgba8>(4, 3), {}));
   told("cameras.txt", "a.pfm");
   REQUIRE(write_file(folder.file("a.pfm"), encode_pfm(Image<float>(4, 2, 1.0f))));
-  told("cameras.txt", "4 x 2 distances for 4 x 3");
+  told("cameras.txt", "4 x 2 distances, but the picture has 4 x 3 pixels");
   REQUIRE(write_file(folder.file("a.pfm"), encode_pfm(Image<float>(4, 3, -1.0f))));
   told("cameras.txt", "none of its pictures has a distance");
   folder.write("skewed.txt", "1\na.png 50 2 24 0 50 16 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0\n");

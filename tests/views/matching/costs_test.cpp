@@ -1,4 +1,4 @@
-// S2-04: every cost and average against its definition, written out.
+// S2-04: every cost and average, compared with its definition, written out.
 #include <tests/support/catch.h>
 
 #include <bit>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kAcross = 37, kRows = 11;
 
-// Of a sixth of the contrast in the left half, so that some neighbours are alike and some are not.
+// The picture with a sixth of its contrast in the left half, so that some neighbours are alike and
+// some are not.
 Planes half_faint(Image<Rgba8> image) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width / 2; ++x) {
@@ -53,7 +54,7 @@ bool is_alike(const Planes& planes, int x, int y, int dx, int dy) {
   return is_near(planes.r) && is_near(planes.g) && is_near(planes.b);
 }
 
-// Calls one(dx, dy) for each of the 32.
+// Calls one(dx, dy) for each of the 32 neighbours of the census.
 template <class One>
 void for_neighbours(const One& one) {
   for (int dy = -2; dy <= 2; ++dy) {
@@ -69,7 +70,8 @@ int count_alike(const Planes& planes, int x, int y) {
   return count;
 }
 
-// Of all neighbours, or of those that are alike their centres in both pictures; a centre with fewer than 12 of them has all.
+// How many census bits differ, of all neighbours or (`of_alike`) only of those that resemble their
+// centres in both pictures; a centre with fewer than 12 such neighbours uses all.
 int bits_that_differ(const NoisePair& pair, int x, int right_x, int y, bool of_alike = false) {
   int bits = 0;
   const bool all_left = !of_alike || count_alike(pair.left, x, y) < 12,
@@ -84,7 +86,7 @@ int bits_that_differ(const NoisePair& pair, int x, int right_x, int y, bool of_a
   return bits;
 }
 
-// Of the part of the window that both pictures have.
+// The correlation over the part of the window that is in both pictures.
 double window_correlation(const NoisePair& pair, int x, int right_x, int y, int radius,
                           bool centred) {
   double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
@@ -145,7 +147,7 @@ TEST_CASE(
             const bool inside = right_x >= 0 && right_x < kAcross;
             const double value =
                 inside ? defined(pair, settings, x, right_x, y) : double(kHighestCost);
-            // Half a unit from rounding; sums in another order are some 1e-13 off.
+            // Half a unit for the rounding; sums in another order differ by about 1e-13.
             REQUIRE(std::abs(volume.at(x, y)[i] - value) <= 0.5 + 1e-6);
             REQUIRE((i >= volume.from(x) && i < volume.to(x)) == inside);
           }
@@ -176,7 +178,7 @@ TEST_CASE("S2-04: the average of a square is the mean of the rows' means, to a r
           }
         }
         INFO(name_of(target) << ": pixel " << x << ", " << y);
-        // Half a unit from each of two roundings; the inverse's own is 2^-24 of 65535.
+        // Half a unit for each of two roundings; the inverse's rounding is 2^-24 of 65535.
         REQUIRE(std::abs(averaged.at(x, y)[i] - sum / count) <= 1.01);
       }
     }

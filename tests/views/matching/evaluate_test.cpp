@@ -1,4 +1,5 @@
-// S2-03, S2-04, C-114: errors against a truth, and the truth of rendered pairs.
+// S2-03, S2-04, C-114: errors relative to a true disparity map, and the true disparities of
+// rendered pairs.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ TEST_CASE("C-114: what is not known is no error, and what is not answered is one
   const DisparityErrors errors = evaluate(disparity, truth);
   CHECK(errors.known == 3);
   CHECK(errors.answered == 2);
-  // 10 is right, 5 is 3 off, one is silent.
+  // 10 is right, 5 is off by 3, and one pixel has no answer.
   CHECK(errors.bad_percent[0] == Approx(200.0 / 3));
   CHECK(errors.bad_percent[3] == Approx(100.0 / 3));
   CHECK(errors.bad_of_answered[2] == Approx(50.0));
@@ -33,7 +34,7 @@ TEST_CASE("C-114: what is not known is no error, and what is not answered is one
 
 TEST_CASE("S2-03: of pixels that fall on one, the nearer hides the others") {
   Image<float> truth(8, 1, 1);
-  truth.pixels[5] = truth.pixels[6] = 4;  // they fall on 1 and 2, where 2 and 3 fall
+  truth.pixels[5] = truth.pixels[6] = 4;  // they fall on pixels 1 and 2, as do pixels 2 and 3
   const Image<std::uint8_t> visible = visible_by_reprojection(truth);
   const std::vector<int> expected{0, 1, 0, 0, 1, 1, 1, 1};
   for (int x = 0; x < 8; ++x) {
@@ -62,7 +63,8 @@ TEST_CASE(
       const double z = double(left->distance.pixels[i]);
       if (!std::isfinite(z)) continue;
       ++drawn;
-      // A match's place is a float of up to 160 px, 2^-17 of one apart; so is the depth's share.
+      // The position of a match is a float of up to 160 px, whose neighbours are 2^-17 apart; the
+      // depth has the same relative error.
       CHECK(std::abs(double(pair->truth.disparity.pixels[i]) - product * (1 / z - 1 / window)) <
             2e-5);
       CHECK(std::abs(double(depths.pixels[i]) / z - 1) < 1e-4);

@@ -1,4 +1,5 @@
-// C-110, C-111, C-113, D-20: what comes out of a whole match, and what does not go in.
+// C-110, C-111, C-113, D-20: the results of a whole match, and the pictures and settings that are
+// refused.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -25,9 +26,10 @@ DenseMatch matched(const Image<Rgba8>& left, const Image<Rgba8>& right,
   return std::move(*match);
 }
 
-// Of the pixels whose windows, none reaches further than this, lie where there is a match.
-constexpr int kReach =
-    6;  // px: five of a square of 11, or four of a census word and one of a square of 3; one of the median
+// Counts only pixels whose windows are inside the part that both pictures show. No window reaches
+// further than kReach px: five for a square of 11, or four for a census word and one for a square
+// of 3; and one for the median.
+constexpr int kReach = 6;
 
 double wrong_share(const Image<float>& disparity, int d) {
   int wrong = 0, all = 0;
@@ -46,7 +48,7 @@ TEST_CASE("D-20: the same bytes for every instruction set and number of threads"
   for (auto& [name, settings] : every_way({-3, 33})) {
     settings.target = Target::kScalar;
     settings.threads = 1;
-    // Three bands of the single sweep.
+    // The single sweep uses three bands here.
     const DenseMatch reference = matched(left, right, settings);
     for (const Target target : available_targets()) {
       for (const int threads : {1, 2, 5, 0}) {
@@ -85,9 +87,10 @@ TEST_CASE("S2-04: the part of a pixel is where the two lines through three costs
     }
     const Winners winners = find_winners(costs, nullptr, true, best_target());
     INFO(best);
-    // Costs are rounded to a hundredth of what a pixel makes: half of it in each of two lines.
+    // Costs are rounded to a hundredth of what a pixel changes: by half of that in each of the two
+    // lines.
     CHECK(std::abs(double(winners.left.at(20, 0)) - best) <= 0.01);
-    // Its neighbours on the same valley do not count as rivals; the next ones are 2 px off.
+    // Neighbours in the same valley are not rivals; the nearest rivals are 2 px away.
     CHECK(winners.confidence.at(20, 0) > 0.5f);
   }
 }
@@ -95,7 +98,7 @@ TEST_CASE("S2-04: the part of a pixel is where the two lines through three costs
 TEST_CASE("C-110: gain and offset are nothing to census and ZNCC, and the end of SAD") {
   Image<Rgba8> left = noise(90, 60, 9);
   for (Rgba8& pixel : left.pixels) {
-    // Grey, and dark enough that nothing clips.
+    // Grey, and dark enough that no value is clipped.
     pixel.r = pixel.g = pixel.b = std::uint8_t(pixel.r / 2);
   }
   Image<Rgba8> right = moved_left(left, 9, 10);
@@ -129,7 +132,7 @@ TEST_CASE("C-111: a period and a blank wall have no clear winner") {
   settings.fill = false;
   for (const Image<Rgba8>& wall : {stripes, blank}) {
     const DenseMatch match = matched(wall, wall, settings);
-    // From column 40 on the range holds four periods.
+    // From column 40 on the range contains four periods.
     for (int x = 40; x < 70; ++x) CHECK(match.disparity.at(x, 10) == kNoDisparity);
   }
   const Image<Rgba8> clear = noise(80, 20, 11);
@@ -164,9 +167,9 @@ TEST_CASE("what cannot be matched is refused before anything is allocated") {
   };
   CHECK(cause(some, other, {}).find("20 x 10 and 21 x 10") != std::string::npos);
   CHECK(cause(single, single, {}).find("1 x 1") != std::string::npos);
-  CHECK(cause(some, some, method("default", {3, 2})).find("no disparity") != std::string::npos);
-  CHECK(cause(some, some, method("default", {20, 30})).find("beside") != std::string::npos);
-  // 20 x 10 pixels of 16032 disparities of six bytes.
+  CHECK(cause(some, some, method("default", {3, 2})).find("empty range") != std::string::npos);
+  CHECK(cause(some, some, method("default", {20, 30})).find("outside") != std::string::npos);
+  // 20 x 10 pixels with 16032 disparities of six bytes each.
   CHECK(bytes_of_match(20, 10, method("default", {0, 16000})) == 20u * 10 * 16032 * 6);
   CHECK(cause(some, some, method("default", {0, 16000}), 19'000'000).find("18 MB") !=
         std::string::npos);
@@ -177,7 +180,7 @@ TEST_CASE("C-107, C-109, C-114: depth adds the offset, and needs a baseline") {
   disparity.pixels = {100, 0, -40, kNoDisparity};
   const Calibration motorcycle{994.978, 193.001, 31.086};
   const Image<float> depths = depths_of(disparity, motorcycle);
-  // A float's rounding: 2^-24 of some 1500 mm.
+  // The rounding of a float: 2^-24 of about 1500 mm.
   CHECK(std::abs(double(depths.pixels[0]) - 994.978 * 193.001 / 131.086) < 1e-4);
   CHECK(std::abs(double(depths.pixels[1]) - 994.978 * 193.001 / 31.086) < 5e-4);
   CHECK(std::isinf(depths.pixels[2]));
@@ -185,17 +188,17 @@ TEST_CASE("C-107, C-109, C-114: depth adds the offset, and needs a baseline") {
   CHECK(check_calibration(motorcycle));
   CHECK_FALSE(check_calibration({994.978, 0, 31.086}));
   CHECK_FALSE(check_calibration({std::nan(""), 1, 0}));
-  // F B is 0 or infinite.
+  // The product F B is 0 or infinite.
   for (const double size : {1e-300, 1e300}) {
     const auto legal = check_calibration({size, size, 0});
     REQUIRE_FALSE(legal);
-    CHECK(legal.error().cause.find("no room in 32 bits") != std::string::npos);
+    CHECK(legal.error().cause.find("do not fit into 32-bit floats") != std::string::npos);
   }
-  // Depths that are 0 or infinite as floats are none.
+  // Depths that are 0 or infinite as floats are invalid.
   for (const Calibration& steep : {Calibration{1e-25, 1, 1e25}, Calibration{1, 1e30, 1e-10}}) {
     CHECK(std::isinf(depths_of(Image<float>(1, 1, 0), steep).pixels[0]));
   }
-  // The right picture's camera stands to the left.
+  // The right picture's camera is to the left of the other.
   const Image<float> swapped = depths_of(disparity, {994.978, -193.001, -31.086});
   CHECK(std::isinf(swapped.pixels[0]));
   CHECK(std::abs(double(swapped.pixels[2]) - 994.978 * 193.001 / 71.086) < 5e-4);

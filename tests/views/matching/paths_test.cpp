@@ -1,4 +1,4 @@
-// S2-04, D-20: sums along paths against the recursion, written out for one direction at a time.
+// S2-04, D-20: sums along paths, compared with the recursion, written out for single directions.
 #include <tests/support/catch.h>
 
 #include <cstdlib>
@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kPathColumns = 13, kPathRows = 9, kCount = 20;
 
-using Table = std::vector<int>;  // of each pixel, its disparities
+using Table = std::vector<int>;  // the disparities of each pixel
 
-// Nothing is more than `highest`.
+// Adds the path costs of one direction to the sums; values are limited to `highest`.
 void add_direction(const CostVolume& costs, const Planes& picture, int dx, int dy, Table& sums,
                    const Penalties& penalties = {}, int highest = 65535) {
   const auto jumps = jump_penalties(penalties);
@@ -100,7 +100,7 @@ CostVolume volume_of(const Planes& picture, const DisparityRange& range) {
 TEST_CASE("D-20: sums in bytes are the recursion's, of at most 24 bits, on every instruction set") {
   const Planes left = planes_of(noise(kPathColumns, kPathRows, 1)),
                right = planes_of(noise(kPathColumns, kPathRows, 2));
-  // Some of the range lies beside the picture, on either side.
+  // Some of the range is outside the picture, on either side.
   MatchSettings settings = fast({-4, kCount - 5});
   REQUIRE(fits_bytes(settings));
   CostVolume costs = pixel_costs(left, right, settings);
@@ -126,7 +126,7 @@ TEST_CASE("D-20: sums in bytes are the recursion's, of at most 24 bits, on every
 }
 
 TEST_CASE("D-20: winners of sums in bytes are those of the same sums in a volume") {
-  // One range whose numbers are more than a byte.
+  // One of the ranges has disparity numbers that do not fit a byte.
   for (const DisparityRange range :
        {DisparityRange{-4, 15}, DisparityRange{0, 63}, DisparityRange{-20, 290}}) {
     const Planes left = planes_of(noise(310, 3, 1)),

@@ -1,4 +1,4 @@
-// C-112: walls that slant, to a part of a pixel.
+// C-112: slanted walls, matched to a fraction of a pixel.
 #include <tests/support/catch.h>
 
 #include "tests/views/matching/slanted.h"
@@ -26,7 +26,8 @@ TEST_CASE(
     MatchSettings settings = *settings_named("default");
     settings.range = {0, 50};
     const DisparityErrors usual = errors_on(wall, settings);
-    // The goals of a default match and of planes; errors of a pixel and more are counted apart, and are one in a thousand at most.
+    // The targets of a default match and of one with planes. Errors of a pixel or more are counted
+    // separately, at most one in a thousand.
     CHECK(usual.rms_good <= 0.1);
     CHECK(usual.bad_percent[1] <= 0.1);
     settings.smooth = false;
@@ -50,7 +51,8 @@ TEST_CASE("planes and averages leave what has no disparity, and step over no jum
   CHECK(smooth.at(2, 2) == kNoDisparity);
   CHECK(smooth.at(0, 0) == 3);
   CHECK(smooth.at(11, 0) == 3.5f);
-  // Half a pixel is a jump, a quarter is none. Of the 20 pixels of columns 1 to 5 and rows 2 to 5 18 are 3, one is nothing, one itself.
+  // Half a pixel is a jump, a quarter is not. Of the 20 pixels in columns 1 to 5 and rows 2 to 5,
+  // 18 are 3, one has no disparity, and one is the pixel itself.
   CHECK(smooth.at(5, 0) == 3);
   CHECK(smooth.at(3, 4) == Approx(3.25 - 0.25 * 18 / 19));
 }

@@ -1,4 +1,4 @@
-// Pairs whose every disparity is known because they were made so.
+// Pairs of pictures that are made from known disparities.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ inline Image<Rgba8> noise(int width, int height, std::uint64_t seed) {
   return image;
 }
 
-// What the right camera sees of a wall at disparity d: right(x - d) = left(x); what comes in at the edge is noise.
+// The right camera's picture of a wall at disparity d: right(x - d) = left(x); the strip at the
+// edge is filled with noise.
 inline Image<Rgba8> moved_left(const Image<Rgba8>& left, int d, std::uint64_t seed) {
   Image<Rgba8> right = noise(left.width, left.height, seed);
   for (int y = 0; y < left.height; ++y) {
@@ -38,8 +39,8 @@ struct NamedSettings {
   MatchSettings settings;
 };
 
-// One of each way to the winners: by volumes, by the sweep in bytes, each pixel for itself, and by the single sweep in 16 bits of other
-// costs and of more paths than bytes have room for.
+// Settings for each way to compute the winners: by volumes, by the sweep in bytes, for each pixel
+// alone, and by the single sweep in 16 bits for other costs and for more paths than fit in bytes.
 inline std::vector<NamedSettings> every_way(const DisparityRange& range) {
   std::vector<NamedSettings> all;
   for (const char* name : {"default", "fast", "winner"})

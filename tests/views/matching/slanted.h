@@ -1,4 +1,4 @@
-// A slanted wall with a smooth texture, of which every part of a pixel is known.
+// A slanted wall with a smooth texture, whose disparities are known to a fraction of a pixel.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace glassbox::views {
 
-// Disparity c + a x + b y of the left picture's column x and row y.
+// The disparity c + a x + b y at column x and row y of the left picture.
 struct Slant {
   double c, a, b;
 };
@@ -20,13 +20,14 @@ struct Slant {
 struct SlantedWall {
   Image<Rgba8> left, right;
   Image<float> disparity;         // of the left picture
-  Image<std::uint8_t> is_inside;  // pixels whose windows lie in both pictures
+  Image<std::uint8_t> is_inside;  // pixels whose windows are inside both pictures
 };
 
-// Forty waves of 4 to 20 px in any direction. The right picture shows at column x - d what the left one does at x.
+// The texture is a sum of forty waves of 4 to 20 px in any direction. The right picture shows at
+// column x - d what the left picture shows at x.
 inline SlantedWall slanted_wall(int width, int height, const Slant& slant, std::uint64_t seed) {
   constexpr int kWaves = 40;
-  constexpr int kReach = 10;  // px: of windows, and of what filters look at
+  constexpr int kReach = 10;  // px: the reach of windows and of filters
   Random random(seed);
   struct Wave {
     double x, y, phase;

@@ -1,4 +1,4 @@
-// What a disparity map is in space: the mesh, its file, and the view that shows it again.
+// The surface of a disparity map in space: the mesh, its file, and the view that shows it again.
 #include <tests/support/catch.h>
 
 #include <cfenv>
@@ -16,7 +16,7 @@
 namespace glassbox::views {
 namespace {
 
-// Two walls of six by four pixels, one behind the other; one pixel of the nearer one is not known.
+// Two walls of six by four pixels, one behind the other; one pixel of the nearer wall is unknown.
 struct TwoWalls {
   Image<Rgba8> picture = noise(12, 4, 3);
   Image<float> disparity{12, 4, 10};
@@ -36,10 +36,10 @@ TEST_CASE(
   const TwoWalls walls;
   const Surface surface = surface_of(walls.picture, walls.disparity, walls.calibration);
   CHECK(surface.vertices.size() == 47);
-  // Each wall has 5 x 3 squares of two triangles; one square of the first has lost one of them.
+  // Each wall has 5 x 3 squares of two triangles; one square of the first wall has lost a triangle.
   CHECK(surface.triangles.size() == 59);
   const Surface::Vertex& last = surface.vertices.back();
-  // Z = 100 * 0.5/5 = 10; floats of numbers below 16: 2^-20.
+  // Z = 100 * 0.5/5 = 10; floats of numbers below 16 have errors of 2^-20.
   CHECK(std::abs(double(last.x) - (11.5 - 5) * 0.1) < 1e-6);
   CHECK(std::abs(double(last.y) + (3.5 - 3) * 0.1) < 1e-6);
   CHECK(last.z == -10);
@@ -47,7 +47,7 @@ TEST_CASE(
     const auto& [p, q, r] =
         std::tuple(surface.vertices[a], surface.vertices[b], surface.vertices[c]);
     CHECK((p.z == q.z && q.z == r.z));
-    // Counter-clockwise, seen from the origin.
+    // Counter-clockwise as seen from the origin.
     CHECK((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) > 0);
   }
 }
@@ -94,7 +94,7 @@ TEST_CASE(
   std::feclearexcept(FE_ALL_EXCEPT);
   const Image<std::uint8_t> near = near_discontinuity(truth);
   CHECK(std::fetestexcept(FE_INVALID) == 0);
-  // The jump is between columns 14 and 15; what is not known jumps not.
+  // The jump is between columns 14 and 15; unknown pixels are not jumps.
   for (int x = 0; x < 30; ++x) {
     INFO(x);
     CHECK(int(near.at(x, 6)) == int(x >= 10 && x <= 19));
@@ -116,7 +116,8 @@ TEST_CASE("what a picture does not show has no disparity, on either side") {
     REQUIRE(match);
     INFO(name);
     for (int x = 0; x < 20; ++x) CHECK(match->disparity.at(x, 20) == kNoDisparity);
-    // Columns 72 on are at 61 and more of the right picture. A pixel of doubt where windows reach into what is empty.
+    // Columns from 72 on correspond to 61 and more of the right picture, which is empty there. Near
+    // that border windows reach into the empty part, so a pixel or two may differ.
     for (int x = 74; x < 88; ++x) CHECK(match->disparity.at(x, 20) == kNoDisparity);
     CHECK(std::abs(match->disparity.at(45, 20) - 11) < 0.1f);
   }

@@ -1,4 +1,4 @@
-// Layered images of polygon ids, and the surface that is kept up to date in them.
+// Layered images of polygon ids, and the surface that is updated with them.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Corners3d any_triangle(Random& random) {
   return {any_place(random), any_place(random), any_place(random)};
 }
 
-// Pictures of nothing, from cameras around a box.
+// Empty pictures from cameras around a box.
 PictureSet empty_ring(const VoxelGrid& grid, int views, int size) {
   PictureSet set;
   const Vector3d middle = grid.world(grid.count[0] / 2.0, grid.count[1] / 2.0, grid.count[2] / 2.0);
@@ -71,7 +71,7 @@ TEST_CASE(
   std::map<PolygonId, Corners3d> there;
   const auto rebuilt = [&] {
     IdLayers anew(24, 24);
-    // In another order than they came in.
+    // In a different order.
     for (auto it = there.rbegin(); it != there.rend(); ++it)
       anew.add(it->first, {camera, 24, 24, it->second});
     return anew;
@@ -84,7 +84,8 @@ TEST_CASE(
       layers.remove(id, {camera, 24, 24, found->second});
       there.erase(found);
     } else {
-      // Some lie in each other's planes: who is in front of equally far ones does not depend on the order.
+      // Some triangles are in the same plane: which of equally distant ones is in front does not
+      // depend on the order of edits.
       Corners3d corners = any_triangle(random);
       if (id % 3 == 0) {
         for (Vector3d& p : corners) p.z() = 0.5;
@@ -109,7 +110,8 @@ TEST_CASE("centres of pixels on a side that two polygons share belong to one of 
   const PinholeCamera camera = looking_along_z(32);
   std::int64_t drawn = 0;
   for (int i = 0; i < 300; ++i) {
-    // Around a point that is a centre of a pixel, four triangles of a quadrilateral: no gap, nothing twice.
+    // Four triangles around a point that is a pixel centre, which form a quadrilateral: no gap, and
+    // no pixel twice.
     const auto at = [&](double x, double y) { return Vector3d(x / 8, y / 8, 0); };
     const auto coordinate = [&](int low, int high) {
       return double(random.integer(low, high)) + 0.5;
@@ -151,7 +153,8 @@ TEST_CASE(
       CHECK(faces);
       const Vector3d ray = ray_through(camera.intrinsic, {at.x + 0.5, at.y + 0.5});
       const double right = normal.dot(c[0] - camera.centre) / normal.dot(ray);
-      // Snapping moves corners by 1/512 px along each axis; what that does to a distance is the slope there.
+      // Snapping moves corners by up to 1/512 px along each axis, which changes a distance by that
+      // times the slope there.
       const double slope = normal.head<2>().norm() / 40 * right / std::abs(normal.dot(ray));
       CHECK(std::abs(double(distance) - right) <= 0x1p-8 * slope * right + 1e-6 * right);
     });
@@ -191,7 +194,7 @@ TEST_CASE(
             world_of_lattice(grid, mesh.positions[mesh.polygons[i][k]]));
   }
   CHECK(check_mesh(mesh).is_closed());
-  // Neighbourhoods move the corners and leave the polygons.
+  // Smoothing moves the corners, but does not change the polygons.
   const PolygonMesh smooth =
       polygonise(surface.occupancy().smooth_field(), 0.5, Polygoniser::kConsistent);
   CHECK(smooth.polygons == mesh.polygons);
@@ -205,7 +208,8 @@ TEST_CASE("polygons and layered images that take more memory than is allowed are
   const Occupancy solid = random_solid(grid, random);
   const LiveSurface surface(set, solid, 1);
   CHECK(std::size_t(LiveSurface::count_polygons(solid)) == surface.polygons().size());
-  // A list for each pixel, eight bytes for each sample at least, and no more than three times that and what an allocator adds.
+  // A list for each pixel and at least eight bytes for each sample, and at most three times that
+  // with the overhead of the allocator.
   const double pixels = 4 * 120 * 120;
   double samples = 0;
   std::int64_t covered = 0;
@@ -227,8 +231,8 @@ TEST_CASE("polygons and layered images that take more memory than is allowed are
   };
   CHECK(message(polygons + surface.layer_bytes()).empty());
   CHECK(message(polygons + surface.layer_bytes() - 1)
-            .find("polygons and the layered images of them take more memory") != std::string::npos);
-  CHECK(message(polygons - 1).find("polygons take more memory") != std::string::npos);
+            .find("polygons and their layered images need more memory") != std::string::npos);
+  CHECK(message(polygons - 1).find("polygons need more memory") != std::string::npos);
 }
 
 TEST_CASE("polygons have the colours that pictures show, and voxels that are too many are carved") {
@@ -240,7 +244,7 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
   const PictureSet set = test::ring_of(scene, options);
   const VoxelGrid grid = grid_of(*set.box, 2 / 24.0, Matrix3d::Identity()).value();
   const TrueVolume truth(scene, grid);
-  // The ball, and a slab before it that is not there.
+  // The ball, and in front of it a slab that does not exist.
   Occupancy solid(grid);
   std::int64_t slab = 0;
   for (int z = 0; z < grid.count[2]; ++z) {
@@ -255,7 +259,7 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
   REQUIRE(slab > 50);
   PolygonColoringSettings settings;
   settings.threads = 1;
-  settings.threshold = INFINITY;  // colours apart: background alone carves
+  settings.threshold = INFINITY;  // colours never decide: only the background carves
   settings.carves = false;
   const auto as_it_is = color_polygons(set, solid, settings);
   REQUIRE(as_it_is);
@@ -267,8 +271,9 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
   CHECK(carved->carved_by_color + carved->carved_by_background == solid.full() - carved->full);
   CHECK(check_mesh(carved->mesh).is_closed());
   CHECK(carved->colors.size() == carved->mesh.polygons.size());
-  // Most of the slab is gone. Gone are voxels whose middle a picture has beside the object, and not all that have a polygon before them that
-  // sticks out: of the ball some at its outline, by less than a pixel.
+  // Most of the slab is carved: a voxel is carved if a picture shows background at its centre,
+  // unless a polygon that sticks out is in front of it. At its outline the ball loses some voxels,
+  // by less than a pixel.
   CHECK(carved->full < truth.voxels() + slab / 3);
   std::int64_t lost = 0, lost_within = 0;
   for (int z = 0; z < grid.count[2]; ++z) {
@@ -293,7 +298,7 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
   const auto ply = polygons_ply(*carved);
   REQUIRE(ply);
   CHECK(*ply == *polygons_ply(*again));
-  // Drawn by the engine it shows less beside the object than with the slab.
+  // Drawn by the engine, it covers less of the background than with the slab.
   const auto beside = [&](const PolygonColoring& coloring) {
     const Scene drawn = scene_of(coloring).value();
     RenderSettings engine;
@@ -313,7 +318,7 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
 }
 
 TEST_CASE("where no background tells, colours do: what bulges is carved, and what is there stays") {
-  // A speckled wall, z > 0, seen from before by five cameras whose pictures it fills.
+  // A speckled wall, z > 0, seen from the front by five cameras whose pictures it fills.
   constexpr int kCells = 20, kSize = 72;
   Scene scene;
   Mesh wall;
@@ -369,7 +374,7 @@ TEST_CASE("where no background tells, colours do: what bulges is carved, and wha
   };
   CAPTURE(wrong(solid), wrong(found->solid), found->carved_by_color, found->kept);
   CHECK(found->kept > 0);
-  // Nothing of the wall is.
+  // No voxel of the wall is carved.
   CHECK(found->carved_by_color > 0);
   CHECK(wrong(found->solid) == wrong(solid) - found->carved_by_color);
 }
@@ -381,7 +386,7 @@ TEST_CASE("surfaces that cannot be made are refused with a reason") {
   VoxelGrid large = grid;
   large.count = {1000, 1000, 1000};
   CHECK(LiveSurface::is_too_large(large));
-  // Voxels of a hundredth, a million units away.
+  // Voxels of 0.01 at a distance of a million units.
   const WorldBox far_box{{1e6, 0, 0}, {1e6 + 0.04, 0.04, 0.04}};
   const VoxelGrid far_grid = grid_of(far_box, 0.01, Matrix3d::Identity()).value();
   Occupancy one(far_grid);

@@ -1,4 +1,4 @@
-// Surfaces of fields: closed whatever the field is, and as large as what they enclose.
+// Surfaces of fields: closed for any field, and with the volume that they should enclose.
 #include <tests/support/catch.h>
 
 #include <bit>
@@ -22,7 +22,7 @@ ScalarField random_field(Random& random, int size, bool has_ties) {
   return field;
 }
 
-// 1 - |p - c| / r of a ball whose middle is nowhere in particular.
+// The field 1 - |p - c| / r of a ball whose centre c is at no special place.
 ScalarField ball(int size, double radius) {
   ScalarField field(size, size, size);
   const Vector3d middle = Vector3d::Constant((size - 1) / 2.0) + Vector3d(0.13, -0.21, 0.07);
@@ -38,7 +38,7 @@ ScalarField ball(int size, double radius) {
 constexpr Polygoniser kClosed[] = {Polygoniser::kConsistent, Polygoniser::kSaddle,
                                    Polygoniser::kTetrahedra};
 
-// The corner that a turn of the cube by 90 degrees about x (0) or z (1) carries it to.
+// The set of inside corners after a turn of the cube by 90 degrees about x (0) or z (1).
 unsigned turned(unsigned inside, int about) {
   unsigned result = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -49,7 +49,8 @@ unsigned turned(unsigned inside, int about) {
   return result;
 }
 
-// How many of the 256 sets of corners are not a turned one of another, or, if asked, its complement.
+// The number of classes of the 256 sets of corners, where sets that differ by a turn (or, if
+// requested, by a complement) are in one class.
 std::size_t classes(bool with_complements) {
   std::set<std::set<unsigned>> found;
   for (unsigned inside = 0; inside < 256; ++inside) {
@@ -82,7 +83,8 @@ TEST_CASE("a cell's polygons need no corner in its middle, and no side of theirs
     for (const CellTriangle& t : surface.triangles)
       CHECK(std::ranges::find(t, kCellMiddle) == t.end());
     CHECK(surface.triangles.size() <= 5);
-    // A side that is not on the border of the cell's surface occurs in both directions; its ends share no face.
+    // A side inside the cell's surface occurs in both directions, and its ends share no face; a
+    // side on its border occurs once.
     std::set<std::pair<int, int>> sides;
     std::set<int> crossed;
     for (const CellTriangle& t : surface.triangles) {
@@ -127,7 +129,8 @@ TEST_CASE(
     }
     naive_holes += check_mesh(polygonise(field, 0, Polygoniser::kNaive)).holes;
   }
-  // Half of all numbers are one of three: the ties are really there, and so are the holes of the fifteen cases.
+  // Half of all numbers are one of three values, so ties do occur, and so do the holes of the
+  // fifteen cases.
   CHECK(ties > 20 * kFields / 4);
   CHECK(naive_holes > kFields);
 }
@@ -145,8 +148,9 @@ TEST_CASE(
       CHECK(check.euler == 2);
       CHECK(check.duplicates == 0);
       const double error = 1 - check.volume / right;
-      CHECK(error > 0);  // chords of a convex body
-      // The chord's sagitta is at most h^2/8r where h is the diagonal of a cell, sqrt(3): a share of 9/8r^2 of the volume at most.
+      CHECK(error > 0);  // because it consists of chords of a convex body
+      // The sagitta of a chord is at most h^2/8r, where h is the diagonal of a cell, sqrt(3): at
+      // most 9/8r^2 of the volume.
       CHECK(error < 9 / (8 * radius * radius));
       if (before > 0) CHECK(before / error == Approx(4).margin(1.5));
       before = error;
@@ -161,7 +165,8 @@ TEST_CASE(
   const auto naive = polygonise(ball(12, 4.3), 0, Polygoniser::kNaive);
   CHECK(check_mesh(naive).holes == 0);
   CHECK(check_mesh(naive).volume == Approx(check_mesh(ours).volume).epsilon(1e-12));
-  // Two corners of a face across from each other, nearly joined: apart by the rule of the table, together where the saddle says so.
+  // Two opposite corners of a face that nearly join: separate by the rule of the table, joined
+  // where the saddle decides so.
   ScalarField field(2, 2, 1, -0.1);
   field.at(0, 0, 0) = field.at(1, 1, 0) = 1;
   CHECK(check_mesh(polygonise(field, 0, Polygoniser::kConsistent)).euler == 4);
@@ -186,7 +191,7 @@ TEST_CASE("a check of a mesh finds what is wrong with it") {
   flat.positions[flat.polygons[0][0]] = flat.positions[flat.polygons[0][1]];
   CHECK(check_mesh(flat).degenerate >= 1);
   CHECK(check_mesh(flat).duplicates == 1);
-  // Two pieces that touch in a corner.
+  // Two pieces that touch at a corner.
   PolygonMesh twice = mesh;
   const auto count = std::uint32_t(mesh.positions.size());
   for (const Vector3d& p : mesh.positions) twice.positions.push_back(p + Vector3d(9, 0, 0));

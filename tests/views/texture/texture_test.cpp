@@ -1,4 +1,4 @@
-// Weights of views, and surfaces that are coloured by them.
+// Weights of views, and surfaces coloured with them.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<Vector3d> any_directions(Random& random, int count) {
   return all;
 }
 
-// Around a circle `degrees` above the horizon.
+// Directions in a circle, `degrees` above the horizon.
 std::vector<Vector3d> ring_of_directions(int count, double degrees) {
   const double up = degrees * std::numbers::pi / 180;
   std::vector<Vector3d> all;
@@ -53,7 +53,7 @@ double sum_of(const ViewWeights& weights) {
   return sum;
 }
 
-// The most that a view's weight differs by.
+// The largest difference between the weights of any view.
 double difference(const ViewWeights& a, const ViewWeights& b) {
   std::map<std::size_t, double> all;
   for (const ViewWeight& each : a) all[each.view] += each.weight;
@@ -63,8 +63,8 @@ double difference(const ViewWeights& a, const ViewWeights& b) {
   return most;
 }
 
-// The least height of a triangle's corner above the plane through the middle and the other two, and of a border's end above the line through the
-// middle and the other one.
+// The least height of a triangle's corner above the plane through the middle and the two other
+// corners, and of an end of a border side above the line through the middle and the other end.
 double least_height(const ViewSphere& sphere, const std::vector<Vector3d>& d) {
   double least = 1;
   for (const auto& t : sphere.triangles()) {
@@ -79,7 +79,7 @@ double least_height(const ViewSphere& sphere, const std::vector<Vector3d>& d) {
 
 const auto kAll = [](std::size_t) { return true; };
 
-// Cameras around a shiny ball whose highlights move with the eye.
+// Pictures from cameras around a shiny ball, whose highlights move with the eye.
 PictureSet shiny_ring(const Scene& scene, int views, int size) {
   RingOptions options;
   options.views = views;
@@ -90,7 +90,8 @@ PictureSet shiny_ring(const Scene& scene, int views, int size) {
   return draw_ring(scene, ring_views(scene, options).value(), settings, Matte::kDepth);
 }
 
-// A floor of two triangles, white, below a lid that hides half of each from straight above. One mesh, so that nobody lights it.
+// A white floor of two triangles, below a lid that hides half of each when seen from straight
+// above. It is one unlit mesh.
 Scene floor_and_lid() {
   Scene scene;
   Mesh mesh;
@@ -110,7 +111,7 @@ Scene floor_and_lid() {
   return scene;
 }
 
-// Looks at the middle from `degrees` before the vertical, five away.
+// A camera that looks at the middle from a distance of five, `degrees` off the vertical.
 PinholeCamera camera_above(double degrees, int size) {
   const double turn = degrees * std::numbers::pi / 180;
   const Vector3d out(0, std::cos(turn), std::sin(turn));
@@ -146,12 +147,13 @@ TEST_CASE(
     for (const auto& [a, b, c] : sphere.triangles()) {
       const Vector3d normal = (directions[b] - directions[a]).cross(directions[c] - directions[a]);
       for (const Vector3d& d : directions) {
-        // Directions are rounded to 2^-24 and lengthened by up to 2^-18, and the normal is no longer than the two sides' product.
+        // Directions are rounded to 2^-24 and lengthened by up to 2^-18, and the normal is no
+        // longer than the product of the two sides.
         CHECK(normal.dot(d - directions[a]) <= 0x1p-16);
       }
     }
-    // Euler: of n corners and a border of b sides there are 2 n - 2 - b triangles, without a border two less than 2 n - 2. Twenty
-    // directions that are anywhere surround the middle.
+    // By Euler's formula, n corners with a border of b sides have 2 n - 2 - b triangles, and
+    // without a border 2 n - 4. Twenty random directions surround the middle.
     const std::size_t border = sphere.border().size();
     if (count >= 20) REQUIRE(border == 0);
     CHECK(sphere.triangles().size() == 2 * std::size_t(count) - 2 - (border == 0 ? 2 : border));
@@ -218,7 +220,7 @@ TEST_CASE(
     int asked = 0;
     for (int i = 0; i < 4000; ++i) {
       const Vector3d from = any_direction(random), step = kStep * any_direction(random);
-      // Further than 90 degrees from every view the nearest one stands alone.
+      // Farther than 90 degrees from every view, the nearest view has all the weight.
       const bool is_near = std::ranges::any_of(
           directions, [&](const Vector3d& d) { return d.dot(from) > kLeastCosine; });
       if (!is_near) continue;
@@ -227,13 +229,15 @@ TEST_CASE(
       ++asked;
     }
     CHECK(asked > 400);  // at least a tenth of the sphere is near
-    // A direction that is carried to the cone is at least kLeastCosine long there, and moves by no more than it did before. Three numbers w that make
-    // it add up to at least that length, and each changes by the step over the height of its corner; w_i / sum by (1 + 3) times that over the sum.
+    // A direction that is projected into the cone has at least the length kLeastCosine there, and
+    // its change does not grow. Three numbers w express it, whose sum is at least that length, and
+    // each changes by at most the step over the height of its corner; so w_i / sum changes by (1 +
+    // 3) times that, divided by the sum.
     const double bound = 4 * kStep / (kLeastCosine * least_height(sphere, directions));
     CHECK(bound < 0.1);
     CHECK(most < bound);
   }
-  // Half way between two views, from one side of the middle to the other.
+  // Halfway between two views, from one side of the middle to the other.
   const auto ring = ring_of_directions(8, 0);
   const Vector3d middle = (ring[0] + ring[1]).normalized(), aside = 1e-9 * (ring[1] - ring[0]);
   const auto jump = [&](Blend blend) {
@@ -270,13 +274,13 @@ TEST_CASE(
                                                               : 5));
     }
     CHECK(views.from(directions[0]).weights([](std::size_t) { return false; }).empty());
-    // At a view's own direction that view alone, if it sees the polygon.
+    // In a view's own direction only that view counts, if it sees the polygon.
     CHECK(difference(views.from(directions[7]).weights(kAll), {{7, 1}}) < 1e-9);
   }
 }
 
 TEST_CASE("at the place of a picture a textured surface is that picture, byte for byte (S1-40)") {
-  // A coarse ball in place of the fine one: the surface is wrong, the pictures are right.
+  // A coarse ball instead of the fine one: the surface is wrong, the pictures are right.
   const Scene real = test::speckled_sphere(8, 4), coarse = *make_builtin("sphere:3");
   const PictureSet set = shiny_ring(real, 6, 72);
   for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
@@ -334,7 +338,8 @@ TEST_CASE(
     "have its weight (S1-40)") {
   const Scene scene = floor_and_lid();
   constexpr int kSize = 80;
-  // From straight above half of each of the floor's triangles is hidden, from the side another part.
+  // From straight above, half of each of the floor's triangles is hidden; from the side, another
+  // part.
   const PictureSet set =
       pictures_by(scene, {camera_above(0, kSize), camera_above(50, kSize)}, kSize);
   const PinholeCamera eye = camera_above(20, kSize);
@@ -355,7 +360,7 @@ TEST_CASE(
     CHECK(wrong == 0);
     CHECK(drawn->without_view == 0);
   }
-  // A place under the lid that nobody sees: from above alone.
+  // With only the picture from above, no view sees the places under the lid.
   const PictureSet above = pictures_by(scene, {camera_above(0, kSize)}, kSize);
   const auto surface = TexturedSurface::of(scene, above, Blend::kBarycentric);
   CHECK(surface->draw(eye, kSize, kSize, {0, 0, 0, 255})->without_view > 50);
@@ -367,14 +372,15 @@ TEST_CASE("a mirrored surface has the pictures of its own side, drawn anew and a
   const PictureSet set = shiny_ring(scene, 8, 64);
   const auto surface = TexturedSurface::of(scene, set, Blend::kBarycentric);
   for (const PlacedTriangle& triangle : placed_triangles(scene))
-    CHECK(triangle.normal().dot(triangle.corners[0]) > 0);  // outwards of a ball around the origin
+    // Away from the origin, the centre of the ball.
+    CHECK(triangle.normal().dot(triangle.corners[0]) > 0);
   const Scene fixed = with_static_texture(scene, *surface, 8, 0x1p30).value();
   const CalibratedPicture& picture = set.pictures[3];
   const Framebuffer drawn = UnlitRenderer(fixed).draw(picture.camera, 64, 64).value();
   const TexturedPicture again{drawn.color, drawn.id};
   const TextureErrors errors = compare(again, picture);
   CHECK(errors.covered > 0.99);
-  // As well as the same ball that is not mirrored has it.
+  // The result is as good as for the same ball without mirroring.
   const Scene plain = test::speckled_sphere(6, 4);
   const PictureSet plain_set = shiny_ring(plain, 8, 64);
   const auto plain_surface = TexturedSurface::of(plain, plain_set, Blend::kBarycentric);

@@ -1,4 +1,5 @@
-// S2-06 to S2-11, on rationals where the statement is exact; and cameras from the pipeline's views.
+// The epipolar constraint (S2-06 to S2-11), in rationals where the statement is exact; and cameras
+// from the views of the pipeline.
 #include <tests/support/catch.h>
 
 #include <Eigen/LU>
@@ -24,7 +25,7 @@ Rational over(int top, int bottom) {
   return Rational(top) / Rational(bottom);
 }
 
-// Cayley's map of a rational vector: a rational rotation.
+// A rational rotation: Cayley's map of a rational vector.
 Matrix3Of<Rational> rational_rotation(const Rational& a, const Rational& b, const Rational& c) {
   const Rational n = Rational(1) + a * a + b * b + c * c, two(2);
   Matrix3Of<Rational> r;
@@ -56,12 +57,12 @@ TEST_CASE("E = R S relates every point's two images, exactly (S2-07 to S2-10)") 
   const Matrix3Of<Rational> e = essential(rotation(), translation());
   const Vector3Of<Rational> left(over(5, 3), over(-7, 2), over(9, 4));
   const Vector3Of<Rational> right = rotation() * (left - translation());
-  // (2) to (4) of the slides.
+  // Equations (2) to (4) of the slides.
   const Vector3Of<Rational> normal = cross_matrix(translation()) * left;
   CHECK(is_zero((left - translation()).transpose() * normal));
   CHECK(is_zero((rotation().transpose() * right).transpose() * normal));
   CHECK(is_zero(right.transpose() * e * left));
-  // Of projections too, whatever the focal lengths.
+  // The same for projections, with any focal lengths.
   const Vector3Of<Rational> p_left = left * (over(7, 2) / left[2]);
   const Vector3Of<Rational> p_right = right * (over(3, 5) / right[2]);
   CHECK(is_zero(p_right.transpose() * e * p_left));
@@ -73,11 +74,11 @@ TEST_CASE("E's properties, exactly: rank 2, both epipoles, Demazure's identity (
   CHECK(is_zero(e * translation()));
   CHECK(is_zero(translation().transpose() * rotation().transpose() * e));
   CHECK(is_zero(demazure(e)));
-  // A matrix of rank 2 that is no E.
+  // A matrix of rank 2 that is not an essential matrix.
   Matrix3Of<Rational> other = e;
   other.row(0) *= Rational(2);
   CHECK_FALSE(is_zero(demazure(other)));
-  // [t]x R with t = -R T is -R S: the order of the factors is what matters.
+  // [t]x R with t = -R T is -R S: the order of the factors matters.
   const Vector3Of<Rational> shift = -(rotation() * translation());
   CHECK(is_zero(essential_of_shift(rotation(), shift) + e));
   CHECK_FALSE(is_zero(essential_of_shift(rotation(), translation()) + e));
@@ -89,7 +90,7 @@ TEST_CASE("the singular values of E are |T|, |T| and 0 (S2-09)") {
     const RelativePose pose = test::random_rig(random, 3).pose;
     const Eigen::JacobiSVD<Matrix3d> svd(essential<double>(pose.rotation, pose.translation));
     const double length = pose.translation.norm();
-    // Products of numbers of at most `length`: a few u of it.
+    // Products of numbers up to `length` have errors of a few u of it.
     CHECK(std::abs(svd.singularValues()[0] - length) <= 0x1p-48 * length);
     CHECK(std::abs(svd.singularValues()[1] - length) <= 0x1p-48 * length);
     CHECK(svd.singularValues()[2] <= 0x1p-48 * length);
@@ -104,7 +105,7 @@ TEST_CASE("epipolar lines are scan lines just where the axes are parallel and B 
     return line[0] == Rational(0) && line[2] + line[1] * point[1] == Rational(0);
   };
   CHECK(is_scan_line({Rational(1), Rational(0), Rational(0)}));
-  // B_z = 0 alone does not do: the line is (1/4, -1, 7/40).
+  // B_z = 0 alone is not sufficient: the line is (1/4, -1, 7/40).
   const Vector3Of<Rational> baseline(Rational(1), over(1, 4), Rational(0));
   CHECK_FALSE(is_scan_line(baseline));
   const Vector3Of<Rational> line = epipolar_line(essential(parallel, baseline), point);
@@ -113,7 +114,7 @@ TEST_CASE("epipolar lines are scan lines just where the axes are parallel and B 
   CHECK(line[2] == over(7, 40));
 }
 
-// One scene's point through the pipeline's matrices.
+// The pixel of a point of the scene by the pipeline's matrices.
 Vector2d pixel_by_pipeline(const View& view, const Vector3d& p) {
   const Point<World, double> world{p.x(), p.y(), p.z()};
   const auto clip = view.clip_from_eye * (view.eye_from_world * world);
@@ -133,7 +134,8 @@ TEST_CASE("a view's camera projects to the pixels that the pipeline does") {
     const Vector3d world{test::uniform(random, -1, 1), test::uniform(random, -1, 1),
                          -test::uniform(random, 2, 9)};
     const Vector3d pixel = project(*pinhole, world);
-    // The pipeline's matrix and these are the same doubles; a few roundings of 320.
+    // The pipeline's matrix and these have the same doubles; a few roundings of numbers up to 320
+    // differ.
     CHECK((pixel.head<2>() - pixel_by_pipeline(*view, world)).norm() < 1e-10);
     CHECK(std::abs(pixel.z() + world.z()) < 1e-13);
   }

@@ -1,4 +1,4 @@
-// S2-12: matrices from matches, and the cameras from them.
+// S2-12: matrices estimated from matches, and the cameras derived from them.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_CASE("real roots, of single and double ones, and of leading zeros") {
   REQUIRE(three.size() == 3);
   CHECK(std::abs(three[0] + 3) < 1e-14);
   CHECK(std::abs(three[2] - 2) < 1e-14);
-  Eigen::VectorXd square(5);  // (x - 1)^2 (x^2 + 1), and nothing of degree 5
+  Eigen::VectorXd square(5);  // (x - 1)^2 (x^2 + 1), with coefficient 0 for degree 5
   square << 1, -2, 2, -2, 1;
   const std::vector<double> both = real_roots(square);
   REQUIRE(both.size() == 2);
@@ -57,12 +57,13 @@ TEST_CASE("eight matches and more give back the matrix that they were made with"
     for (const Conditioning how : {Conditioning::kRaw, Conditioning::kNormalised}) {
       const auto e = fit_essential(calibrated(pixels, rig), how);
       REQUIRE(e);
-      // Rounding, times the condition of the system.
+      // Rounding errors times the condition of the system.
       CHECK(apart(e->matrix, true_essential(rig)) < 64 * 0x1p-53 * e->system.condition());
     }
     const auto f = fit_fundamental(pixels, Conditioning::kNormalised);
     REQUIRE(f);
-    // As E, because pixels are so much larger than 1 that the entries of F are of very different sizes.
+    // Compared as E, because pixel coordinates are much larger than 1 and the entries of F differ
+    // greatly in size.
     const Matrix3d as_essential = rig.right_intrinsic.transpose() * f->matrix * rig.left_intrinsic;
     CHECK(apart(as_essential, true_essential(rig)) < 64 * 0x1p-53 * f->system.condition());
   }
@@ -86,7 +87,7 @@ TEST_CASE("normalised points make the system a thousand times better conditioned
     const double of_raw = log_of_median(count, Conditioning::kRaw);
     const double gain = of_raw - log_of_median(count, Conditioning::kNormalised);
     INFO(count << " matches: 10^" << gain);
-    // A factor of two, and half a tenth that either published logarithm was rounded by.
+    // A factor of two, and 0.05 for the rounding of each published logarithm.
     CHECK(std::abs(gain - (raw - normalised)) < std::log10(2.0) + 0.1);
   }
 }
@@ -94,7 +95,8 @@ TEST_CASE("normalised points make the system a thousand times better conditioned
 TEST_CASE(
     "normalised points bring epipolar lines as much nearer as B.8 says, but for a factor of two") {
   std::mt19937 random(4);
-  // The mean distance of clean points from the lines of a matrix that was fitted to matches with half a pixel of noise: its median.
+  // Medians of the mean distance between clean points and the epipolar lines of a matrix that was
+  // fitted to matches with half a pixel of noise.
   const auto median_distances = [&](int count) {
     std::array<std::vector<double>, 2> distances;
     for (int i = 0; i < 101; ++i) {
@@ -137,11 +139,12 @@ TEST_CASE("C-104: a match without a place is refused for what it is, before it i
       (left ? matches[3].left : matches[3].right).y() = bad;
       std::feclearexcept(FE_ALL_EXCEPT);
       for (const Conditioning how : {Conditioning::kRaw, Conditioning::kNormalised}) {
-        if (how == Conditioning::kRaw && std::isfinite(bad)) continue;  // its products are doubles
+        // The products of these coordinates are finite doubles.
+        if (how == Conditioning::kRaw && std::isfinite(bad)) continue;
         const auto fit = fit_fundamental(matches, how);
         CHECK(std::fetestexcept(FE_INVALID) == 0);
         REQUIRE_FALSE(fit);
-        CHECK(fit.error().cause == "a coordinate is not finite, or too large to be multiplied");
+        CHECK(fit.error().cause == "a coordinate is not finite, or too large for the computation");
       }
     }
   }
@@ -214,7 +217,7 @@ TEST_CASE("one of the four poses sees all matches in front of both cameras (C-10
     CHECK(chosen->in_front == 20);
     CHECK(rotation_error(chosen->pose.rotation, rig.pose.rotation) < 1e-13);
     CHECK(direction_error(chosen->pose.translation, rig.pose.translation) < 1e-13);
-    // Each of the four gives E but for sign.
+    // Each of the four poses gives E up to its sign.
     for (const RelativePose& pose : poses_of(true_essential(rig))) {
       CHECK(apart(essential<double>(pose.rotation, pose.translation), true_essential(rig)) < 1e-14);
     }

@@ -1,4 +1,4 @@
-// Epipolar lines made scan lines.
+// Rectification, which turns epipolar lines into scan lines.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace glassbox::views {
 namespace {
 
-// Beside each other, both turned a little: the right centre may be to the left, too.
+// Two cameras side by side, both turned a little; the right centre may also be to the left.
 StereoRig side_by_side(std::mt19937& random) {
   StereoRig rig = test::random_rig(random, 0.2);
   rig.pose.translation = {test::uniform(random, 0.4, 1), test::uniform(random, -0.2, 0.2),

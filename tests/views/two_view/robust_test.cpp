@@ -1,4 +1,4 @@
-// Noise and outliers: random samples, refinement, and which model a pair has at all.
+// Noise and outliers: random samples, refinement, and which model a pair supports.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ TEST_CASE("Sampson's distance is how far the nearest pair is, to first order") {
   }
 }
 
-// Half of them replaced by points anywhere.
+// The matches with this share of them replaced by random points.
 Matches with_outliers(std::mt19937& random, Matches matches, double share) {
   const auto count = std::size_t(share * double(matches.size()));
   for (std::size_t i = 0; i < count; ++i) {
@@ -57,11 +57,11 @@ Matches with_outliers(std::mt19937& random, Matches matches, double share) {
 }
 
 struct Estimated {
-  double rotation, direction;  // degrees off
+  double rotation, direction;  // errors in degrees
 };
 
 struct Off {
-  double rotation, direction;  // degrees
+  double rotation, direction;  // errors in degrees
 };
 
 std::optional<Off> pose_off(const StereoRig& rig, const Matches& pixels, Estimator estimator,
@@ -106,7 +106,7 @@ TEST_CASE("refinement lessens the distances, and finds what has none") {
     const Matrix3d first = fit_fundamental(noisy, Conditioning::kNormalised)->matrix;
     const Matrix3d f = refined_fundamental(first, noisy);
     CHECK(sum(f, noisy) <= sum(first, noisy));
-    // As good as the truth, which is one of those that it chose from.
+    // As good as the true matrix, which is among the possible results.
     CHECK(sum(f, noisy) <= sum(fundamental_of(rig), noisy) * (1 + 1e-6));
 
     StereoRig off = rig;
@@ -157,8 +157,8 @@ TEST_CASE("a turned camera, a plane and a critical surface are named (C-101 to C
 }
 
 TEST_CASE("points on a ruled quadric through both centres leave a second matrix (C-103)") {
-  // The hyperboloid y (x - 1/2) ... : x^2 - x + y z = 0 holds for both centres, (0, 0, 0) and (1, 0, 0), and has the line between
-  // them on it nowhere; it is ruled.
+  // The points are on the quadric x^2 - x + y z = 0, a ruled hyperboloid. It contains both centres,
+  // (0, 0, 0) and (1, 0, 0), but not the line between them.
   std::mt19937 random(33);
   StereoRig rig;
   rig.left_intrinsic = rig.right_intrinsic = test::sample_intrinsic();

@@ -1,4 +1,4 @@
-// Pairs of cameras and what they see, made at random.
+// Random pairs of cameras and the points that they see.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,8 @@
 
 namespace glassbox::views::test {
 
-// 640 x 480 pixels, as in SPEC B.8.
+// The camera matrix of a picture of 640 x 480 pixels, with the numbers published for normalized
+// points (B.8).
 inline Matrix3d sample_intrinsic() {
   Matrix3d k;
   k << 800, 0, 320, 0, 800, 240, 0, 0, 1;
@@ -28,7 +29,8 @@ inline Vector3d random_direction(std::mt19937& random) {
   return Vector3d{normal(random), normal(random), normal(random)}.normalized();
 }
 
-// Turned by up to `angle` radians, and 0.3 to 1 away in any direction.
+// A pair of cameras: the right one is turned by up to `angle` radians and is 0.3 to 1 away in any
+// direction.
 inline StereoRig random_rig(std::mt19937& random, double angle = 0.3) {
   StereoRig rig;
   rig.left_intrinsic = rig.right_intrinsic = sample_intrinsic();
@@ -45,7 +47,7 @@ inline Match seen(const Vector3d& point, const StereoRig& rig) {
   return {left.hnormalized(), right.hnormalized()};
 }
 
-// In front of both cameras, `nearest` to `farthest` away, inside the left picture.
+// A point in front of both cameras, `nearest` to `farthest` away, inside the left picture.
 inline Vector3d random_point(std::mt19937& random, const StereoRig& rig, double nearest = 2,
                              double farthest = 10) {
   for (;;) {
@@ -78,7 +80,7 @@ inline Matches calibrated(const Matches& pixels, const StereoRig& rig) {
   return views::calibrated(pixels, rig.left_intrinsic, rig.right_intrinsic);
 }
 
-// Up to sign and scale, the distance of two matrices.
+// The distance of two matrices up to sign and scale.
 inline double apart(const Matrix3d& a, const Matrix3d& b) {
   const Matrix3d p = a.normalized(), q = b.normalized();
   return std::min((p - q).norm(), (p + q).norm());

@@ -1,4 +1,4 @@
-// S2-05, S2-13, C-107 to C-109, D-23: the point that two pictures show.
+// S2-05, S2-13, C-107 to C-109, D-23: the point that two pixels show.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST_CASE("without noise every triangulator gives the point, and rays have no ga
     const Match pixels = seen(point, rig);
     const double angle = std::acos(
         std::min(1.0, point.normalized().dot((point - rig.pose.translation).normalized())));
-    if (angle < 0.01) continue;  // nearly along the baseline: rounding is magnified by 1/angle^2
+    if (angle < 0.01) continue;  // nearly along the baseline: rounding errors grow by 1/angle^2
     for (const Triangulator how : kTriangulators) {
       const Triangulated found = triangulate(how, pixels, rig);
       INFO(name_of(how) << " " << i << " angle " << angle);
@@ -57,7 +57,7 @@ TEST_CASE("corrected pixels fulfil the constraint, and no pair nearer to the giv
     INFO(i);
     CHECK(constraint(by_roots) < 1e-9);
     CHECK(constraint(by_iteration) < 1e-6);
-    // The same optimum; the iteration's is of second order.
+    // Both find the same optimum; the iteration is only correct to second order.
     CHECK(moved(by_iteration) <= moved(by_roots) * (1 + 1e-3) + 1e-9);
     CHECK(moved(by_roots) <= moved(by_iteration) * (1 + 1e-6) + 1e-9);
   }
@@ -75,7 +75,7 @@ TEST_CASE("parallel rays meet at infinity, and nothing is NaN (C-107)") {
     CHECK_FALSE(found.is_finite());
     CHECK(found.in_front_of_both);
   }
-  // A negative disparity is a point behind the cameras.
+  // A negative disparity corresponds to a point behind the cameras.
   const Triangulated behind = triangulate(Triangulator::kMidpoint, {{400, 100}, {401, 100}}, rig);
   CHECK(behind.point.z() < 0);
   CHECK_FALSE(behind.in_front_of_both);
@@ -107,12 +107,13 @@ TEST_CASE("sigma_Z = Z^2 sqrt(2) sigma/(f B), and all triangulators have it (S2-
         pixels.left += test::noise(random, kSigma);
         pixels.right += test::noise(random, kSigma);
         const Vector4d found = triangulate(how, pixels, rig).point;
-        // Of 1/Z, which has no long tail, carried back: sigma_Z = Z^2 sigma_(1/Z).
+        // The deviation of 1/Z, which has no long tail, gives that of Z: sigma_Z = Z^2 sigma_(1/Z).
         z.push_back(1 / found.z());
         x.push_back(found.x());
       }
       INFO(name_of(how) << " at " << depth);
-      // 4000 samples: the deviation of a deviation is 1/sqrt(8000), of which four are allowed.
+      // The deviation of a standard deviation of 4000 samples is 1/sqrt(8000); four deviations are
+      // allowed.
       CHECK(std::abs(depth * depth * standard_deviation(z) / law - 1) < 4 / std::sqrt(8000.0));
       CHECK(law / standard_deviation(x) > 30);
     }

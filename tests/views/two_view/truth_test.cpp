@@ -1,4 +1,4 @@
-// S2-02, S2-03: pairs of every kind from the rasterizer, and where each point is in the other picture.
+// S2-02, S2-03: rendered pairs of every kind, and the position of each point in the other picture.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ View centre_of(const Scene& scene) {
   return *view;
 }
 
-// The same camera, turned about its own y axis and moved to the right.
+// The view turned about its own y axis, and moved to the right and forward.
 View moved(const View& view, double right, double forward, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   glm::dmat4 step(1.0);
@@ -73,13 +73,13 @@ TEST_CASE("of a parallel pair the places are those of the disparity map") {
       const TrueMatch& match = truth.at(x, y);
       if (match.fate == OtherEye::kNothingDrawn) continue;
       ++drawn_pixels;
-      // The map's places are floats of some hundred pixels.
+      // Positions in the map are floats of some hundred pixels.
       CHECK(std::abs(double(match.x) - (x + 0.5 + double(disparity.at(x, y)))) < 1e-3);
       CHECK(std::abs(double(match.y) - (y + 0.5)) < 1e-4);
       alike += match.fate == maps.left.at(x, y);
     }
   }
-  // That map looks along one row alone.
+  // The disparity map looks only along one row.
   CHECK(double(alike) > 0.98 * double(drawn_pixels));
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("what the right eye sees, it sees the left one see") {
       }
     }
     CHECK(seen > 5000);
-    // The pixel that has the place shows another surface where an edge runs through it.
+    // The pixel at this position shows another surface where an edge passes through it.
     CHECK(double(returned) > 0.97 * double(seen));
   }
 }
@@ -117,7 +117,8 @@ TEST_CASE("sampled matches lie on their epipolar lines, and give the cameras bac
   const SampledMatches exact = sample_matches(truth, pair.right.distance, {400});
   REQUIRE(exact.matches.size() == 400);
   const Matrix3d f = fundamental_of(rig);
-  // A place moves along the epipolar line with the distance's rounding, and is stored as a float.
+  // A position moves along the epipolar line by the rounding of the distance, and is stored as a
+  // float.
   for (const Match& match : exact.matches) CHECK(epipolar_distance(f, match) < 1e-4);
 
   const SampledMatches mixed = sample_matches(truth, pair.right.distance, {400, 0, 0.4, 7});
@@ -128,14 +129,15 @@ TEST_CASE("sampled matches lie on their epipolar lines, and give the cameras bac
   const auto pose = estimate_pose(mixed.matches, rig.left_intrinsic, rig.right_intrinsic,
                                   Estimator::kFivePoint, options);
   REQUIRE(pose);
-  // The inliers are right to 1e-4 px of some 145 px of focal length, and what is not is further off than the threshold but by chance.
+  // Inliers are right to 1e-4 px for a focal length of about 145 px, and an outlier is within the
+  // threshold only by chance.
   CHECK(rotation_error(pose->pose.rotation, rig.pose.rotation) < 1e-4);
   CHECK(direction_error(pose->pose.translation, rig.pose.translation) < 1e-3);
   for (std::size_t i = 0; i < mixed.matches.size(); ++i) {
     CHECK((mixed.is_outlier[i] || pose->is_inlier[i]));
   }
   const SampledMatches noisy = sample_matches(truth, pair.right.distance, {400, 0.3, 0.4, 7});
-  // The same seed, the same matches.
+  // The same seed gives the same matches.
   const SampledMatches again = sample_matches(truth, pair.right.distance, {400, 0.3, 0.4, 7});
   CHECK(again.matches[17].right == noisy.matches[17].right);
 }

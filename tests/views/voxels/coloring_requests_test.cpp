@@ -1,4 +1,4 @@
-// What is asked of voxel colouring is done or refused.
+// Requests of voxel colouring are carried out or refused.
 #include <tests/support/catch.h>
 
 #include "tests/views/voxels/flatland.h"
@@ -15,7 +15,7 @@ TEST_CASE("what does not fit into memory is computed and refused before it is ta
   flat.request.most_bytes = std::uint64_t(1) << 30;
   const auto refused = color_voxels(flat.set, flat.request);
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().message().find("4096 x 4096 x 4096 voxels and 2 pictures would take") !=
+  CHECK(refused.error().message().find("4096 x 4096 x 4096 voxels and 2 pictures take") !=
         std::string::npos);
   flat.request.voxel_size = 1e-3;
   CHECK(color_voxels(flat.set, flat.request).error().message().find("8000 voxels along an axis") !=
@@ -40,14 +40,14 @@ TEST_CASE("cameras whose numbers no float has are refused, and none is taken for
       far.set.pictures[1].camera.centre.z() = -1e300;
       const auto refused = color_voxels(far.set, far.request);
       REQUIRE_FALSE(refused);
-      CHECK(refused.error().message().find("b.png: its camera's numbers are too large") !=
+      CHECK(refused.error().message().find("b.png: the numbers of its camera are too large") !=
             std::string::npos);
       far = flat;
       far.set.pictures[0].camera.intrinsic(0, 0) = 1e300;
       CHECK_FALSE(color_voxels(far.set, far.request));
     }
   }
-  // By themselves footprints of places that are no numbers have no pixel, not one that is made of them.
+  // Footprints at places that are not finite numbers contain no invalid pixel.
   PinholeCamera camera = flat.set.pictures[0].camera;
   camera.centre.z() = -1e300;
   const VoxelGrid grid = grid_of_flat(flat);
@@ -71,7 +71,7 @@ TEST_CASE("what a request asks for is done or refused, and the result says what 
   REQUIRE(along_x);
   CHECK(along_x->direction == std::array<int, 2>{0, -1});
   CHECK(along_x->layers == 8);
-  // Cameras inside of the box sweep in shells, unless a direction is asked for.
+  // Cameras inside the box sweep in shells, unless a direction is requested.
   FlatScene inside = flat;
   inside.request.direction.reset();
   for (CalibratedPicture& picture : inside.set.pictures) picture.camera.centre = {4, 0.5, 2};
@@ -89,12 +89,13 @@ TEST_CASE("what a request asks for is done or refused, and the result says what 
   };
   ColoringRequest request = flat.request;
   request.order = Order::kCarve;
-  CHECK(refusal(request).find("--direction: is of one sweep, and carving goes along all six") !=
+  CHECK(refusal(request).find(
+            "--direction: is for a single sweep, but carving sweeps along all six") !=
         std::string::npos);
   request.direction.reset();
   request.levels = 1;
-  CHECK(refusal(request).find("--levels: is of one sweep") != std::string::npos);
-  // Cameras all around, of which nobody said that one sweep is wanted.
+  CHECK(refusal(request).find("--levels: is for a single sweep") != std::string::npos);
+  // Cameras all around the box, without the request for a single sweep.
   flat.set.pictures[0].camera.centre = {-100, 0.5, 2};
   flat.set.pictures[1].camera.centre = {100, 0.5, 2};
   request = flat.request;

@@ -64,7 +64,8 @@ TEST_CASE("with masks no voxel is coloured outside of the visual hull (S1-20)") 
     for (const ColoredVoxel& voxel : found->voxels) {
       for (const CalibratedPicture& picture : set.pictures) {
         const Vector3d p = project(picture.camera, found->grid.centre(voxel.at));
-        // A centre within 1e-3 px of a border may be looked up beside it, as rows go on in float.
+        // A centre within 1e-3 px of a pixel's border may be looked up in the neighbouring pixel,
+        // since rows are computed in float.
         const auto near_border = [](double u) { return std::abs(u - std::round(u)) < 1e-3; };
         if (near_border(p.x()) || near_border(p.y())) continue;
         REQUIRE((p.x() > 0 && p.y() > 0 && p.x() < 64 && p.y() < 64));
@@ -105,7 +106,8 @@ TEST_CASE(
   const SeenSurface seen = seen_surface(set, true_distances(scene, set).value(), found.grid);
   CHECK(surface_errors(found.voxels, seen).from_truth_most <= 3);
   CHECK(seen.twice.size() > 10000);
-  // Below the speckle of a pixel one voxel that is carved wrongly opens the way to those behind it.
+  // With a threshold below the variation of the speckle within a pixel, one wrongly carved voxel
+  // exposes those behind it.
   request.settings.threshold = 25;
   CHECK(iou_of(scene, set, request) < 0.1);
 }

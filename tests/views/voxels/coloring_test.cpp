@@ -1,4 +1,4 @@
-// Voxel colouring against pictures whose every answer is known.
+// Voxel colouring of pictures whose correct result is known.
 #include <tests/support/catch.h>
 
 #include <map>
@@ -12,7 +12,7 @@ using namespace test;
 TEST_CASE(
     "two scenes that look the same: the one nearer to the cameras is found, and re-projects "
     "exactly (C-91, S1-16, S1-17)") {
-  // Two red voxels side by side look as two behind each other between them.
+  // Two red voxels side by side look like two voxels one behind the other between them.
   FlatScene flat = flatland(10, 1, 6, {-1, 1});
   const std::vector<ColoredVoxel> beside{at(3, 0, 2, kRed), at(5, 0, 2, kRed)};
   const std::vector<ColoredVoxel> behind{at(4, 0, 1, kRed), at(4, 0, 3, kRed)};
@@ -45,11 +45,13 @@ TEST_CASE(
     }
   }
   paint(flat, disc);
-  // What one picture alone sees agrees with itself: without it, a pixel whose match is taken would be matched further behind.
+  // A voxel seen by only one picture is kept: otherwise a pixel whose match is used already would
+  // be matched farther behind.
   flat.request.settings.alone = Alone::kKeep;
   const auto found = color_voxels(flat.set, flat.request);
   REQUIRE(found);
-  // Of one colour, the hull is where both show the object; its surface is nearest on each line of either picture.
+  // With one colour, the photo hull is where both pictures show the object; its surface is the
+  // nearest voxel on each line of sight of either picture.
   const auto in_hull = [&](const VoxelAt& voxel) {
     for (std::size_t p = 0; p < 2; ++p) {
       const PixelOf pixel = pixel_of(flat, p, voxel);
@@ -74,7 +76,7 @@ TEST_CASE(
   }
   CHECK(places_of(found->voxels) == expected);
   CHECK(expected.size() >= 10);
-  // On each line of each picture the nearest voxel is not behind the disc's own.
+  // On each line of sight the nearest voxel is not behind the disc's own.
   for (std::size_t p = 0; p < 2; ++p) {
     std::map<int, int> nearest, real;
     for (const ColoredVoxel& voxel : found->voxels) {
@@ -132,7 +134,7 @@ TEST_CASE(
 
 TEST_CASE(
     "hiding after a layer and at once are one where voxels of a layer share no pixel (S1-21)") {
-  // Slabs with a texture, at two depths, under three cameras.
+  // Textured slabs at two depths, seen by three cameras.
   FlatScene flat = flatland(20, 6, 6, {-1, 0, 1});
   Random random(21);
   std::vector<ColoredVoxel> slabs;
@@ -148,13 +150,13 @@ TEST_CASE(
   const auto by_voxel = color_voxels(flat.set, flat.request);
   CHECK(by_layer->voxels == by_voxel->voxels);
   CHECK(by_layer->counts == by_voxel->counts);
-  // What three cameras see of a texture is where it is.
+  // Three cameras locate a texture where it is.
   const auto right = places_of(slabs);
   std::size_t exact = 0;
   for (const Place& place : places_of(by_layer->voxels)) exact += right.contains(place);
   CHECK(exact > 60);
 
-  // Where they do share pixels, what comes first hides its neighbour at once.
+  // If they do share pixels, the first voxel hides its neighbour at once.
   flat.request.settings.hidden = Footprint::kBox;
   flat.request.voxel_size = 0.5;
   flat.request.settings.update = Update::kLayer;
@@ -166,7 +168,7 @@ TEST_CASE(
 TEST_CASE(
     "a texture as fine as the voxels fails every fixed threshold and passes the adaptive one, and "
     "the edge rule (C-94, S1-33, S1-34)") {
-  // A wall whose voxels are two by two pixels of a checker board.
+  // A wall whose voxels are two by two pixels of a checkerboard.
   FlatScene flat = flatland(16, 16, 4, {-2, 0, 2});
   for (CalibratedPicture& picture : flat.set.pictures) {
     picture.matte = {};

@@ -1,4 +1,5 @@
-// Flatland: cameras so far away that a voxel (x, y, z) of size 1 is the pixel (x - slope z + beside, y).
+// Flatland: cameras so far away that a voxel (x, y, z) of size 1 is seen at the pixel (x - slope z
+// + beside, y).
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,8 @@ constexpr double kFar = 0x1p20;
 
 inline PinholeCamera flat_camera(double slope, double beside) {
   PinholeCamera camera;
-  // f X / Z + cx with X = x + f slope, Z = z + f: to x z / f of x - slope z, 1e-3 px here. A centre is half a voxel deep.
+  // f X / Z + cx with X = x + f slope and Z = z + f is x - slope z up to x z / f, 1e-3 px here. A
+  // voxel's centre is half a voxel deep.
   camera.intrinsic << kFar, 0, beside + slope / 2 - kFar * slope, 0, kFar, 0, 0, 0, 1;
   camera.centre = {-kFar * slope, 0, -kFar};
   return camera;
@@ -27,7 +29,8 @@ struct FlatScene {
   ColoringRequest request;
 };
 
-// A box of n x 1 x depth voxels, seen by cameras of these slopes; all pixels are background until they are painted.
+// A box of n x height x depth voxels, seen by cameras with these slopes; all pixels are background
+// until paint() is called.
 inline FlatScene flatland(int n, int height, int depth, const std::vector<double>& slopes) {
   FlatScene flat;
   for (const double slope : slopes) {
@@ -55,7 +58,7 @@ inline PixelOf pixel_of(const FlatScene& flat, std::size_t picture, const VoxelA
   return {int(std::floor(p.x())), int(std::floor(p.y()))};
 }
 
-// What the cameras see of these voxels: the nearest of each pixel.
+// Makes the pictures that the cameras see of these voxels: the nearest voxel in each pixel.
 inline void paint(FlatScene& flat, std::vector<ColoredVoxel> voxels) {
   std::ranges::sort(voxels, [](const auto& a, const auto& b) { return a.at.z > b.at.z; });
   for (std::size_t p = 0; p < flat.set.pictures.size(); ++p) {

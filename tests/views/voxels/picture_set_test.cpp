@@ -1,4 +1,4 @@
-// Rings of pictures as files: what is written is read again, and what is hostile is refused.
+// Rings of pictures as files: written rings are read again, and invalid files are refused.
 #include <tests/support/catch.h>
 
 #include <filesystem>
@@ -50,7 +50,8 @@ TEST_CASE("a ring that is written is read again, picture for picture") {
       CHECK(again.color == picture.color);
       CHECK(again.matte == picture.matte);
       CHECK(again.camera.intrinsic == picture.camera.intrinsic);
-      // t and back, and the nearest rotation: a few roundings.
+      // The camera's centre is converted to t and back, and the rotation is repaired to the nearest
+      // one: a few roundings.
       CHECK((again.camera.centre - picture.camera.centre).norm() < 1e-13);
     }
   }
@@ -58,7 +59,7 @@ TEST_CASE("a ring that is written is read again, picture for picture") {
   some.chosen = {3, 0};
   CHECK(read_picture_set(folder, some)->pictures[0].name == "view003.png");
   some.chosen = {5};
-  CHECK(refusal(read_picture_set(folder, some)).find("number 6 is asked for") != std::string::npos);
+  CHECK(refusal(read_picture_set(folder, some)).find("there is no number 6") != std::string::npos);
   some.chosen = {};
   some.most_bytes = 32 * 32 * 4 * 4;
   CHECK(refusal(read_picture_set(folder, some)).find("allow more with --max-mb") !=
@@ -75,7 +76,7 @@ TEST_CASE(
   bare.pictures.pop_back();
   bare.pictures[0].matte = {};
   bare.box.reset();
-  // COLMAP's name for a mask is one as well.
+  // A mask may also have the name that COLMAP gives it.
   std::filesystem::copy(folder + "/masks/view001.png", folder + "/masks/view000.png.png");
   REQUIRE(write_picture_set(folder, bare));
   const auto again = read_picture_set(folder, {});
@@ -84,7 +85,7 @@ TEST_CASE(
   CHECK(again->pictures[0].matte.pixels.empty());
   CHECK(again->pictures[1].matte == set.pictures[1].matte);
   CHECK_FALSE(again->box);
-  // The second picture cannot be written: the first ring's cameras are gone.
+  // The second picture cannot be written, and the first ring's cameras are removed.
   std::filesystem::remove(folder + "/view001.png");
   std::filesystem::create_directories(folder + "/view001.png/full");
   CHECK_FALSE(write_picture_set(folder, set));
@@ -105,7 +106,8 @@ TEST_CASE(
     const Vector3d apart = (*views)[1].named.camera.centre - (*views)[0].named.camera.centre;
     CHECK(std::abs(apart.norm() - 0.2) < 1e-12);
     for (const RingView& view : *views) {
-      // The camera that the engine's matrices stand for is the one that is written down; they are rounded to float nowhere here.
+      // The camera of the engine's matrices is the one that is written to the file; nothing is
+      // rounded to float here.
       const auto again = camera_of(view.view);
       REQUIRE(again);
       CHECK((again->intrinsic - view.named.camera.intrinsic).cwiseAbs().maxCoeff() < 1e-9);
@@ -142,7 +144,7 @@ TEST_CASE("pictures and masks that do not fit their cameras are refused, with th
   const PictureSet set = test::ring_of(test::speckled_sphere(8, 1), small_ring(2));
   REQUIRE(write_picture_set(folder, set));
   REQUIRE(write_image(folder + "/masks/view001.png", Image<Rgba8>(31, 32)));
-  CHECK(refusal(read_picture_set(folder, {})).find("is 31 x 32, and its picture is 32 x 32") !=
+  CHECK(refusal(read_picture_set(folder, {})).find("is 31 x 32, but its picture is 32 x 32") !=
         std::string::npos);
   std::filesystem::remove(folder + "/view001.png");
   CHECK(refusal(read_picture_set(folder, {})).find("'images/view001.png' does not exist") !=
@@ -157,14 +159,14 @@ TEST_CASE("pictures and masks that do not fit their cameras are refused, with th
     write(folder + "/ring_par.txt", text);
     return refusal(read_picture_set(folder, {}));
   };
-  CHECK(with("3\nview000.png" + identity).find("it says 3 cameras, and there are 1") !=
+  CHECK(with("3\nview000.png" + identity).find("announces 3 cameras, but there are 1") !=
         std::string::npos);
   CHECK(with("0\n").find("has 0 cameras") != std::string::npos);
   CHECK(with("1\n../view000.png" + identity).find("does not exist") != std::string::npos);
   CHECK(with("1\n/etc/passwd" + identity).find("does not exist") != std::string::npos);
-  // K without a focal length, and an R that is a mirror.
+  // A matrix K without a focal length, then a matrix R that mirrors.
   CHECK(with("1\nview000.png 0 0 16 0 100 16 0 0 1 1 0 0 0 1 0 0 0 1 0 0 2\n")
-            .find("K is no camera matrix") != std::string::npos);
+            .find("K is not a camera matrix") != std::string::npos);
   CHECK(with("1\nview000.png 100 0 16 0 100 16 0 0 1 1 0 0 0 1 0 0 0 -1 0 0 2\n")
             .find("R is a mirror") != std::string::npos);
   std::filesystem::remove(folder + "/ring_par.txt");
@@ -187,7 +189,7 @@ TEST_CASE("COLMAP's text files give the cameras that they describe") {
   CHECK((*read)[0].picture == "a.png");
   CHECK((*read)[0].camera.intrinsic(0, 0) == 50);
   CHECK((*read)[0].camera.centre == Vector3d(0, 0, -4));
-  // A quarter turn about y takes the world's z to the camera's x.
+  // A quarter turn about y turns the world's z into the camera's x.
   const PinholeCamera& turned = (*read)[1].camera;
   CHECK(turned.intrinsic(1, 1) == 510);
   CHECK((turned.camera_from_world * Vector3d::UnitZ() - Vector3d::UnitX()).norm() < 1e-15);
@@ -197,20 +199,20 @@ TEST_CASE("COLMAP's text files give the cameras that they describe") {
     return refusal(parse_colmap(lens_text, image_text));
   };
   const std::string image = "1 1 0 0 0 0 0 4 ";
-  CHECK(refused(cameras, "").find("the lens is distorted") != std::string::npos);
-  CHECK(refused("4 FISHEYE 64 48 50 32 24\n", "").find("'FISHEYE' is no model") !=
+  CHECK(refused(cameras, "").find("the camera model has distortion") != std::string::npos);
+  CHECK(refused("4 FISHEYE 64 48 50 32 24\n", "").find("'FISHEYE' is not a pinhole model") !=
         std::string::npos);
   CHECK(refused("5 PINHOLE 64 48 0 50 32 24\n", "").find("K is singular") != std::string::npos);
-  CHECK(refused("5 PINHOLE 64 48 50\n", "").find("has 5 words of 8") != std::string::npos);
-  CHECK(refused(two + two, "").find("been there before") != std::string::npos);
-  CHECK(refused(two, image + "9 a.png\n\n").find("no lens of this number") != std::string::npos);
-  CHECK(refused(two, "1 2 0 0 0 0 0 4 1 a.png\n\n").find("quaternion is of length 2") !=
+  CHECK(refused("5 PINHOLE 64 48 50\n", "").find("has 5 of the 8 words") != std::string::npos);
+  CHECK(refused(two + two, "").find("another camera has the same number") != std::string::npos);
+  CHECK(refused(two, image + "9 a.png\n\n").find("no camera with this number") !=
         std::string::npos);
-  CHECK(refused(two, "1 1 0 nan 0 0 0 4 1 a.png\n\n").find("'nan' is no number") !=
+  CHECK(refused(two, "1 2 0 0 0 0 0 4 1 a.png\n\n").find("length of the quaternion is 2") !=
         std::string::npos);
-  CHECK(
-      refused(two, image + "1 a.png\n\n" + image + "1 a.png\n\n").find("two pictures are called") !=
-      std::string::npos);
+  CHECK(refused(two, "1 1 0 nan 0 0 0 4 1 a.png\n\n").find("'nan' is not a number") !=
+        std::string::npos);
+  CHECK(refused(two, image + "1 a.png\n\n" + image + "1 a.png\n\n")
+            .find("two pictures have the name") != std::string::npos);
 }
 
 }  // namespace glassbox::views

@@ -1,4 +1,4 @@
-// Cameras, pictures and scenes for voxel colouring, whose answers are known.
+// Cameras, pictures and scenes for voxel colouring with known results.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace glassbox::views::test {
 
-// Looks along z from `centre`; f px to the unit at distance 1.
+// A camera at `centre` that looks along z, with a focal length in pixels.
 inline PinholeCamera camera_along_z(const Vector3d& centre, double focal, int width, int height) {
   PinholeCamera camera;
   camera.intrinsic << focal, 0, width / 2.0, 0, focal, height / 2.0, 0, 0, 1;
@@ -24,7 +24,8 @@ inline PinholeCamera camera_along_z(const Vector3d& centre, double focal, int wi
   return camera;
 }
 
-// A sphere of radius 1 whose corners have colours of their own, which light does not change: textured, convex, closed.
+// A sphere of radius 1 whose corners have their own colours, which light does not change: textured,
+// convex and closed.
 inline Scene speckled_sphere(int level, std::uint64_t seed) {
   Scene scene = *make_builtin("sphere:" + std::to_string(level));
   Random random(seed);
@@ -50,7 +51,7 @@ inline PictureSet ring_of(const Scene& scene, const RingOptions& options) {
   return draw_ring(scene, ring_views(scene, options).value(), settings, Matte::kDepth);
 }
 
-// The size of a voxel that is one pixel wide where it is nearest to the cameras of a ring.
+// The size of a voxel that is one pixel wide where the box is nearest to a camera of the ring.
 inline double pixel_size(const PictureSet& set) {
   const Vector3d middle = (set.box->low + set.box->high) / 2;
   double size = INFINITY;
@@ -62,7 +63,7 @@ inline double pixel_size(const PictureSet& set) {
   return size;
 }
 
-// Pictures of coloured voxels, pixel for pixel what they are.
+// Pictures of coloured voxels, exactly as the cameras see them.
 inline PictureSet pictures_of(const VoxelGrid& grid, const std::vector<ColoredVoxel>& voxels,
                               const std::vector<PinholeCamera>& cameras, int width, int height) {
   PictureSet set;
@@ -81,7 +82,7 @@ inline ColoringRequest request_for(const PictureSet& set, double size) {
   request.box = *set.box;
   request.voxel_size = size;
   request.settings.threads = 1;
-  // Within a pixel the speckles change by some ten levels.
+  // The colours of the speckles vary by about ten levels within a pixel.
   request.settings.threshold = 30;
   return request;
 }

@@ -1,4 +1,4 @@
-// A sweep over rows and blocks of voxels, against one that looks at each by itself.
+// A sweep over rows and blocks of voxels, compared with one that examines each voxel by itself.
 #include <tests/support/catch.h>
 
 #include "tests/views/voxels/flatland.h"
@@ -16,7 +16,8 @@ struct OneByOne {
   std::int64_t hidden = 0, alone = 0, background = 0;
 };
 
-// The sweep of centres' pixels as its definition has it: each voxel by itself, in every picture.
+// The sweep by its definition, with the pixels of voxel centres: each voxel by itself in every
+// picture.
 OneByOne one_by_one(const PictureSet& set, const ColoringSettings& settings, const VoxelGrid& grid,
                     std::array<int, 2> direction, const WorldBox& box) {
   OneByOne result;
@@ -86,7 +87,7 @@ TEST_CASE(
     "rows of voxels are judged as one by one, and blocks that are known to be hidden or background "
     "are so") {
   const PictureSet whole = ring_of(speckled_sphere(6, 4), ring_options(9, {40}, 96));
-  // Two of them without a mask, and one that looks past most of the box.
+  // Some pictures without a mask, and one that sees hardly any of the box.
   PictureSet partial = whole;
   for (const std::size_t p : {1u, 4u, 6u}) partial.pictures[p].matte = {};
   partial.pictures[6].camera.intrinsic(0, 2) -= 60;
@@ -123,7 +124,7 @@ TEST_CASE("tiles say of a block of voxels what every one of its pixels says") {
     PackedPicture picture = pack(shown, request.settings);
     picture.has_whole = random.integer(0, 1) == 1;
     PixelTiles tiles(picture);
-    // A disc of pixels is hidden, some twice.
+    // The pixels of a disc are hidden, some of them twice.
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
         if ((x - 30) * (x - 30) + (y - 34) * (y - 34) > 24 * 24) continue;
@@ -176,7 +177,7 @@ TEST_CASE("tiles say of a block of voxels what every one of its pixels says") {
   CHECK(backgrounds > 50);
   CHECK(hiddens > 50);
   CHECK(tight > 50);
-  // A centre behind the camera, and numbers beyond what floats can place: nothing is known.
+  // A centre behind the camera, then numbers too large for float positions: nothing is known.
   PinholeCamera camera;
   camera.intrinsic << 100, 0, 32, 0, 100, 32, 0, 0, 1;
   VoxelGrid around;

@@ -1,4 +1,5 @@
-// The orders of voxels, held against brute force, and the statistics of one voxel.
+// The orders in which voxels are visited, compared with brute force, and the statistics of one
+// voxel.
 #include <tests/support/catch.h>
 
 #include <cmath>
@@ -35,7 +36,7 @@ TEST_CASE("cameras of the slides' cases are told apart (S1-38)") {
   CHECK(above.away == std::array<int, 3>{0, -1, 0});
   CHECK(classify({{3, 3, 0}, {3.5, 0.5, 0}, {0.5, 3.5, 0}}, kLow, kHigh).kind ==
         TraversalKind::kOblique);
-  // Inside of the box, and all around it (C-90).
+  // Cameras inside the box, then all around it (C-90).
   CHECK(classify({{0.5, 0, 0}, {-0.5, 0, 0.2}}, kLow, kHigh).kind == TraversalKind::kEmbedded);
   CHECK(classify(ring(16, 5, 0), kLow, kHigh).kind == TraversalKind::kSurrounded);
   CHECK(classify({{0, 0, 0}, {5, 0, 0}, {-5, 0, 0}}, kLow, kHigh).kind ==
@@ -54,7 +55,8 @@ TEST_CASE("no voxel that hides another comes after it in an order that is called
     const Vector3d middle = anywhere(4);
     const auto count = random.integer(1, 5);
     for (int i = 0; i < count; ++i) cameras.push_back(middle + anywhere(1.5));
-    // Every other time spread over a plane beside a corner of the box, where no axis has an order.
+    // Every other round spreads the cameras over a plane outside a corner of the box, where no axis
+    // has an order.
     if (round % 2 == 1) {
       const Vector3d beyond = anywhere(1).normalized();
       const double least = beyond.cwiseAbs().sum() + 0.2;
@@ -67,7 +69,7 @@ TEST_CASE("no voxel that hides another comes after it in an order that is called
     const Traversal traversal = classify(cameras, kLow, kHigh);
     oblique += traversal.kind == TraversalKind::kOblique;
     for (int pair = 0; pair < 50; ++pair) {
-      // Q anywhere in the box, P on the way from a camera to it.
+      // Q is anywhere in the box, P is on the line from a camera to it.
       const Vector3d q{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
       const Vector3d& camera =
           cameras[std::size_t(random.integer(0, std::int64_t(cameras.size()) - 1))];
@@ -92,7 +94,7 @@ TEST_CASE("no voxel that hides another comes after it in an order that is called
 TEST_CASE("cameras that brute force finds an order for are not called surrounded") {
   Random random(24);
   for (int round = 0; round < 200; ++round) {
-    // All beyond a plane through a corner of the box, which is a 20th away.
+    // All cameras are beyond a plane that is 0.05 from the box, near a corner.
     const Vector3d direction =
         Vector3d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}.normalized();
     const double least = -direction.cwiseAbs().sum() - 0.05;
@@ -126,7 +128,7 @@ TEST_CASE(
       }
     }
   }
-  // All but the box of voxels that have the cameras: 3 x 3 x 2.
+  // All voxels except the box of those that contain the cameras: 3 x 3 x 2.
   CHECK(visited == grid.voxels() - 18);
   Random random(38);
   for (int round = 0; round < 5000; ++round) {
@@ -144,7 +146,7 @@ TEST_CASE("a grid along a direction has right-handed unit axes") {
   for (const Vector3d& direction : {Vector3d(0, 0, 1), Vector3d(0, 0, -1), Vector3d(-1, 0, 0),
                                     Vector3d(1, 2, -3), Vector3d(1, 1, 1), Vector3d(-5, 5, 0.1)}) {
     const Matrix3d axes = axes_along(direction.normalized());
-    // Few roundings of numbers of at most 1.
+    // A few roundings of numbers up to 1.
     CHECK((axes.transpose() * axes - Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-14);
     CHECK(axes.determinant() > 0);
     CHECK((axes.col(2) - direction.normalized()).norm() < 1e-14);
@@ -154,7 +156,7 @@ TEST_CASE("a grid along a direction has right-handed unit axes") {
 TEST_CASE("the axes along any direction are those of Eigen's rotation, to the last bit") {
   Random random(41);
   for (int i = 0; i < 20000; ++i) {
-    // Components of many sizes, some of them 0.
+    // Components of many magnitudes, some of them 0.
     Vector3d direction;
     for (double& component : direction)
       component = random.integer(0, 4) == 0 ? 0 : random.scaled(-1, 1, -10, 10);
@@ -186,13 +188,14 @@ TEST_CASE("the variance of numbers far from 0 is theirs, where E[x^2] - E[x]^2 c
   long double mean = 0, exact = 0;
   for (const double x : numbers) mean += static_cast<long double>(x) / kCount;
   for (const double x : numbers) exact += (x - mean) * (x - mean) / (kCount - 1);
-  // Welford's relative error is at most n u kappa, kappa = sqrt(1 + (mean / sigma)^2) = 250 / 0.0058 (Chan, Golub and LeVeque 1983).
+  // The relative error of Welford's method is at most n u kappa, kappa = sqrt(1 + (mean / sigma)^2)
+  // = 250 / 0.0058 (Chan, Golub and LeVeque 1983).
   const double bound = kCount * 0x1p-53 * 250 / std::sqrt(double(exact));
   CHECK(std::abs(welford.variance() - double(exact)) <= bound * double(exact));
   const float naive = squares / kCount - (sum / kCount) * (sum / kCount);
   CHECK(std::abs(double(naive) - double(exact)) > 10 * double(exact));
 
-  // Whole numbers are exact up to one division.
+  // For whole numbers the sums are exact up to one division.
   ColorSums sums;
   Welford channels[3];
   for (int i = 0; i < kCount; ++i) {
@@ -208,7 +211,7 @@ TEST_CASE("the variance of numbers far from 0 is theirs, where E[x^2] - E[x]^2 c
 }
 
 TEST_CASE("the law of the likelihood ratio has the quantiles of the tables (S1-19)") {
-  // Abramowitz and Stegun, table 26.8, to its six digits.
+  // Abramowitz and Stegun, table 26.8, with its six digits.
   CHECK(std::abs(chi_squared_quantile(1, 0.05) - 3.84146) < 5e-6);
   CHECK(std::abs(chi_squared_quantile(10, 0.01) - 23.2093) < 5e-5);
   CHECK(std::abs(chi_squared_quantile(60, 0.001) - 99.6072) < 5e-5);
@@ -219,14 +222,15 @@ TEST_CASE("the law of the likelihood ratio has the quantiles of the tables (S1-1
 
 TEST_CASE("good voxels are rejected as often as the law says (S1-19)") {
   Random random(19);
-  // Three channels of K pictures with noise sigma: the sum of 12 uniform numbers is as good as normal here.
+  // Three channels of K pictures with noise sigma; the sum of 12 uniform numbers is close enough to
+  // a normal distribution here.
   const auto noise = [&] {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += random.unit();
     return sum;
   };
   constexpr int kPictures = 8, kVoxels = 20000;
-  constexpr double kSigma = 40, kSignificance = 0.05;  // codes: their rounding adds 1/12 to 1600
+  constexpr double kSigma = 40, kSignificance = 0.05;  // in codes, whose rounding adds 1/12 to 1600
   const double degrees = 3 * (kPictures - 1);
   const double most = chi_squared_quantile(degrees, kSignificance);
   int rejected = 0;
@@ -239,7 +243,8 @@ TEST_CASE("good voxels are rejected as often as the law says (S1-19)") {
     }
     rejected += sums.deviations() / (kSigma * kSigma) >= most;
   }
-  // Four deviations of the binomial law; twelve numbers have tails that are thinner than the normal one's, by 3 % of this share.
+  // Four deviations of the binomial distribution; the sum of twelve numbers has thinner tails than
+  // a normal distribution, by 3 % of this share.
   const double expected = kVoxels * kSignificance;
   const double room = 4 * std::sqrt(expected * (1 - kSignificance)) + 0.03 * expected;
   CHECK(std::abs(rejected - expected) < room);
@@ -247,7 +252,7 @@ TEST_CASE("good voxels are rejected as often as the law says (S1-19)") {
 
 namespace {
 
-// Whether a point is within the projection of a voxel, by its faces' triangles.
+// Whether a point is within the projection of a voxel, tested with the triangles of its faces.
 bool is_in_projection(const std::array<Vector2d, 8>& c, const Vector2d& p) {
   constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                 {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
@@ -276,7 +281,7 @@ TEST_CASE("footprints have the pixels that brute force finds, and at least the c
           axes_along(Vector3d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}
                          .normalized());
       grid.size = size;
-      // 100 px away with f = 100 px: a unit is a pixel.
+      // 100 px away with f = 100 px, so that a unit is a pixel.
       PackedPicture picture;
       PinholeCamera camera;
       camera.intrinsic << 100, 0, 32, 0, 100, 32, 0, 0, 1;
@@ -296,8 +301,8 @@ TEST_CASE("footprints have the pixels that brute force finds, and at least the c
                        [&](int x, int y) { ++found[std::size_t(footprint)].at(x, y); });
         REQUIRE(found[std::size_t(footprint)].at(pixel.column, pixel.row) == 1);
       }
-      // A corner's three products are rounded in double and once to float, a voxel's centre is added in float and divided: 8 roundings of
-      // numbers of at most 64 px.
+      // A corner's three products are rounded in double and once to float; then the voxel's centre
+      // is added in float, and the sum is divided: 8 roundings of numbers up to 64 px.
       constexpr double kOff = 8 * 64 * 0x1p-24;
       Vector2d least = corners[0], most = corners[0];
       for (const Vector2d& corner : corners) {
@@ -308,9 +313,10 @@ TEST_CASE("footprints have the pixels that brute force finds, and at least the c
         for (int x = 0; x < 64; ++x) {
           const bool is_centre = x == pixel.column && y == pixel.row;
           const Vector2d p(x + 0.5, y + 0.5);
-          // How far inside of the box around the corners; less than 0: outside.
+          // How far the point is inside the bounding box of the corners; negative if outside.
           const double inside = std::min((p - least).minCoeff(), (most - p).minCoeff());
-          // Of a hull, corners that are moved away from or towards the middle by this share move by at least kOff.
+          // Moving the hull's corners away from its middle or towards it by this share moves them
+          // by at least kOff.
           const double share = kOff / (size / 2);
           const auto is_near = [&](double room) {
             std::array<Vector2d, 8> larger = corners;

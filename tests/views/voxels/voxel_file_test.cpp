@@ -1,4 +1,4 @@
-// Voxels in files, and the true volume that they are held against.
+// Voxels in files, and the true volume with which they are compared.
 #include <tests/support/catch.h>
 
 #include <glassbox/mesh/ply/load.h>
@@ -22,7 +22,8 @@ TEST_CASE("voxels are written as cubes without inner faces, which are read again
   const WorldBox box = box_of(*scene);
   CHECK(box.low == Vector3d(0, 0, 0));
   CHECK(box.high == Vector3d(1, 0.5, 0.5));
-  // Counter-clockwise seen from outside: the volume by the divergence theorem is that of both, 2 / 8.
+  // Faces are counter-clockwise as seen from outside: by the divergence theorem the volume is that
+  // of both voxels, 2 / 8.
   const Mesh& mesh = scene->meshes[0];
   double volume = 0;
   for (const Face& face : mesh.faces) {

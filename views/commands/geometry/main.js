@@ -8,7 +8,7 @@ function legend() {
   const parts = [];
   if (constraint) parts.push(element("span", {className: "ramp"}, "inliers: 0 px", bar, `${manifest.threshold_px} px`));
   const mark = svg("svg", {viewBox: "-1 -1 2 2", "aria-hidden": "true"}, svg("path", {d: cross(0, 0, .7), class: "mark", stroke: farColour}));
-  parts.push(element("span", {}, mark, constraint ? "further than that" : "no inlier"));
+  parts.push(element("span", {}, mark, constraint ? "farther than that" : "not an inlier"));
   if (manifest.all_matches > matches.length) parts.push(element("span", {}, `The first ${matches.length} of ${manifest.all_matches} matches.`));
   return parts;
 }
@@ -17,11 +17,11 @@ function foundTerms() {
   const {system, truth, inliers, samples, law, estimator, all_matches: all, pair_is: kind, left_pixels: fates} = manifest, {outliers} = truth ?? {};
   return terms([
     ["pair", manifest.pair],
-    ["left pixels", fates && `${fates.seen} are seen in the right picture, ${fates.hidden} hidden there, ${fates.beside} beside it, ${fates.missing} missing`],
+    ["left pixels", fates && `${fates.seen} are visible in the right picture, ${fates.hidden} hidden there, ${fates.beside} outside it, ${fates.missing} missing`],
     ["the pair is", kind.sentence],
-    ["inliers", `${inliers} of ${all} within ${manifest.threshold_px} px` + (outliers?.planted ? `; ${outliers.planted} outliers were planted, ${outliers.kept} of them are inliers by chance, ${outliers.lost_matches} true matches are lost` : "")],
-    ["samples", samples ? `${samples} of ${estimator}; ${law}` : "none decides a model"],
-    ["equations", `rank ${system.rank} (8 decide F, 9 is of noise); condition ${shortNumber(system.condition_raw)} raw, ${shortNumber(system.condition_normalised)} with normalised points`],
+    ["inliers", `${inliers} of ${all} within ${manifest.threshold_px} px` + (outliers?.planted ? `; ${outliers.planted} outliers were added, ${outliers.kept} of them are inliers by chance, ${outliers.lost_matches} true matches are rejected` : "")],
+    ["samples", samples ? `${samples} of ${estimator}; ${law}` : "none determines a model"],
+    ["equations", `rank ${system.rank} (8 determine F, 9 is due to noise); condition ${shortNumber(system.condition_raw)} raw, ${shortNumber(system.condition_normalised)} with normalised points`],
     ["costs (GRIC)", `constraint ${shortNumber(kind.cost_of_constraint)}, homography ${shortNumber(kind.cost_of_homography)}, rotation ${shortNumber(kind.cost_of_rotation)}`],
     ["truth", typeof truth?.rotation_error_degrees === "number" && `rotation off by ${shortNumber(truth.rotation_error_degrees)}°` + (truth.direction_error_degrees === null ? "" : `, direction of T by ${shortNumber(truth.direction_error_degrees)}°`)],
   ]);
@@ -48,16 +48,16 @@ function matrices() {
   if (other) add("[t]× R, P_r = R P_l + t, t = −R T", matrixText(other, 6));
   if (pose) {
     add("R", matrixText(pose.R, 6));
-    add("T, of length 1: the right camera, seen by the left one", matrixText([pose.T], 6));
+    add("T, of length 1: the right camera, seen from the left one", matrixText([pose.T], 6));
   }
-  return all.length ? all : [element("p", {}, "Not decided: see what is left out.")];
+  return all.length ? all : [element("p", {}, "Not determined: see what is left out.")];
 }
 
 const vectorText = (vector) => `(${vector.map((value) => (Math.round(value * 1000) / 1000 + 0).toFixed(3).replace("-", "−")).join(", ")})`;
 
 function posesTable() {
   const rows = manifest.four_poses.map((pose) => [vectorText(pose.T), shortNumber(turnOf(pose.R)) + "°", pose.in_front]);
-  return table(["four poses: T", "turned by", "in front of both"], ["", "number", "number"], rows, (at) => manifest.four_poses[at].chosen ? "chosen" : "");
+  return table(["four poses: T", "rotation", "in front of both"], ["", "number", "number"], rows, (at) => manifest.four_poses[at].chosen ? "chosen" : "");
 }
 
 // The angle of a rotation, whose trace is 1 + 2 cos(angle).

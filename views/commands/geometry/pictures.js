@@ -92,9 +92,9 @@ const placeText = ([x, y]) => `(${pixels(x)}, ${pixels(y)})`;
 function told(side, at, match, ends) {
   const where = match ? `Match ${point.match + 1} of ${matches.length}: ${side} ${placeText(at)}, ${otherSide[side]} ${placeText(match[otherSide[side]])}.` : `${side === "left" ? "Left" : "Right"} ${placeText(at)}.`;
   if (!constraint) return `${where} There is no line: ${manifest.pair_is.sentence}.`;
-  const line = ends ? `Its line in the other picture: ${lineText(epipolarLine(side, at))}.` : "Its line passes beside the other picture.";
-  const planted = match?.planted_outlier ? " It was planted as an outlier." : "";
-  return match ? `${where} ${line} Sampson's distance ${match.sampson_px.toPrecision(3)} px: ${match.inlier ? "an inlier" : "no inlier"}.${planted}` : `${where} ${line}`;
+  const line = ends ? `Its line in the other picture: ${lineText(epipolarLine(side, at))}.` : "Its line is outside the other picture.";
+  const planted = match?.planted_outlier ? " It was added as an outlier." : "";
+  return match ? `${where} ${line} Sampson's distance ${match.sampson_px.toPrecision(3)} px: ${match.inlier ? "an inlier" : "not an inlier"}.${planted}` : `${where} ${line}`;
 }
 
 function movePoint(side, [x, y]) {

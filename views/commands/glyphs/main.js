@@ -6,10 +6,10 @@ const why = {
   size: "it is too small",
   prototypes: "too few of its pixels have prototype colours",
   others: "too many of its pixels have a fourth colour",
-  areas: "its colours' shares are not those of concentric discs",
+  areas: "the areas of its colours are not those of concentric discs",
   centroids: "its colours have several centres",
-  spread: "its colours are spread alike",
-  ranks: "its colours are ordered otherwise by number than by spread",
+  spread: "its colours are spread equally",
+  ranks: "its colours have another order by area than by spread",
   sheet: "its code is not on the wall",
 };
 const kindOf = (region) => region.broken ? "none" : region.agrees === false ? "odd" : "glyph";
@@ -32,12 +32,12 @@ function pick(at) {
   byId("facts").replaceChildren(...terms([
     ["centre", `${shown(region.x)}, ${shown(region.y)} px`],
     ["diameter", `${shown(region.diameter_px, 1)} px, ${shown(region.across_px, 1)} px across`],
-    ["its colours say", region.identity < 0 ? "nothing" : `${region.identity}: ${region.code}`],
-    ["of prototype colours", `${shown(100 * region.classified, 0)} % of its pixels`],
-    ["of others", `${shown(100 * region.others, 1)} % of these`],
+    ["code by its colours", region.identity < 0 ? "nothing" : `${region.identity}: ${region.code}`],
+    ["prototype colours", `${shown(100 * region.classified, 0)} % of its pixels`],
+    ["other colours", `${shown(100 * region.others, 1)} % of these`],
     ["shares", region.shares.map((share) => `${shown(100 * share, 0)} %`).join(", ")],
-    ["centres apart", `${shown(region.apart_px)} px`],
-    ["on the wall at", region.world && `${region.world.map((value) => shown(value, 3)).join(", ")} m`],
+    ["distance of centres", `${shown(region.apart_px)} px`],
+    ["position on the wall", region.world && `${region.world.map((value) => shown(value, 3)).join(", ")} m`],
   ]));
 }
 

@@ -44,8 +44,8 @@ function show() {
   const rms = Math.sqrt(off.reduce((sum, value) => sum + value * value, 0) / off.length);
   const reach = Math.max(4 * rms, (high - low) / 255);
   draw(byId("difference"), off, between(-reach, reach));
-  byId("again-says").textContent = kept ? `from ${count(kept, "component")}` : "from none: its mean";
-  byId("difference-says").textContent = `the difference: RMS ${shown(rms)}, white is ${shown(reach)} more`;
+  byId("again-says").textContent = kept ? `from ${count(kept, "component")}` : "from no component: its mean";
+  byId("difference-says").textContent = `the difference: RMS ${shown(rms)}, white is +${shown(reach)}`;
   document.querySelectorAll("#components button").forEach((button, k) => {
     button.setAttribute("aria-pressed", String(k < kept));
     button.className = k < kept ? "" : "out";
@@ -69,7 +69,7 @@ function setUpEigenvalues() {
     bar.style.width = `${100 * Math.sqrt(share)}%`;
     return [k + 1, shown(eigenvalue), bar, shown(rest), ...vector.map((value) => value.toFixed(3).replace("-", "−"))];
   });
-  byId("eigenvalues").append(table(["", "eigenvalue", "deviation", "MSE with those up to it", ...bands.map(({name}) => name)],
+  byId("eigenvalues").append(table(["", "eigenvalue", "deviation", "MSE with components up to it", ...bands.map(({name}) => name)],
     ["number", "number", "bars", "number", ...bands.map(() => "number")], rows));
 }
 

@@ -103,7 +103,7 @@ function pressed(event) {
 
 function setUpPicture() {
   const picture = byId("picture");
-  Object.assign(picture, {width, height, className: small ? "small" : "", ariaLabel: "The layers from elsewhere"});
+  Object.assign(picture, {width, height, className: small ? "small" : "", ariaLabel: "The layers from another view"});
   image = new ImageData(width, height);
   pixels = new Uint32Array(image.data.buffer);
   depths = new Float32Array(width * height);
@@ -163,7 +163,7 @@ function setUpComplexity() {
     pixelsWith[level]++;
     return packed[level];
   });
-  byId("complexity").ariaLabel = `Samples of each pixel: ${manifest.depth_complexity.toFixed(2)} in the mean of those that have one`;
+  byId("complexity").ariaLabel = `Samples of each pixel: ${manifest.depth_complexity.toFixed(2)} on average, over pixels that have one`;
   byId("legend").append(...heat.flatMap((colour, level) => {
     if (!pixelsWith[level]) return [];
     const mark = element("i", {ariaHidden: "true"});

@@ -50,6 +50,6 @@ function fitCurve() {
 function setUpCurve() {
   new ResizeObserver(fitCurve).observe(byId("curve"));
   byId("curve-note").textContent = data.sums
-    ? `For each disparity, what all paths and windows together make of the match (in steps of ${manifest.sums_step}). The winner is the least; a second valley of the same depth is a doubt. Where no line is, the other pixel lies beside the right picture.`
-    : "The sums of so many pixels and disparities have no room in a page: give smaller pictures or a shorter --range.";
+    ? `The sum of all paths' costs for each disparity (in steps of ${manifest.sums_step}). The smallest sum wins; a second valley of the same depth makes the match uncertain. Where there is no line, the other pixel is outside the right picture.`
+    : "The sums of so many pixels and disparities would be too large for a page: give smaller pictures or a shorter --range.";
 }

@@ -5,12 +5,12 @@ function foundTerms() {
   return terms([
     ["disparities", `${first} to ${last} px`.replaceAll("-", "−")],
     ["cost", cost],
-    ["paths", paths ? String(paths) : "none: each pixel for itself"],
+    ["paths", paths ? String(paths) : "none: each pixel is matched by itself"],
     ["planes", planes && `${count(planes, "round")}`],
     ["volumes", `${shortNumber(bytes / 1048576)} MB`],
     ["time", `${shortNumber(ms)} ms with ${target}: ` + Object.entries(steps).map(([name, time]) => `${name} ${time.toFixed(1)}`).join(", ")],
-    ["in doubt", Object.entries(doubted).map(([name, pixels]) => `${name} ${(100 * pixels / (width * height)).toFixed(1)} %`).join(", ")],
-    ["rectified", rectification && `${rectification.lost_percent.left.toFixed(1)} and ${rectification.lost_percent.right.toFixed(1)} % of the pictures have no place in the turned ones`],
+    ["uncertain", Object.entries(doubted).map(([name, pixels]) => `${name} ${(100 * pixels / (width * height)).toFixed(1)} %`).join(", ")],
+    ["rectified", rectification && `${rectification.lost_percent.left.toFixed(1)} and ${rectification.lost_percent.right.toFixed(1)} % of the pictures are cut off by rectification`],
   ]);
 }
 

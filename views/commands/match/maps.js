@@ -62,7 +62,7 @@ function drawMap() {
   byId("map").previousSibling.textContent = mapNames[shownMap()];
 }
 
-const mapNames = {disparity: "Disparity", truth: "Truth", error: "Error", doubt: "In doubt"};
+const mapNames = {disparity: "Disparity", truth: "Truth", error: "Error", doubt: "Uncertain"};
 const shortNumber = (value) => Number(value.toPrecision(4)).toString().replace("-", "−");
 const pixelText = (value) => Number.isFinite(value) ? value.toFixed(2).replace("-", "−") : "none";
 
@@ -80,8 +80,8 @@ const none = () => swatch(`rgb(${nothing})`, hasTruth ? "none, or not known" : "
 const legends = {
   disparity: () => [bar(ramp, `${shortNumber(data.ends[0])} px`, `${shortNumber(data.ends[1])} px: near`), none()],
   truth: () => legends.disparity(),
-  error: () => [bar(heat, "0 px off", `${mostError} px and more`), swatch("rgb(22, 50, 82)", "bluish: the right picture does not show it"), none()],
-  doubt: () => [bar([0, .5, 1].map((share) => `rgb(${rampColour(.08 + .5 * share)})`), "not in doubt: peak ratio 0", "1"),
+  error: () => [bar(heat, "0 px off", `${mostError} px and more`), swatch("rgb(22, 50, 82)", "blue: the right picture does not show it"), none()],
+  doubt: () => [bar([0, .5, 1].map((share) => `rgb(${rampColour(.08 + .5 * share)})`), "certain: peak ratio 0", "1"),
     ...doubts.slice(1).map((name, i) => swatch(doubtColours[i + 1], name))],
 };
 
@@ -115,7 +115,7 @@ function told(i) {
     const depth = f * baseline / (disparity + offset);
     if (depth > 0 && Number.isFinite(depth)) parts.push(`Depth ${shortNumber(depth)}.`);
   }
-  parts.push(doubt ? `It was in doubt: ${doubt}.` : `Peak ratio ${(data.confidence[i] / 255).toFixed(2)}.`);
+  parts.push(doubt ? `It was uncertain: ${doubt}.` : `Peak ratio ${(data.confidence[i] / 255).toFixed(2)}.`);
   return parts.join(" ");
 }
 

@@ -117,6 +117,6 @@ function setUpSpace() {
     Object.assign(turn, {yaw: 0, pitch: 0, near: 1});
     drawSpace();
   });
-  byId("space-note").textContent = `${count(cloud.count, "point")}. Drag, or turn them with the arrow keys. ${manifest.calibration ? "What the left camera does not see is empty." : "Without --calibration there is no depth: points stand off the picture by their disparity."}`;
+  byId("space-note").textContent = `${count(cloud.count, "point")}. Drag, or turn them with the arrow keys. ${manifest.calibration ? "Parts that the left camera does not see are empty." : "Without --calibration there is no depth: points are in front of the picture by their disparity."}`;
   new ResizeObserver(drawSpace).observe(space);
 }

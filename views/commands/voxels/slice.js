@@ -71,7 +71,7 @@ function setUpSlice(pick) {
     if (!name) return null;
     const mark = element("i", {});
     mark.style.background = `rgb(${verdictColours[i].join(" ")})`;
-    return element("span", {}, mark, i === 4 ? `${name}: in its colour` : name);
+    return element("span", {}, mark, i === 4 ? `${name}: shown in its colour` : name);
   }).filter((one) => one));
   drawSlice();
 }

@@ -30,13 +30,13 @@ function pixelOf(picture, {x, y, z}) {
 // The result for one picture: "sees it", with its colour, or why not.
 async function lookUp(picture, i, voxel) {
   const pixel = pixelOf(picture, voxel);
-  if (!pixel) return {says: "is beside it"};
+  if (!pixel) return {says: "does not contain it"};
   const pixels = await pixelsOf(picture), at = pixel.row * picture.width + pixel.column;
   if (pixels[4 * at + 3] === 0) return {says: "shows background", pixel};
   const hidden = await hiddenOf(picture, i);
   const from = hidden ? hidden[2 * at] | hidden[2 * at + 1] << 8 : 65535;
-  if (from < layerOf(voxel)) return {says: `sees layer ${from + 1} before it`, pixel};
-  return {says: hidden ? "sees it" : "has it in its frame", pixel, color: [...pixels.subarray(4 * at, 4 * at + 3)]};
+  if (from < layerOf(voxel)) return {says: `sees layer ${from + 1} in front of it`, pixel};
+  return {says: hidden ? "sees it" : "contains it", pixel, color: [...pixels.subarray(4 * at, 4 * at + 3)]};
 }
 
 // For the colours of the pictures that see it: the mean, and the standard deviation pooled over the
@@ -78,10 +78,10 @@ function testText(sigma) {
   if (test === "sigma") {
     if (settings.threshold === null) return "below T = infinity";
     if (sigma < settings.threshold) return `below T = ${settings.threshold}`;
-    const edges = settings.edge > 0 ? `, which an edge of ${settings.edge} in every picture excuses` : "";
+    const edges = settings.edge > 0 ? `, which is allowed where every picture has an edge of ${settings.edge}` : "";
     return `not below T = ${settings.threshold}${edges}`;
   }
-  if (test === "ratio") return `the likelihood ratio is of a noise of ${settings.noise}`;
+  if (test === "ratio") return `the likelihood ratio assumes a noise of ${settings.noise}`;
   return `T = ${settings.k1} M + ${settings.k2}`;
 }
 
@@ -95,7 +95,7 @@ async function explain(voxel) {
   const where = `Voxel (${voxel.x}, ${voxel.y}, ${voxel.z}), layer ${layerOf(voxel) + 1}`;
   const seen = manifest.has_layers
     ? `${count(colors.length, "picture")} ${colors.length === 1 ? "sees" : "see"} it`
-    : `${count(colors.length, "picture")} ${colors.length === 1 ? "has" : "have"} it in the object's frame, some of them behind others`;
+    : `${count(colors.length, "picture")} ${colors.length === 1 ? "has" : "have"} it inside the object, some of them hidden by others`;
   const numbers = colors.length > 1 ? `: mean (${mean.map((value) => value.toFixed(1)).join(", ")}), sigma ${sigma.toFixed(2)}, ${testText(sigma)}` : "";
   const verdict = verdicts.length ? verdictNames[verdictOf(voxel)] : coloursOf.has(indexOf(voxel)) ? "coloured" : "carved, or inside";
   byId("readout").textContent = `${where}: ${verdict}. ${seen}${numbers}.`;

@@ -40,12 +40,12 @@ function sweepTable({series, axis, axis_unit: unit, error_unit: errorUnit}) {
 
 function sweepSection(sweep) {
   const limits = sweep.series.map(({name, ours, gives_up: at}) => element("li", {}, `${name}${ours ? " (ours)" : ""}: `
-    + (at === null ? "never gives up" : `gives up at ${digits(at)}`)));
+    + (at === null ? "never fails" : `fails at ${digits(at)}`)));
   return element("section", {id: sweep.name, ariaLabel: sweep.title},
     element("h2", {}, sweep.title),
     element("p", {className: "question"}, sweep.question),
     element("dl", {className: "about"}, ...terms([["Error", withUnit(sweep.error, sweep.error_unit)], ["Reference", sweep.reference],
-      ["Bound", `${sweep.bound}; dashed in the chart`], ["Gives up", `${sweep.tolerance}; a cross in the chart`]])),
+      ["Bound", `${sweep.bound}; dashed in the chart`], ["Fails at", `${sweep.tolerance}; a cross in the chart`]])),
     element("figure", {}, chart(`${sweep.title}; the table below has the same numbers`, (theme) => axisChart(theme, asExperiment(sweep)))),
     element("ul", {className: "limits"}, ...limits),
     element("details", {}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, sweepTable(sweep))));

@@ -10,8 +10,8 @@ function segments(id, choices, name, onchange) {
 const titles = (things) => Object.fromEntries(Object.entries(things).map(([name, {title}]) => [name, title]));
 
 const wayLists = {
-  front: {title: "The front", has: ({standing, knob}) => standing === "front" || knob === "none"},
-  alone: {title: "Each knob alone", has: ({knob}) => knob !== "several"},
+  front: {title: "The Pareto front", has: ({standing, knob}) => standing === "front" || knob === "none"},
+  alone: {title: "Each option alone", has: ({knob}) => knob !== "several"},
   all: {title: "All", has: () => true},
 };
 
@@ -41,7 +41,7 @@ function choose(point) {
     ["RMS error", `${digits(255 * point.rms)}/255, at most ${point.largest}/255`],
     ["Pixels off by more than 8/255", `${digits(100 * point.wrong)} %`],
     ["FLIP", digits(point.flip)],
-    ["Depths off by", `${digits(point.depth_error, 2)} of the distance`],
+    ["Largest depth error", `${digits(point.depth_error, 2)} of the distance`],
     ["A frame", `${timeText(point.ns)}, quartiles ${point.ns_quartiles.map(timeText).join(" and ")}, ${count(point.threads, "thread")}`],
   ]));
   byId("way-command").textContent = point.command;
@@ -68,8 +68,8 @@ toggle("size", (every) => byId("stage").classList.toggle("every", every));
 byId("left-out-title").hidden = manifest.left_out.length === 0;
 byId("left-out").append(...manifest.left_out.flatMap(({knob, why}) => [element("dt", {}, knobs[knob]), element("dd", {}, why)]));
 byId("origin").append(...terms([["Reference", `the picture ${manifest.reference}`],
-  ["Positions", `off by ${digits(manifest.position_error_px)} px at most, of ${count(manifest.vertices, "vertex").replace("vertexs", "vertices")} against 50 digits`],
-  ["Times", `medians of ${manifest.repetitions} frames in turn; one thread's are the processor's`],
+  ["Positions", `largest error ${digits(manifest.position_error_px)} px, over ${count(manifest.vertices, "vertex").replace("vertexs", "vertices")}, compared with 50 digits`],
+  ["Times", `medians of ${manifest.repetitions} frames; processor time for one thread`],
   ["Machine", manifest.machine], ["Compiler", manifest.compiler], ["Flags", manifest.flags], ["Glassbox", manifest.version]]));
 byId("command").textContent = manifest.command;
 setUpEyes();

@@ -30,7 +30,7 @@ async function planesOf(at) {
 const views = {
   picture: {
     title: "Picture",
-    note: () => "What glassbox render draws this way, byte for byte.",
+    note: () => "The picture that glassbox render draws in this way, byte for byte.",
     async make(at) {
       const planes = await planesOf(at);
       return image((i, channel, place) => planes[place]);
@@ -46,7 +46,7 @@ const views = {
   },
   difference: {
     title: "Difference",
-    note: () => "How far each channel is from the reference, eight times as bright.",
+    note: () => "The difference of each channel from the reference, eight times as bright.",
     async make(at) {
       const reference = await bytesOf("reference"), planes = await planesOf(at);
       return image((i, channel, place) => 8 * Math.abs(planes[place] - reference[place]));
@@ -54,7 +54,7 @@ const views = {
   },
   flip: {
     title: "FLIP",
-    note: () => "What one sees when the two are shown in turns, from 67 pixels a degree: black nothing, white all there is to see.",
+    note: () => "The difference that a person sees when the two pictures are shown in turn, at 67 pixels per degree of view: black is none, white is the largest.",
     async make(at) {
       const levels = await bytesOf(`flip${at}`);
       return image((i, channel) => manifest.heat[levels[i]][channel]);

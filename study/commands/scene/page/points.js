@@ -1,7 +1,7 @@
 // The chart: a point for each way, in the colour and shape of the setting (knob) that it changes.
 
 const knobs = {none: "as asked", samples: "samples", shading: "shading", filter: "texture filter", depth: "depth format",
-  level: "level of detail", engine: "engine, same bytes", several: "several"};
+  level: "level of detail", engine: "engine, same bytes", several: "several options"};
 const shapes = ["star", "circle", "rect", "triangle", "rectRot", "rectRounded", "crossRot", "circle"];
 const measures = {
   rms: {title: "RMS", axis: "root mean square error [1/255]", of: (point) => 255 * point.rms},
@@ -19,7 +19,7 @@ function told(point) {
   const [lower, upper] = point.ns_quartiles;
   return [point.name, `RMS ${digits(255 * point.rms)}/255, FLIP ${digits(point.flip)}, ${digits(100 * point.wrong)} % wrong`,
     `${timeText(point.ns)} (${timeText(lower)} to ${timeText(upper)}), ${count(point.threads, "thread")}`, point.standing ?? "",
-    point.disturbed ? "disturbed: the machine did something else meanwhile" : ""].filter(Boolean);
+    point.disturbed ? "disturbed: another program used the machine meanwhile" : ""].filter(Boolean);
 }
 
 function styleOf(theme, knob) {

@@ -25,7 +25,7 @@ function bars() {
     bar.lastChild.style.left = `${share(1)}%`;
     return [element("span", {}, one.name), bar, element("span", {className: "number"}, onScreen(one))];
   });
-  return [element("figcaption", {}, "What it may cost on the screen, by powers of ten; the line is one pixel"), element("div", {className: "scale"}, ...cells)];
+  return [element("figcaption", {}, "Largest error on the screen, in powers of ten; the line is at one pixel"), element("div", {className: "scale"}, ...cells)];
 }
 
 function part(one) {
@@ -33,7 +33,7 @@ function part(one) {
   const where = at ? element("span", {}, at.text, command) : "the whole picture";
   const pairs = [["condition", condition(one.condition)], ["bound", bounded(one)], ["on the screen", onScreen(one)],
     ["formula", one.formula], ["source", one.source], ["worst at", where], ["in the picture", one.seen], ["what to do", one.advice]];
-  const heading = element("h2", {}, one.name, one.passes ? element("span", {className: "passes"}, " – passes a pixel or a texel") : null);
+  const heading = element("h2", {}, one.name, one.passes ? element("span", {className: "passes"}, "  – more than a pixel or a texel") : null);
   return element("section", {id: one.key, className: mark(one)}, heading, element("dl", {}, ...terms(pairs)));
 }
 

@@ -1,6 +1,7 @@
-// What the tile engine asks of oneTBB, in its place where ThreadSanitizer looks on (preset `thread`): the library is compiled
-// without the sanitizer, which does not see how its threads wait for one another and takes every hand-over for a race. Here threads
-// are started and joined, which it sees, and nothing else orders what tasks do.
+// A replacement for the parts of oneTBB that the tile engine uses, for builds with ThreadSanitizer
+// (preset `thread`). The library itself is compiled without the sanitizer, which therefore does not
+// see how its threads wait for one another and reports every hand-over as a race. Here threads are
+// started and joined, which the sanitizer sees, and nothing else orders what tasks do.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@ namespace tbb {
 inline constexpr int kMostThreads = 64;
 
 struct Worker {
-  int arena_size = 1;  // threads that work together
-  int index = 0;       // which of them this is
+  int arena_size = 1;  // number of threads that work together
+  int index = 0;       // index of this thread among them
 };
 inline thread_local Worker this_worker;
 
@@ -61,7 +62,7 @@ void parallel_for(Index first, Index last, const Body& body, const simple_partit
   std::atomic<Index> next{first};
   const auto work = [&](Worker worker) {
     this_worker = worker;
-    // Relaxed: one task does not come after another.
+    // Relaxed: a task must not be ordered after the one before it.
     for (Index i; (i = next.fetch_add(1, std::memory_order_relaxed)) < last;) body(i);
   };
   const int threads = this_worker.arena_size;
@@ -71,7 +72,7 @@ void parallel_for(Index first, Index last, const Body& body, const simple_partit
   for (std::thread& other : others) other.join();
 }
 
-// In pieces of the range's grain size, each by one task.
+// Splits the range into pieces of its grain size; each piece is one task.
 template <class Index, class Body>
 void parallel_for(const blocked_range<Index>& all, const Body& body,
                   const simple_partitioner& partitioner = {}) {
@@ -84,7 +85,7 @@ void parallel_for(const blocked_range<Index>& all, const Body& body,
   parallel_for(Index(0), pieces, piece, partitioner);
 }
 
-// One T for each thread that asks for its own.
+// One T for each thread that calls local().
 template <class T>
 class enumerable_thread_specific {
 public:

@@ -1,4 +1,4 @@
-// The inputs of both sides.
+// The inputs, for the runner and for the judge.
 #pragma once
 
 #include <vector>
