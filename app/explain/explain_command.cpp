@@ -140,7 +140,7 @@ Result<Answer> ExplainCommand::answer(const Scene& scene) const {
     return tl::unexpected(legal.error());
   }
   if (stereo_.second_eye) {
-    return fail("--second-eye", "a warped eye does not go through the stages",
+    return fail("--second-eye", "a warped eye is not drawn by the pipeline, so it has no stages",
                 "leave it out, or use render --report");
   }
   if (stereo_.form.wanted) return explain_pair(scene);

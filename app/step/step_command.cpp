@@ -152,9 +152,10 @@ void add_matrices(CLI::App& command, PointStepOptions& o) {
   const auto add = [&](const char* name, std::optional<std::string>& source, const char* help) {
     command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group(kGroup);
   };
-  add("--model", o.model, "world from object [the identity]");
-  add("--view", o.view, "eye from world [the identity]");
-  add("--proj", o.projection, "clip from eye; a product with the view is accepted too");
+  add("--model", o.model, "the model matrix, from object space to world space [the identity]");
+  add("--view", o.view, "the view matrix, from world space to eye space [the identity]");
+  add("--proj", o.projection,
+      "the projection, from eye space to clip space; or projection times view");
   add_choice<std::optional<NumberOrder>>(
       command, "--order", o.order,
       {{"rows", NumberOrder::kRows}, {"columns", NumberOrder::kColumns}},

@@ -260,7 +260,7 @@ Result<void> TraceCommand::check_size(std::uint64_t bytes, const TraceCounts& co
   const std::string size =
       fmt::format("{}, {}{}", text_of(counts), is_json() ? "about " : "", megabytes(bytes));
   if (double(bytes) > double(max_megabytes_) * kMegabyte) {
-    return fail(fmt::format("--max-mb {}", max_megabytes_), "the run has " + size,
+    return fail(fmt::format("--max-mb {}", max_megabytes_), "the run needs " + size,
                 fmt::format("keep less of it (--triangle, --instance, --rect, --stages{}, a "
                             "smaller --size), or allow more with --max-mb {}",
                             is_json() ? "" : ", --arrays",

@@ -77,7 +77,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       ->needs(vary);
   command.add_flag(
       "--resume", resume_,
-      "grade only submissions without a result of the same submission, lab and glassbox");
+      "skip a submission that has a result, unless it, the lab or glassbox has changed since");
   command
       .add_option("--classroom", files_.classroom,
                   "with --one: also write the result as JSON for GitHub Classroom")

@@ -135,8 +135,9 @@ void ViewsMatchCommand::add_settings_options(CLI::App& command) {
             "rounds of refinement with slanted planes, for fractions of a pixel, 0 to 8 [0]");
   add_value(command, "--left-right", left_right_, "PX", group,
             "largest difference between the disparities of the left and the right picture [1]");
-  add_value(command, "--confidence", confidence_, "RATIO", group,
-            "least (second - best) / second of the costs, 0 to 1 [0]");
+  add_value(
+      command, "--confidence", confidence_, "RATIO", group,
+      "leave out pixels whose two lowest costs differ less: (second - best) / second, 0 to 1 [0]");
   add_value(command, "--speckle", speckle_, "N", group,
             "remove pieces of fewer pixels than this [0]");
   command.add_flag("--no-check", no_check_, "leave out the left-right check")->group(group);

@@ -59,9 +59,9 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
       ->type_name("N")
       ->group(group);
   command
-      .add_option(
-          "--matte-above", choice.matte_above,
-          "the object is where a channel is brighter than this, 0 to 255 [masks/, or alpha]")
+      .add_option("--matte-above", choice.matte_above,
+                  "the object is where any channel is brighter than this, 0 to 255 [masks/ or "
+                  "alpha decide]")
       ->type_name("LEVEL")
       ->check(CLI::Range(0, 255))
       ->group(group);

@@ -112,8 +112,8 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->group(group);
   command
       .add_option("--levels", request_.levels,
-                  "coarse to fine: number of coarser levels first, each with voxels twice as "
-                  "large, 0 to 6 [0]")
+                  "number of coarser levels that are carved first; voxels are twice as large in "
+                  "each coarser level, 0 to 6 [0]")
       ->type_name("N")
       ->group(group);
   command.add_option("--slack", request_.slack, "factor on the threshold at coarser levels [2]")
