@@ -8,7 +8,7 @@ namespace glassbox::app {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// What that adds, each in the folder of its name.
+// add_commands calls these. Each one is in the folder of its name.
 void add_render_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_explain_command(CLI::App& app, int& exit_code);

@@ -8,7 +8,7 @@
 
 namespace glassbox::app {
 
-// One row per event. Of the triangles that miss the pixel's centre, only the few nearest, or all.
+// One row per event. The few triangles nearest to the pixel's centre that miss it, or all of them.
 std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses);
 
 }  // namespace glassbox::app

@@ -140,10 +140,12 @@ std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
   const double reach = p.kind == ProjectionKind::kPerspective ? distance : 1;
   const double a = ((-1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   const double b = ((1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
-  return fmt::format(
-      "{} distance {} the picture spans {} from {} to {} in eye space, and the point is at {}",
-      p.kind == ProjectionKind::kPerspective ? "at its" : "at any", brief(distance), kAxes[axis],
-      brief(std::min(a, b)), brief(std::max(a, b)), brief(double(eye[axis])));
+  const std::string where = p.kind == ProjectionKind::kPerspective
+                                ? "at its distance " + brief(distance)
+                                : "at any distance";
+  return fmt::format("{} the picture spans {} from {} to {} in eye space, and the point is at {}",
+                     where, kAxes[axis], brief(std::min(a, b)), brief(std::max(a, b)),
+                     brief(double(eye[axis])));
 }
 
 std::string decision_of(const VertexChain& chain) {

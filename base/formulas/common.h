@@ -1,5 +1,4 @@
-// The smaller number. Of two equal numbers it is the first; if one is a NaN, it is the first as
-// well.
+// The smaller number. If the numbers are equal, or if one is a NaN, it is the first.
 template <class T>
 inline T least(T a, T b) {
   return select(b < a, b, a);

@@ -49,8 +49,8 @@ Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const Pictu
 
 Result<void> check_lab_picture(const LabPicture& asked) {
   if (const auto good = check_picture_output(asked.output, {}, asked.output); !good) return good;
-  if (const auto good = check_report_outputs(asked.html, asked.json); !good) return good;
-  if (const auto good = Outputs().data(asked.output).data(asked.html).data(asked.json).check();
+  if (const auto good =
+          Outputs().data(asked.output).file(asked.html, ".html").data(asked.json).check();
       !good)
     return good;
   if (!asked.picture.settings.wireframe) return {};

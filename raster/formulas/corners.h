@@ -1,10 +1,11 @@
-// What corners of a mesh bring to their triangles, lines and points, and what clipping makes of it.
+// The attributes at the corners of triangles, lines and points, and at the vertices after clipping.
 //
-// The functions ask `tables`, what is known of a draw's vertices, for what they need: numbers in
-// render/staged/corners.cpp, with bounds in render/trace/corner_bounds.cpp. The lanes gather each
-// attribute of many corners (raster/lanes/small_source-inl.h), and compute with them as here.
+// The functions get their inputs from `tables`, a class with the vertices of one draw: plain
+// numbers in render/staged/corners.cpp, numbers with bounds in render/trace/corner_bounds.cpp. The
+// lanes load the attributes of many corners themselves (raster/lanes/small_source-inl.h), and call
+// only the functions that do not need tables.
 
-// A corner as it was modelled, in eye space.
+// The attributes that the mesh has at a corner; position and normal in eye space.
 template <class Tables>
 inline auto corner_as_modelled(const Tables& tables, const Corner& corner) {
   using F = typename Tables::Float;
@@ -45,6 +46,7 @@ inline auto centre_of_face(const Corners& corners) {
   return std::array<F, 3>{sum[0] * share, sum[1] * share, sum[2] * share};
 }
 
+// Stores the light that arrives at `place`, in eye space, and is reflected there.
 template <class Tables, class Place, class Attributes>
 inline void light_corner(const Tables& tables, const Place& place, Attributes& at) {
   constexpr bool kHighlights = true;
@@ -54,8 +56,8 @@ inline void light_corner(const Tables& tables, const Place& place, Attributes& a
   at.specular = light.specular;
 }
 
-// A corner of a face as the fragments will interpolate it, lit where the shading is per face or per
-// vertex. `front`: of the side that is seen.
+// The attributes at a corner of a face, as the fragments interpolate them. With shading per face or
+// per vertex they include the light. `front`: whether the front of the face is visible.
 template <class Tables>
 inline auto corner_of_face(const Tables& tables, std::uint32_t face, const Corner& corner,
                            bool front) {
@@ -68,6 +70,7 @@ inline auto corner_of_face(const Tables& tables, std::uint32_t face, const Corne
   return at;
 }
 
+// The weighted sum of three attributes, computed in double precision and rounded once.
 template <Number F, std::size_t N, class Weight>
 inline std::array<F, N> weigh(const std::array<F, N>& a, const std::array<F, N>& b,
                               const std::array<F, N>& c, const std::array<Weight, 3>& weights) {
@@ -79,8 +82,9 @@ inline std::array<F, N> weigh(const std::array<F, N>& a, const std::array<F, N>&
   return result;
 }
 
-// At a vertex after clipping, from the primitive's corners. Most are corners still: weighing would
-// give back what they have, but for the sign of a zero, which nothing further on reads.
+// The attributes at a vertex after clipping: the sum of the corners' attributes with these weights.
+// Most vertices are still corners, with one weight of 1 and two of 0. They keep the corner's
+// attributes: the sum would be the same, except for the sign of a zero, which no later stage reads.
 template <class Attributes, class Weight>
 inline Attributes weighed(const std::array<Attributes, 3>& corners,
                           const std::array<Weight, 3>& weights) {

@@ -91,7 +91,7 @@ HWY_INLINE std::array<Floats, 2> color_of(const ShortPairs& texels) {
   return {light_of_texel(first_of(texels)), light_of_texel(second_of(texels))};
 }
 HWY_INLINE Floats alpha_of(const ShortPairs&) {
-  return 1.0f;  // they have none, and nobody asks
+  return 1.0f;  // two channels have no alpha; the value is not used
 }
 
 }  // namespace HWY_NAMESPACE

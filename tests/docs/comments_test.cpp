@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <random>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,25 @@ std::vector<Comment> comments_of(const std::string& file) {
   return found;
 }
 
+// The words of a comment's lines one after the other, without the code beside or below them.
+std::string words_of(const Comment& comment) {
+  std::string words;
+  std::istringstream lines(comment.text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("// ");
+    if (at != line.npos) words += (words.empty() ? "" : " ") + line.substr(at + 3);
+  }
+  return words;
+}
+
+// "Of an edge the triangle.": such a sentence can only be understood with the one before it.
+bool has_sentence_with_of(const std::string& words) {
+  if (words.starts_with("Of ")) return true;
+  return std::ranges::any_of(
+      std::vector<std::string>{". ", ": ", "? ", "! "},
+      [&](const std::string& end) { return words.find(end + "Of ") != std::string::npos; });
+}
+
 std::vector<std::string> sources() {
   std::vector<std::string> files = text_files();
   std::erase_if(files, [](const std::string& file) {
@@ -77,11 +97,17 @@ TEST_CASE("a line that has a comment is at most 100 columns wide") {
   CHECK(wide == std::vector<std::string>());
 }
 
-TEST_CASE("no comment begins with a word that refers to nothing before it") {
+TEST_CASE("no sentence of a comment begins with Of") {
+  const std::string mark = "//";  // in pieces, so that this file has no such comment
+  CHECK(has_sentence_with_of(words_of({"", mark + " Of an edge the triangle.\nint edge;\n"})));
+  CHECK(has_sentence_with_of(
+      words_of({"", mark + " The edge.\n" + mark + " Of a line the end.\nint edge;\n"})));
+  CHECK(has_sentence_with_of(words_of({"", "int edge;  " + mark + " Of a triangle.\n"})));
+  CHECK_FALSE(has_sentence_with_of(words_of({"", "int edge;  " + mark + " of a triangle\n"})));
   std::vector<std::string> found;
   for (const std::string& file : sources()) {
     for (const Comment& comment : comments_of(file)) {
-      if (without_indentation(comment.text).starts_with("// Of ")) found.push_back(comment.place);
+      if (has_sentence_with_of(words_of(comment))) found.push_back(comment.place);
     }
   }
   CHECK(found == std::vector<std::string>());

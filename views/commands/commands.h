@@ -12,7 +12,7 @@ inline constexpr CommandName kCommands[] = {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// What that adds: subcommands of `views`, each in a source of its name.
+// add_commands calls these to add the subcommands of `views`. Each is in a source of its name.
 void add_geometry_command(CLI::App& views, int& exit_code);
 void add_match_command(CLI::App& views, int& exit_code);
 void add_layers_build_command(CLI::App& views, int& exit_code);

@@ -26,7 +26,7 @@ using ViewWeights = std::vector<ViewWeight>;
 
 class ViewSphere {
 public:
-  // Unit vectors, at least one. Of several views within 2^-20 of each other the first is taken.
+  // Unit vectors, at least one. If views are within 2^-20 of each other, the first is taken.
   // Three directions whose determinant is at most 2^-18 make no triangle: an equilateral one of
   // this size has sides of 0.12 degrees. Views nearer to each other than that have no triangle of
   // their own.

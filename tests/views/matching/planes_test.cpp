@@ -51,8 +51,8 @@ TEST_CASE("planes and averages leave what has no disparity, and step over no jum
   CHECK(smooth.at(2, 2) == kNoDisparity);
   CHECK(smooth.at(0, 0) == 3);
   CHECK(smooth.at(11, 0) == 3.5f);
-  // Half a pixel is a jump, a quarter is not. Of the 20 pixels in columns 1 to 5 and rows 2 to 5,
-  // 18 are 3, one has no disparity, and one is the pixel itself.
+  // Half a pixel is a jump, a quarter is not. Columns 1 to 5 and rows 2 to 5 have 20 pixels: 18
+  // are 3, one has no disparity, and one is the pixel itself.
   CHECK(smooth.at(5, 0) == 3);
   CHECK(smooth.at(3, 4) == Approx(3.25 - 0.25 * 18 / 19));
 }
