@@ -1,28 +1,38 @@
 // Text from a file, made fit for one line of a terminal.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include <glassbox/base/utf8.h>
+
 namespace glassbox {
 
-// Control characters become '?', and long text is cut (never inside a character): names in files
-// may be hostile. Valid UTF-8 is kept.
+// A terminal obeys control characters (U+0000 to U+001F, U+007F to U+009F). The formatting
+// characters that change the direction of writing (Unicode annex 9, section 2) can show a name as
+// another one.
+inline bool is_shown_as_itself(char32_t c) {
+  const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
+  const bool direction = c == 0x061c || c == 0x200e || c == 0x200f ||  //
+                         (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+  return !control && !direction;
+}
+
+// Returns the text with '?' for each character that is not shown as itself and for each byte that
+// is not part of valid UTF-8: names in files may be hostile. At most `max_length` bytes of the text
+// are used, never a part of a character; "..." stands for the others.
 inline std::string printable(std::string_view text, std::size_t max_length = 80) {
-  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  std::size_t end = text.size();
-  if (end > max_length) {
-    end = max_length;
-    while (end > 0 && (byte(end) & 0xc0) == 0x80) --end;
-  }
   std::string out;
-  for (std::size_t i = 0; i < end; ++i) {
-    // U+0080 to U+009F are control characters for terminals, too; in UTF-8 they are C2 80 to C2 9F.
-    const bool second_set = byte(i) == 0xc2 && i + 1 < end && byte(i + 1) < 0xa0;
-    if (second_set) ++i;
-    out += second_set || byte(i) < 0x20 || byte(i) == 0x7f ? '?' : text[i];
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::string_view before = rest;
+    const std::optional<char32_t> character = take_character(rest);
+    if (!character) rest.remove_prefix(1);
+    if (text.size() - rest.size() > max_length) return out + "...";
+    const std::string_view bytes = before.substr(0, before.size() - rest.size());
+    out += character && is_shown_as_itself(*character) ? bytes : "?";
   }
-  if (end < text.size()) out += "...";
   return out;
 }
 

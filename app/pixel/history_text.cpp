@@ -127,8 +127,7 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
 std::string last_line(const Scene& scene, const PixelHistory& history) {
   const std::string bytes = bytes_text(history.shown);
   if (!history.shows_bytes) {
-    return fmt::format("the picture shows {}: --show computes it after the last fragment\n",
-                       bytes);
+    return fmt::format("the picture shows {}: --show computes it after the last fragment\n", bytes);
   }
   if (!history.shows) return fmt::format("the picture shows {}: the background\n", bytes);
   const PixelEvent& event = history.events[*history.shows];

@@ -16,7 +16,9 @@ namespace glassbox {
 namespace {
 
 using nlohmann::json;
+using test::contains;
 using test::Outcome;
+using test::unwrapped;
 using test::Workplace;
 
 // One of the experiments that take little time.
