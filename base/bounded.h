@@ -31,13 +31,13 @@ inline constexpr double kRoundUp = 1 + 0x1p-49;
 
 // The result of a comparison of the computed numbers, and whether the exact numbers certainly give
 // the same.
-struct Truth {
+struct UncertainBool {
   bool holds = false;
   bool is_sure = true;
 
-  friend Truth operator!(Truth a) { return {!a.holds, a.is_sure}; }
+  friend UncertainBool operator!(UncertainBool a) { return {!a.holds, a.is_sure}; }
   // If one operand is certainly true, the result is certain, whatever the other one is.
-  friend Truth operator||(Truth a, Truth b) {
+  friend UncertainBool operator||(UncertainBool a, UncertainBool b) {
     return {a.holds || b.holds,
             (a.holds && a.is_sure) || (b.holds && b.is_sure) || (a.is_sure && b.is_sure)};
   }
@@ -75,21 +75,21 @@ struct BoundedOf {
   friend BoundedOf operator-(const BoundedOf& x) { return {-x.value, x.bound}; }
   BoundedOf& operator+=(const BoundedOf& y) { return *this = *this + y; }
 
-  friend Truth operator<(const BoundedOf& x, const BoundedOf& y) {
-    return {x.value < y.value, are_apart(x, y)};
+  friend UncertainBool operator<(const BoundedOf& x, const BoundedOf& y) {
+    return {x.value < y.value, is_certain(x, y)};
   }
-  friend Truth operator>(const BoundedOf& x, const BoundedOf& y) { return y < x; }
-  friend Truth operator<=(const BoundedOf& x, const BoundedOf& y) {
-    return {x.value <= y.value, are_apart(x, y)};
+  friend UncertainBool operator>(const BoundedOf& x, const BoundedOf& y) { return y < x; }
+  friend UncertainBool operator<=(const BoundedOf& x, const BoundedOf& y) {
+    return {x.value <= y.value, is_certain(x, y)};
   }
-  friend Truth operator!=(const BoundedOf& x, const BoundedOf& y) {
-    return {x.value != y.value, are_apart(x, y)};
+  friend UncertainBool operator!=(const BoundedOf& x, const BoundedOf& y) {
+    return {x.value != y.value, is_certain(x, y)};
   }
 
 private:
   // Whether the comparison is certain. Two numbers without error compare as their exact values do,
   // equal ones too.
-  static bool are_apart(const BoundedOf& x, const BoundedOf& y) {
+  static bool is_certain(const BoundedOf& x, const BoundedOf& y) {
     if (x.bound == 0 && y.bound == 0) return true;
     return std::abs(double(x.value) - double(y.value)) > (x.bound + y.bound) * kRoundUp;
   }
@@ -108,12 +108,12 @@ inline double times(double a, double b) {
 
 // How far `rounded` is from the exact result at most: `near` is within `off` of it.
 template <class T>
-double rounding(T rounded, double near, double off) {
+double rounding_error(T rounded, double near, double off) {
   return std::abs(near - double(rounded)) + off;
 }
 
 // The rounding error of a sum of doubles, exactly (Knuth's TwoSum).
-inline double lost_of_sum(double a, double b, double sum) {
+inline double sum_rounding_error(double a, double b, double sum) {
   const double b_there = sum - a, a_there = sum - b_there;
   return std::abs((a - a_there) + (b - b_there));
 }
@@ -135,7 +135,7 @@ template <class T>
 BoundedOf<T> sum_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const T value = x.value + y.value;
   const double a = double(x.value), b = double(y.value), near = a + b;
-  const double own = rounding(value, near, lost_of_sum(a, b, near));
+  const double own = rounding_error(value, near, sum_rounding_error(a, b, near));
   return {value, (x.bound + y.bound + own) * kRoundUp};
 }
 template <class T>
@@ -146,7 +146,7 @@ BoundedOf<T> product_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const double near = double(x.value) * double(y.value);
   // The product of doubles may be subnormal, hence kSmallest. If a factor is 0, nothing is rounded.
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
-  const double own = std::same_as<T, float> ? rounding(value, near, 0)
+  const double own = std::same_as<T, float> ? rounding_error(value, near, 0)
                      : a == 0 || b == 0     ? 0
                                             : std::abs(near) * kHalfUlp + kSmallest;
   return {value,
@@ -159,7 +159,7 @@ BoundedOf<T> quotient_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   if (!(smallest > 0)) return {value, std::numeric_limits<double>::infinity()};
   const double near = double(x.value) / double(y.value), size = std::abs(near);
   const bool is_exact = x.value == 0 || is_product(x.value, value, y.value);
-  const double own = is_exact ? 0 : rounding(value, near, size * kHalfUlp + 0x1p-1074);
+  const double own = is_exact ? 0 : rounding_error(value, near, size * kHalfUlp + 0x1p-1074);
   return {value, ((x.bound + times(size, y.bound)) / smallest + own) * kRoundUp};
 }
 
@@ -168,7 +168,8 @@ template <class T>
 BoundedOf<T> sqrt(const BoundedOf<T>& x) {
   const T value = std::sqrt(x.value);
   const double size = double(x.value), near = std::sqrt(size);
-  const double own = is_product(x.value, value, value) ? 0 : rounding(value, near, near * kHalfUlp);
+  const double own =
+      is_product(x.value, value, value) ? 0 : rounding_error(value, near, near * kHalfUlp);
   if (x.bound == 0) return {value, own * kRoundUp};
   const double inherited = x.bound <= size
                                ? x.bound / (near + std::sqrt(size - x.bound) * (1 - 0x1p-50))
@@ -179,7 +180,7 @@ BoundedOf<T> sqrt(const BoundedOf<T>& x) {
 // ---- conditions ----
 
 template <Number F>
-F select(Truth condition, F yes, F no) {
+F select(UncertainBool condition, F yes, F no) {
   F chosen = condition.holds ? yes : no;
   if (condition.is_sure) return chosen;
   const F other = condition.holds ? no : yes;
@@ -193,7 +194,7 @@ F select(bool condition, F yes, F no) {
 }
 
 // Certainly false: nothing may be left out that the exact numbers would include.
-inline bool none(Truth condition) {
+inline bool none(UncertainBool condition) {
   return !condition.holds && condition.is_sure;
 }
 
@@ -204,7 +205,7 @@ inline BoundedOf<double> widened(const Bounded& x) {
 }
 inline Bounded rounded(const BoundedOf<double>& x) {
   const float value = float(x.value);
-  return {value, (x.bound + rounding(value, x.value, 0)) * kRoundUp};
+  return {value, (x.bound + rounding_error(value, x.value, 0)) * kRoundUp};
 }
 
 // A whole number as the nearest float; |i| <= 2^62.
@@ -214,7 +215,7 @@ inline Bounded to_float(std::int64_t i) {
 }
 
 // `value` with a bound, when a formula that differs from the run's only in rounding gave `same`.
-inline Bounded standing_for(float value, const Bounded& same) {
+inline Bounded with_bound_from(float value, const Bounded& same) {
   return {value, (same.bound + std::abs(double(value) - double(same.value))) * kRoundUp};
 }
 

@@ -9,8 +9,8 @@ namespace glassbox {
 
 // Returns the word that agrees with the count: `one` for 1 ("is"), else `many` ("are"). For a noun
 // whose plural ends in "s" only the singular has to be passed.
-inline std::string inflected(std::integral auto count, std::string_view one,
-                             std::string_view many = {}) {
+inline std::string singular_or_plural(std::integral auto count, std::string_view one,
+                                      std::string_view many = {}) {
   if (count != 1 && many.empty()) return std::string(one).append("s");
   return std::string(count == 1 ? one : many);
 }
@@ -18,7 +18,7 @@ inline std::string inflected(std::integral auto count, std::string_view one,
 // Returns the count with its noun: "1 mesh", "2 meshes".
 inline std::string counted(std::integral auto count, std::string_view one,
                            std::string_view many = {}) {
-  return std::to_string(count) + " " + inflected(count, one, many);
+  return std::to_string(count) + " " + singular_or_plural(count, one, many);
 }
 
 }  // namespace glassbox

@@ -9,8 +9,8 @@
 #include "cli/help/help_command.h"
 #include "cli/options/command_tree.h"
 #include "cli/options/usage_error.h"
+#include "cli/report/begin_and_end_run.h"
 #include "cli/report/exit_codes.h"
-#include "cli/report/whole_run.h"
 
 #include <glassbox/base/printable.h>
 
@@ -38,7 +38,7 @@ void add_subject(const Subject& subject, CLI::App& app, int& exit_code) {
   }
 }
 
-int run(std::span<const Subject> subjects, int (*without_words)(), int argc, char** argv) {
+int run(std::span<const Subject> subjects, int (*without_arguments)(), int argc, char** argv) {
   CLI::App app{"Glassbox: a software rasterizer you can see through.", "glassbox"};
   app.set_version_flag("-V,--version", std::string("glassbox ") + GLASSBOX_VERSION);
   app.footer(
@@ -58,21 +58,22 @@ int run(std::span<const Subject> subjects, int (*without_words)(), int argc, cha
   } catch (const CLI::ParseError& error) {
     // Help and version are no errors. Anything else is bad usage; CLI11's exit code is not used.
     if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
-    fmt::print(stderr, "glassbox: {}\n", usage_problem(app, error));
+    fmt::print(stderr, "glassbox: {}\n", usage_error_message(app, error));
     return kBadInput;
   }
-  if (app.get_subcommands().empty()) return without_words();
+  if (app.get_subcommands().empty()) return without_arguments();
   return exit_code;
 }
 
 }  // namespace
 
-int run_program(std::span<const Subject> subjects, int (*without_words)(), int argc, char** argv) {
+int run_program(std::span<const Subject> subjects, int (*without_arguments)(), int argc,
+                char** argv) {
   begin_run();
   try {
-    return end_run(run(subjects, without_words, argc, argv));
+    return end_run(run(subjects, without_arguments, argc, argv));
   } catch (const std::exception& error) {
-    return tell(error);
+    return report_exception(error);
   }
 }
 

@@ -22,8 +22,9 @@ struct Subject {
   AddCommands add;                        // null: the program only lists their names
 };
 
-// Runs the program with its command-line arguments, or calls `without_words` if there are none.
+// Runs the program with its command-line arguments, or calls `without_arguments` if there are none.
 // Returns the exit code.
-int run_program(std::span<const Subject> subjects, int (*without_words)(), int argc, char** argv);
+int run_program(std::span<const Subject> subjects, int (*without_arguments)(), int argc,
+                char** argv);
 
 }  // namespace glassbox

@@ -144,7 +144,7 @@ class ClipPlanePrinter(RecordPrinter):
 
 
 class OutcodePrinter(RecordPrinter):
-    """Which plane a bit stands for is known where the planes are, as in outcode() and in ready_triangle()."""
+    """Which plane a bit stands for is known where the planes are, as in outcode() and in prepare_triangle()."""
 
     def to_string(self):
         code = int(self.record)
@@ -338,12 +338,12 @@ Triangles are numbered through the whole scene, as `glassbox pixel` and --id-out
         (n,) = whole_numbers(text, 1, "glassbox-triangle N")
         watch_for_tile_engine()
         gdb.execute(
-            "break glassbox::ready_triangle<glassbox::Counting>"
+            "break glassbox::prepare_triangle<glassbox::CountingWatch>"
             f" if stage.draw.first_number + triangle.number == {n}"
         )
         gdb.execute(
-            "break glassbox::rasterise<glassbox::Counting>(glassbox::FragmentStage const&,"
-            f" glassbox::Counting const&, glassbox::ReadyTriangle const&) if triangle.number == {n}"
+            "break glassbox::rasterise<glassbox::CountingWatch>(glassbox::FragmentStage const&,"
+            f" glassbox::CountingWatch const&, glassbox::ReadyTriangle const&) if triangle.number == {n}"
         )
 
 

@@ -29,14 +29,14 @@ inline SnappedTriangle snapped(const std::array<ScreenVertex, 3>& t) {
 // their area: 1 is clockwise, a back face; -1 is counter-clockwise; 0 means on one line or in one
 // point. N has to hold the products of their differences.
 template <class N, class P>
-int turn(const P& a, const P& b, const P& c) {
+int orientation(const P& a, const P& b, const P& c) {
   const N one = (N(b.x) - N(a.x)) * (N(c.y) - N(a.y)),
           other = (N(c.x) - N(a.x)) * (N(b.y) - N(a.y));
   return (one > other) - (one < other);
 }
 template <class N>
-int turn(const SnappedTriangle& t) {
-  return turn<N>(t[0], t[1], t[2]);
+int orientation(const SnappedTriangle& t) {
+  return orientation<N>(t[0], t[1], t[2]);
 }
 
 // (b - a) x (p - a), where p is the centre of pixel (x, y).

@@ -40,7 +40,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-Result<std::string> packed_text(std::span<const std::uint8_t> bytes) {
+Result<std::string> compressed_base64(std::span<const std::uint8_t> bytes) {
   const auto packed = deflated(bytes);
   if (!packed) return tl::unexpected(packed.error());
   return base64(*packed);

@@ -16,7 +16,7 @@ namespace glassbox {
 std::string base64(std::span<const std::uint8_t> bytes);
 
 // The bytes as one zlib stream in base64. html/inflate.js decodes it.
-Result<std::string> packed_text(std::span<const std::uint8_t> bytes);
+Result<std::string> compressed_base64(std::span<const std::uint8_t> bytes);
 
 // <script type="application/octet-stream" id=ID>TEXT</script> and a line's end.
 std::string data_block(std::string_view id, std::string_view text);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 
 namespace glassbox {
 namespace {
@@ -33,7 +33,7 @@ std::string assemble_page(const PageParts& parts, const std::string& title,
 </head>
 <body>
 )",
-      policy_of(parts), escaped(title), parts.style);
+      policy_of(parts), escaped_html(title), parts.style);
   page.append(parts.body).append(content);
   if (!parts.script_hash.empty()) {
     page += "<script type=\"module\">";

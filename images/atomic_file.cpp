@@ -49,12 +49,12 @@ private:
 };
 
 // Removes the file that it names, unless the file has been renamed to its final name.
-class Temporary {
+class TemporaryFile {
 public:
-  explicit Temporary(std::string path) : path_(std::move(path)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
+  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   const std::string& path() const { return path_; }
@@ -131,7 +131,7 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
   const std::string temporary_path = temporary_beside(target);
   Descriptor file(::open(temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) return system_error(path, "cannot be written", errno);
-  Temporary temporary(temporary_path);
+  TemporaryFile temporary(temporary_path);
   if (exists && ::fchmod(file.get(), status.st_mode & 0777) != 0) {
     return system_error(path, "cannot be written", errno);
   }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <glassbox/base/line_memory.h>
+#include <glassbox/base/cache_aligned_vector.h>
 
 namespace glassbox {
 
@@ -28,7 +28,7 @@ struct Image {
   // width * height pixels, row by row from the top. The data begin at the start of a cache line,
   // and so does every row whose width is a multiple of a cache line, so that the rows of a tile can
   // be written as whole lines.
-  LineVector<Pixel> pixels;
+  CacheAlignedVector<Pixel> pixels;
 
   Image() = default;
   Image(int width_, int height_, Pixel fill = {})

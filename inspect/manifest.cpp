@@ -11,7 +11,7 @@
 #include "cli/report/stage_report.h"
 
 #include <glassbox/base/trig.h>
-#include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/setting_names.h>
 #include <glassbox/render/trace/bounds.h>
 
 namespace glassbox::inspect {

@@ -166,7 +166,7 @@ void add_fragments(const FragmentColumns& fragments, ColumnPack& pack) {
   pack.add("fragment.piece", fragments.piece);
   pack.add("fragment.x", fragments.x);
   pack.add("fragment.y", fragments.y);
-  pack.add("fragment.fate", fragments.fate);
+  pack.add("fragment.fate", fragments.result);
   constexpr std::array kChannels{"written.r", "written.g", "written.b", "written.a"};
   for (std::size_t k = 0; k < 4; ++k) pack.add(kChannels[k], fragments.written[k]);
   pack.add("fragment.code", fragments.code);
@@ -303,7 +303,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
                                     const RenderSettings& asked, const InspectOptions& options) {
   // Depth, triangle ids and overdraw are shown as overlays of the page, on top of the colour
   // picture.
-  RenderSettings settings = at_centres(asked);
+  RenderSettings settings = with_one_sample(asked);
   if (asked.show != Show::kNormal && asked.show != Show::kUv) settings.show = Show::kColor;
 
   const ColumnRun run = record_columns(scene, view, settings,
@@ -347,7 +347,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
     blobs += data_block(id, *text);
     return {};
   };
-  if (const auto added = add_blob("columns", packed_text(pack.bytes())); !added) {
+  if (const auto added = add_blob("columns", compressed_base64(pack.bytes())); !added) {
     return tl::unexpected(added.error());
   }
   const auto normals = add_blob("normals", picture_text(normals_of(scene, view, settings)));

@@ -10,18 +10,19 @@ namespace {
 
 // ---- where the points go ----
 
-struct Landing {
+struct ProjectedPoints {
   int visible = 0, behind = 0, in_front = 0;
   std::optional<glm::dvec2> window;  // of the first visible point
 };
 
-Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const CheckedPoint> points) {
+ProjectedPoints project_points(const MatrixSetup& s, const Viewport& viewport,
+                               std::span<const CheckedPoint> points) {
   const glm::dmat4 clip_from_object = s.projection.m * s.view.m * s.model.m;
-  Landing landing;
+  ProjectedPoints projected;
   for (const CheckedPoint& point : points) {
     const glm::dvec4 c = clip_from_object * point.object;
-    landing.behind += c.w < 0;
-    landing.in_front += c.w > 0;
+    projected.behind += c.w < 0;
+    projected.in_front += c.w > 0;
     const double low = s.dialect.z_from_minus_w ? -c.w : 0;
     const bool inside = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= low &&
                         c.z <= c.w;  // false if one of them is NaN
@@ -34,26 +35,26 @@ Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const Che
                             std::abs(window.y - point.expected->y) <= kExpectedWithinPx)) {
       continue;
     }
-    ++landing.visible;
-    if (!landing.window) landing.window = window;
+    ++projected.visible;
+    if (!projected.window) projected.window = window;
   }
-  return landing;
+  return projected;
 }
 
 // ---- evidence for a change ----
 
-struct Judged {
+struct SetupFacts {
   MatrixFacts model, view;
   ProjectionFacts projection;
   bool projection_sound = false;
   std::optional<Eyepoint> eye;
 
-  explicit Judged(const MatrixSetup& s)
-      : model(facts_of(s.model.m)),
-        view(facts_of(s.view.m)),
+  explicit SetupFacts(const MatrixSetup& s)
+      : model(matrix_facts(s.model.m)),
+        view(matrix_facts(s.view.m)),
         projection(projection_facts(projection_part(s.projection), s.dialect.depth)),
         projection_sound(projection.kind != ProjectionKind::kNone && !projection.depth_lost &&
-                         !projection.looks_transposed && facts_of(s.projection.m).rank == 4),
+                         !projection.looks_transposed && matrix_facts(s.projection.m).rank == 4),
         eye(view.affine ? eyepoint_of(s.view) : std::nullopt) {}
 
   // How sound the view matrix is: 2 rigid, 1 affine with an inverse, 0 no view matrix.
@@ -61,7 +62,7 @@ struct Judged {
   int soundness() const {
     return int(model.invertible()) + soundness_of_view() + int(projection_sound);
   }
-  bool spoils(const Judged& before) const {
+  bool spoils(const SetupFacts& before) const {
     return int(model.invertible()) < int(before.model.invertible()) ||
            soundness_of_view() < before.soundness_of_view() ||
            projection_sound < before.projection_sound;
@@ -75,7 +76,7 @@ void add_reason(Alternative& found, double weight, std::string reason = "") {
   if (!reason.empty()) found.reasons.push_back(std::move(reason));
 }
 
-void weigh_soundness(const Judged& before, const Judged& after, Alternative& found) {
+void weigh_soundness(const SetupFacts& before, const SetupFacts& after, Alternative& found) {
   if (after.model.invertible() && !before.model.invertible()) {
     add_reason(found, 8, "the model matrix is then affine, and as given it is not");
   }
@@ -93,7 +94,7 @@ void weigh_soundness(const Judged& before, const Judged& after, Alternative& fou
   }
 }
 
-void weigh_eyepoint(const Judged& before, const Judged& after, Alternative& found) {
+void weigh_eyepoint(const SetupFacts& before, const SetupFacts& after, Alternative& found) {
   if (!before.eye || !after.eye) return;
   if (after.eye->level != before.eye->level) {
     add_reason(found, after.eye->level ? 4 : -4,
@@ -109,8 +110,8 @@ void weigh_eyepoint(const Judged& before, const Judged& after, Alternative& foun
   }
 }
 
-void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing& after,
-                Alternative& found) {
+void weigh_hand(const MatrixSetup& changed, const ProjectedPoints& before,
+                const ProjectedPoints& after, Alternative& found) {
   const int points = before.behind + before.in_front;
   if (before.behind == points && after.in_front == points) {
     add_reason(found, 3,
@@ -118,17 +119,17 @@ void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing
                            : "as given every w is negative (" + std::to_string(points) + " of " +
                                  std::to_string(points) + "): the projection looks the other way");
   }
-  const auto drawn = world_drawn(changed);
+  const auto drawn = drawn_handedness(changed);
   if (!drawn) return;
   if (changed.world) {
     add_reason(found, *changed.world == *drawn ? 4 : -4,
                *changed.world == *drawn ? "the handedness of your world then fits" : "");
   } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
-    add_reason(found, *drawn == Hand::kRight ? 1 : -1);
+    add_reason(found, *drawn == Handedness::kRight ? 1 : -1);
   }
 }
 
-void weigh_range(const Judged& before, const MatrixSetup& changed, Alternative& found) {
+void weigh_range(const SetupFacts& before, const MatrixSetup& changed, Alternative& found) {
   const DepthReading* likely = before.projection.likely_range();
   if (likely == nullptr || likely->from_minus_one != changed.dialect.z_from_minus_w) return;
   add_reason(found, 4,
@@ -136,26 +137,26 @@ void weigh_range(const Judged& before, const MatrixSetup& changed, Alternative& 
                  planes_text(*likely) + ", which are round numbers");
 }
 
-void weigh(Change change, const MatrixSetup& changed, const Judged& judged, const Landing& before,
-           const Landing& after, Alternative& found) {
+void weigh(SetupChange change, const MatrixSetup& changed, const SetupFacts& judged,
+           const ProjectedPoints& before, const ProjectedPoints& after, Alternative& found) {
   switch (change) {
-    case Change::kEyeHand:
-    case Change::kTurnRound:
+    case SetupChange::kEyeHand:
+    case SetupChange::kTurnRound:
       return weigh_hand(changed, before, after, found);
-    case Change::kDepthRange:
+    case SetupChange::kDepthRange:
       return weigh_range(judged, changed, found);
-    case Change::kDegrees:
+    case SetupChange::kDegrees:
       return add_reason(found, 6,
                         "[1][1] is the cotangent of half of " +
                             std::to_string(*judged.projection.degrees_taken_as_radians) +
                             " radians");
-    case Change::kRadians:
+    case SetupChange::kRadians:
       if (!judged.projection.radians_taken_as_degrees) return;
       return add_reason(found, 6,
                         "the angle of view is " +
                             std::to_string(*judged.projection.radians_taken_as_degrees) +
                             " degrees in radians");
-    case Change::kClearCorner:
+    case SetupChange::kClearCorner:
       return add_reason(found, 6, "[3][3] is 1, as in the identity");
     default:
       return;
@@ -179,8 +180,8 @@ public:
       : setup_(setup),
         viewport_(viewport),
         points_(points),
-        judged_(setup),
-        before_(send(setup, viewport, points)),
+        given_facts_(setup),
+        before_(project_points(setup, viewport, points)),
         tried_{Map(setup)} {
     for (const CheckedPoint& point : points) expects_ = expects_ || point.expected;
   }
@@ -190,8 +191,8 @@ public:
     report_.visible = before_.visible;
     report_.behind_eye = before_.behind;
     if (before_.visible == report_.points) return report_;
-    for (const Slip& slip : slips()) {
-      if (is_tried(slip)) try_changes(slip, nullptr);
+    for (const ConventionMistake& mistake : convention_mistakes()) {
+      if (is_tried(mistake)) try_changes(mistake, nullptr);
     }
     for (const Alternative& one : report_.alternatives) most_ = std::max(most_, one.points);
     if (before_.visible == 0 && most_ < report_.points) try_pairs();
@@ -203,14 +204,16 @@ public:
   }
 
 private:
-  bool is_tried(const Slip& slip) const {
-    return expects_ || (slip.change != Change::kFlipX && slip.change != Change::kFlipY);
+  bool is_tried(const ConventionMistake& mistake) const {
+    return expects_ ||
+           (mistake.change != SetupChange::kFlipX && mistake.change != SetupChange::kFlipY);
   }
 
   void try_pairs() {
-    for (std::size_t i = 0; i < slips().size(); ++i) {
-      for (std::size_t j = i + 1; j < slips().size(); ++j) {
-        if (is_tried(slips()[i]) && is_tried(slips()[j])) try_changes(slips()[i], &slips()[j]);
+    for (std::size_t i = 0; i < convention_mistakes().size(); ++i) {
+      for (std::size_t j = i + 1; j < convention_mistakes().size(); ++j) {
+        if (is_tried(convention_mistakes()[i]) && is_tried(convention_mistakes()[j]))
+          try_changes(convention_mistakes()[i], &convention_mistakes()[j]);
       }
     }
   }
@@ -223,25 +226,25 @@ private:
            (pair.points >= 3 && pair.points == report_.points);
   }
 
-  void try_changes(const Slip& slip, const Slip* second) {
+  void try_changes(const ConventionMistake& mistake, const ConventionMistake* second) {
     MatrixSetup changed = setup_;
-    if (!slip.undo(changed)) return;
+    if (!mistake.undo(changed)) return;
     if (second != nullptr && !second->undo(changed)) return;
     const Map map(changed);
     if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
     tried_.push_back(map);
-    const Landing after = send(changed, viewport_, points_);
+    const ProjectedPoints after = project_points(changed, viewport_, points_);
     if (after.visible <= (second == nullptr ? before_.visible : most_)) return;
-    const Judged judged(changed);
-    if (judged.spoils(judged_)) {
+    const SetupFacts judged(changed);
+    if (judged.spoils(given_facts_)) {
       ++report_.spoiling;
       return;
     }
     Alternative found;
-    found.change = slip.change;
-    found.id = slip.id;
-    found.what = slip.what;
-    found.remedy = slip.remedy;
+    found.change = mistake.change;
+    found.id = mistake.id;
+    found.what = mistake.what;
+    found.remedy = mistake.remedy;
     if (second != nullptr) {
       found.second = second->change;
       found.second_id = second->id;
@@ -250,10 +253,10 @@ private:
     }
     found.points = after.visible;
     found.window = after.window;
-    weigh_soundness(judged_, judged, found);
-    weigh_eyepoint(judged_, judged, found);
-    weigh(slip.change, changed, judged_, before_, after, found);
-    if (second != nullptr) weigh(second->change, changed, judged_, before_, after, found);
+    weigh_soundness(given_facts_, judged, found);
+    weigh_eyepoint(given_facts_, judged, found);
+    weigh(mistake.change, changed, given_facts_, before_, after, found);
+    if (second != nullptr) weigh(second->change, changed, given_facts_, before_, after, found);
     if (second != nullptr && !is_credible(found)) return;
     report_.alternatives.push_back(std::move(found));
   }
@@ -261,8 +264,8 @@ private:
   const MatrixSetup& setup_;
   const Viewport& viewport_;
   const std::span<const CheckedPoint> points_;
-  const Judged judged_;
-  const Landing before_;
+  const SetupFacts given_facts_;
+  const ProjectedPoints before_;
   bool expects_ = false;
   int most_ = 0;  // the largest number of points that a single change makes visible
   std::vector<Map> tried_;

@@ -1,4 +1,5 @@
-// Finds the convention that would make a point visible. Each likely slip is undone, one at a time,
+// Finds the convention that would make a point visible. Each likely mistake is
+// undone, one at a time,
 // and the points are transformed again. Changes that bring points into the picture are reported,
 // the likeliest first, with the evidence for them.
 //
@@ -12,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <glassbox/matrices/slips.h>
+#include <glassbox/matrices/convention_mistakes.h>
 
 namespace glassbox {
 
@@ -26,9 +27,9 @@ struct CheckedPoint {
 inline constexpr double kExpectedWithinPx = 1.5;
 
 struct Alternative {
-  Change change;
-  std::optional<Change> second;  // of two changes made together
-  const char* id = "";           // of `change`; does not change between versions
+  SetupChange change;
+  std::optional<SetupChange> second;  // of two changes made together
+  const char* id = "";                // of `change`; does not change between versions
   const char* second_id = "";
   std::string what, remedy;          // "transpose every matrix"
   std::vector<std::string> reasons;  // the evidence for it, besides that it works

@@ -24,11 +24,11 @@ Decimal simplest_decimal(double value, double uncertainty) {
   return {value, kMaxDigits};
 }
 
-std::string rounded(double value, double uncertainty) {
-  return brief(simplest_decimal(value, uncertainty).value);
+std::string rounded_text(double value, double uncertainty) {
+  return short_number(simplest_decimal(value, uncertainty).value);
 }
 
-std::string brief(double value, int digits) {
+std::string short_number(double value, int digits) {
   char text[40];
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
@@ -36,10 +36,10 @@ std::string brief(double value, int digits) {
   return std::isnan(value) ? "nan" : std::string(text, end.ptr);
 }
 
-std::string brief_triple(const glm::dvec3& v, int digits) {
+std::string short_vector_text(const glm::dvec3& v, int digits) {
   const double last =
       std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * power_of_ten(-digits);
-  const auto shown = [&](double x) { return brief(std::abs(x) < last ? 0 : x, digits); };
+  const auto shown = [&](double x) { return short_number(std::abs(x) < last ? 0 : x, digits); };
   return "(" + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ")";
 }
 

@@ -16,13 +16,13 @@ struct Decimal {
 Decimal simplest_decimal(double value, double uncertainty);
 
 // The same number as text with at most six digits.
-std::string rounded(double value, double uncertainty);
+std::string rounded_text(double value, double uncertainty);
 
 // The value with at most `digits` significant digits, without trailing zeros: "0.1", "1.5e-09",
 // "inf".
-std::string brief(double value, int digits = 6);
+std::string short_number(double value, int digits = 6);
 // Three coordinates: "(1, 2, 3)". One that is too small to be visible in the digits of the largest
 // is shown as 0.
-std::string brief_triple(const glm::dvec3& v, int digits = 6);
+std::string short_vector_text(const glm::dvec3& v, int digits = 6);
 
 }  // namespace glassbox

@@ -12,16 +12,16 @@ bool is_finite(const char* name, const GivenMatrix& matrix, Findings& found) {
   if (!entry) return true;
   found.alarm("not-finite", name,
               "entry [" + std::to_string(entry->row) + "][" + std::to_string(entry->column) +
-                  "] is " + brief(at(matrix.m, entry->row, entry->column)),
+                  "] is " + short_number(entry_at(matrix.m, entry->row, entry->column)),
               "look for a division 0/0: eye = target, up along the gaze (the cross product of "
               "parallel vectors is 0, E8), near = far, or a width or height of 0");
   return false;
 }
 
 bool roles_are_exchanged(const MatrixSetup& setup, Findings& found) {
-  const bool view_projects = !facts_of(setup.view.m).affine &&
+  const bool view_projects = !matrix_facts(setup.view.m).affine &&
                              projection_facts(setup.view).kind == ProjectionKind::kPerspective;
-  if (!view_projects || !setup.projection.given || !facts_of(setup.projection.m).affine) {
+  if (!view_projects || !setup.projection.given || !matrix_facts(setup.projection.m).affine) {
     return false;
   }
   found.alarm("exchanged", "",
@@ -71,16 +71,16 @@ void check_pose(const GivenMatrix& view, Findings& found) {
   const auto as_pose = eyepoint_of({*inverse, view.uncertainty, true});
   if (!as_pose || eye->level || !as_pose->level || as_pose->digits + 3 > eye->digits) return;
   found.hint("pose", "view",
-             "its translation " + brief_triple(glm::dvec3(view.m[3])) +
+             "its translation " + short_vector_text(glm::dvec3(view.m[3])) +
                  " looks like the camera's position, and its first column is horizontal: it may be "
                  "the camera's pose, world from eye",
              "a view matrix is the inverse of the pose");
 }
 
 void check_world(const MatrixSetup& setup, Findings& found) {
-  const auto drawn = world_drawn(setup);
+  const auto drawn = drawn_handedness(setup);
   if (!drawn || (setup.world && *setup.world == *drawn)) return;
-  const bool right = *drawn == Hand::kRight;
+  const bool right = *drawn == Handedness::kRight;
   const std::string drawn_word = right ? "right" : "left", other_word = right ? "left" : "right";
   const std::string cause = "view and projection draw a " + drawn_word +
                             "-handed world as it is; a " + other_word +
@@ -100,20 +100,20 @@ void check_world(const MatrixSetup& setup, Findings& found) {
 }  // namespace
 
 void check_model(const MatrixSetup& setup, Findings& found) {
-  const MatrixFacts facts = facts_of(setup.model.m);
+  const MatrixFacts facts = matrix_facts(setup.model.m);
   if (!check_affine("model", facts, setup.model, found)) return;
-  if (facts.shape == Shape::kFlat) {
+  if (facts.shape == MatrixShape::kFlat) {
     found.hint("singular", "model",
-               "its determinant is " + brief(facts.determinant) +
+               "its determinant is " + short_number(facts.determinant) +
                    ": it flattens objects and has no inverse (C-18)",
                "look for a scale of 0; normals need the cofactor matrix then");
   } else if (facts.mirror()) {
     found.hint("mirror", "model",
-               "its determinant is " + brief(facts.determinant) +
+               "its determinant is " + short_number(facts.determinant) +
                    ", negative: it mirrors, and front faces become back faces (C-17, E18)",
                "reverse the winding for this object, or look for a negative scale");
   }
-  if (facts.shape == Shape::kScaledAfter) {
+  if (facts.shape == MatrixShape::kScaledAfter) {
     found.hint("scale-after-rotation", "model",
                "its rows are perpendicular and its columns are not: a scale along fixed axes after "
                "a rotation, which shears the object",
@@ -122,26 +122,26 @@ void check_model(const MatrixSetup& setup, Findings& found) {
 }
 
 void check_view(const MatrixSetup& setup, Findings& found) {
-  const MatrixFacts facts = facts_of(setup.view.m);
+  const MatrixFacts facts = matrix_facts(setup.view.m);
   if (!check_affine("view", facts, setup.view, found)) return;
-  if (facts.shape == Shape::kFlat) {
+  if (facts.shape == MatrixShape::kFlat) {
     return found.alarm(
         "singular", "view",
-        "its determinant is " + brief(facts.determinant) + ": it flattens the world",
+        "its determinant is " + short_number(facts.determinant) + ": it flattens the world",
         "look for a zero axis: up along the gaze, or a vector that was not normalised");
   }
   if (facts.mirror() && !setup.world) {
     found.hint("mirror", "view",
-               "its determinant is " + brief(facts.determinant) +
+               "its determinant is " + short_number(facts.determinant) +
                    ", negative: world and eye have opposite handedness",
                "this is right if one of them is left-handed on purpose (as for Unity's "
                "worldToCameraMatrix): then give --world; otherwise the picture is mirrored: look "
                "for an axis with the wrong sign");
   }
-  if (!facts.rigid() && facts.shape != Shape::kRigid) {
+  if (!facts.rigid() && facts.shape != MatrixShape::kRigid) {
     found.hint("not-rigid", "view",
                "its axes are not perpendicular unit vectors (off by " +
-                   brief(facts.orthogonality, 3) + ")",
+                   short_number(facts.orthogonality, 3) + ")",
                "normalise gaze, right and up; scales belong in the model matrix");
   }
   check_pose(setup.view, found);

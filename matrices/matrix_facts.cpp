@@ -51,37 +51,38 @@ bool is_diagonal(const glm::dmat3& a) {
   return true;
 }
 
-Shape shape_of(const glm::dmat3& a, const MatrixFacts& facts) {
-  if (facts.orientation == 0) return Shape::kFlat;
+MatrixShape shape_of(const glm::dmat3& a, const MatrixFacts& facts) {
+  if (facts.orientation == 0) return MatrixShape::kFlat;
   const glm::dmat3 identity(1);
   if (a == identity) {
-    return facts.translation == glm::dvec3(0) ? Shape::kIdentity : Shape::kTranslation;
+    return facts.translation == glm::dvec3(0) ? MatrixShape::kIdentity : MatrixShape::kTranslation;
   }
-  if (facts.orthogonality <= kRigidTolerance) return Shape::kRigid;
+  if (facts.orthogonality <= kRigidTolerance) return MatrixShape::kRigid;
   if (orthogonality_error(without_scale(a)) <= kRigidTolerance) {
     const double longest = largest(facts.scale);
     const double shortest =
         std::min({std::abs(facts.scale.x), std::abs(facts.scale.y), std::abs(facts.scale.z)});
-    return longest - shortest <= kRigidTolerance * longest ? Shape::kSimilarity : Shape::kScaled;
+    return longest - shortest <= kRigidTolerance * longest ? MatrixShape::kSimilarity
+                                                           : MatrixShape::kScaled;
   }
   if (orthogonality_error(without_scale(glm::transpose(a))) <= kRigidTolerance) {
-    return Shape::kScaledAfter;
+    return MatrixShape::kScaledAfter;
   }
-  return Shape::kSheared;
+  return MatrixShape::kSheared;
 }
 
 }  // namespace
 
 bool is_small(const glm::dmat4& m, int row, int column) {
   double largest = 0;
-  for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(at(m, row, c)));
-  return is_small(at(m, row, column), largest);
+  for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(entry_at(m, row, c)));
+  return is_small(entry_at(m, row, column), largest);
 }
 
 std::string row_text(const glm::dmat4& m, int row) {
   std::string text;
   for (int column = 0; column < 4; ++column) {
-    text += (column == 0 ? "(" : ", ") + brief(at(m, row, column));
+    text += (column == 0 ? "(" : ", ") + short_number(entry_at(m, row, column));
   }
   return text + ")";
 }
@@ -92,7 +93,8 @@ GivenMatrix transposed(const GivenMatrix& matrix) {
 
 bool MatrixFacts::rigid() const {
   return affine && orientation > 0 &&
-         (shape == Shape::kIdentity || shape == Shape::kTranslation || shape == Shape::kRigid);
+         (shape == MatrixShape::kIdentity || shape == MatrixShape::kTranslation ||
+          shape == MatrixShape::kRigid);
 }
 
 std::optional<Entry> first_not_finite(const glm::dmat4& m) {
@@ -104,10 +106,10 @@ std::optional<Entry> first_not_finite(const glm::dmat4& m) {
   return std::nullopt;
 }
 
-MatrixFacts facts_of(const glm::dmat4& m) {
+MatrixFacts matrix_facts(const glm::dmat4& m) {
   MatrixFacts facts;
   if (first_not_finite(m)) {
-    facts.shape = Shape::kNotFinite;
+    facts.shape = MatrixShape::kNotFinite;
     facts.affine = facts.affine_transposed = false;
     facts.rank = facts.orientation = 0;
     return facts;
@@ -124,9 +126,9 @@ MatrixFacts facts_of(const glm::dmat4& m) {
     facts.scale[i] = facts.diagonal ? a[i][i] : std::sqrt(glm::dot(a[i], a[i]));
   }
   facts.translation = glm::dvec3(m[3]);
-  facts.shape = facts.affine ? shape_of(a, facts) : Shape::kProjective;
-  const bool turns = facts.shape == Shape::kRigid || facts.shape == Shape::kSimilarity ||
-                     facts.shape == Shape::kScaled;
+  facts.shape = facts.affine ? shape_of(a, facts) : MatrixShape::kProjective;
+  const bool turns = facts.shape == MatrixShape::kRigid ||
+                     facts.shape == MatrixShape::kSimilarity || facts.shape == MatrixShape::kScaled;
   if (turns && facts.orientation > 0) {
     if (const auto nearest = nearest_rotation(without_scale(a))) {
       facts.rotation = axis_angle_of(glm::dmat4(nearest->rotation));
@@ -201,7 +203,7 @@ std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view) {
 }
 
 std::string position_text(const Eyepoint& eye) {
-  const auto text = [&](double x) { return rounded(x, eye.uncertainty); };
+  const auto text = [&](double x) { return rounded_text(x, eye.uncertainty); };
   return "(" + text(eye.position.x) + ", " + text(eye.position.y) + ", " + text(eye.position.z) +
          ")";
 }

@@ -20,7 +20,7 @@ namespace glassbox {
 // somebody intends.
 inline constexpr double kSmall = 0x1p-16;
 
-inline double at(const glm::dmat4& m, int row, int column) {
+inline double entry_at(const glm::dmat4& m, int row, int column) {
   return m[column][row];
 }
 // Whether an entry is small compared with the largest of its row.
@@ -39,7 +39,7 @@ std::string row_text(const glm::dmat4& m, int row);  // "(0, 0, -1, 0)"
 
 GivenMatrix transposed(const GivenMatrix& matrix);
 
-enum class Shape {
+enum class MatrixShape {
   kNotFinite,
   kIdentity,
   kTranslation,  // only a translation
@@ -53,7 +53,7 @@ enum class Shape {
 };
 
 struct MatrixFacts {
-  Shape shape = Shape::kIdentity;
+  MatrixShape shape = MatrixShape::kIdentity;
   bool affine = true;             // last row 0 0 0 1
   bool affine_transposed = true;  // last column 0 0 0 1, as in an affine matrix for row vectors
   int rank = 4;
@@ -70,7 +70,7 @@ struct MatrixFacts {
   bool invertible() const { return affine && orientation != 0; }
 };
 
-MatrixFacts facts_of(const glm::dmat4& m);
+MatrixFacts matrix_facts(const glm::dmat4& m);
 
 // The number of independent rows, by elimination with full pivoting. A pivot counts as zero if
 // rounding the entries to float could have made it.

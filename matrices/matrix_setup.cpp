@@ -16,8 +16,8 @@ ProjectionFacts likely_facts(const GivenMatrix& projection) {
 
 }  // namespace
 
-std::optional<Hand> world_drawn(const MatrixSetup& setup) {
-  const MatrixFacts view = facts_of(setup.view.m);
+std::optional<Handedness> drawn_handedness(const MatrixSetup& setup) {
+  const MatrixFacts view = matrix_facts(setup.view.m);
   const ProjectionFacts lens =
       projection_facts(projection_part(setup.projection), setup.dialect.depth);
   if (!view.invertible() || lens.kind == ProjectionKind::kNone || !setup.projection.given) {
@@ -29,7 +29,7 @@ std::optional<Hand> world_drawn(const MatrixSetup& setup) {
   // turned by 180 degrees, is not mirrored.
   const bool y_flipped = (lens.scale.y < 0) != setup.dialect.ndc_y_down;
   if (lens.scale.x < 0 && !y_flipped) right = !right;
-  return right ? Hand::kRight : Hand::kLeft;
+  return right ? Handedness::kRight : Handedness::kLeft;
 }
 
 GuessedDialect guess_dialect(const GivenMatrix& projection) {

@@ -11,7 +11,7 @@ namespace {
 // ---- projection * view ----
 
 glm::dvec4 row_of(const glm::dmat4& m, int row) {
-  return {at(m, row, 0), at(m, row, 1), at(m, row, 2), at(m, row, 3)};
+  return {entry_at(m, row, 0), entry_at(m, row, 1), entry_at(m, row, 2), entry_at(m, row, 3)};
 }
 
 double dot3(const glm::dvec4& a, const glm::dvec4& b) {
@@ -81,8 +81,8 @@ std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze
 // rows ----
 
 double row_uncertainty(const GivenMatrix& matrix, int row) {
-  return std::max({at(matrix.uncertainty, row, 0), at(matrix.uncertainty, row, 1),
-                   at(matrix.uncertainty, row, 2)});
+  return std::max({entry_at(matrix.uncertainty, row, 0), entry_at(matrix.uncertainty, row, 1),
+                   entry_at(matrix.uncertainty, row, 2)});
 }
 
 glm::dmat4 projection_uncertainty(const GivenMatrix& matrix, const glm::dmat4& projection,
@@ -91,8 +91,9 @@ glm::dmat4 projection_uncertainty(const GivenMatrix& matrix, const glm::dmat4& p
   for (int row : {0, 1}) u[row][row] = u[2][row] = 2 * row_uncertainty(matrix, row) / gaze.k;
   const double alpha = std::abs(projection[2][2]);
   u[2][2] = 2 * (row_uncertainty(matrix, 2) + alpha * row_uncertainty(matrix, 3)) / gaze.k;
-  u[3][2] = (at(matrix.uncertainty, 2, 3) + alpha * at(matrix.uncertainty, 3, 3)) / gaze.k +
-            std::abs(gaze.back.w) * u[2][2];
+  u[3][2] =
+      (entry_at(matrix.uncertainty, 2, 3) + alpha * entry_at(matrix.uncertainty, 3, 3)) / gaze.k +
+      std::abs(gaze.back.w) * u[2][2];
   return u;
 }
 
@@ -103,9 +104,10 @@ glm::dmat4 view_uncertainty(const GivenMatrix& matrix, const glm::dmat4& project
     const double centre = row < 2 ? std::abs(projection[2][row]) : 0;
     const int from = row < 2 ? row : 3;
     for (int column = 0; column < 4; ++column) {
-      u[column][row] =
-          2 * (at(matrix.uncertainty, from, column) + centre * at(matrix.uncertainty, 3, column)) /
-          (k * size);
+      u[column][row] = 2 *
+                       (entry_at(matrix.uncertainty, from, column) +
+                        centre * entry_at(matrix.uncertainty, 3, column)) /
+                       (k * size);
     }
   }
   return u;
@@ -119,8 +121,8 @@ std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix) {
   if (!gaze) return std::nullopt;
   auto parts = factor_by(matrix.m, *gaze);
   if (!parts) return std::nullopt;
-  const MatrixFacts facts = facts_of(parts->view.m);
-  if (!facts.rigid() || facts.shape == Shape::kIdentity) return std::nullopt;
+  const MatrixFacts facts = matrix_facts(parts->view.m);
+  if (!facts.rigid() || facts.shape == MatrixShape::kIdentity) return std::nullopt;
   parts->view.uncertainty = view_uncertainty(matrix, parts->projection.m, gaze->k);
   parts->projection.uncertainty = projection_uncertainty(matrix, parts->projection.m, *gaze);
   return parts;
@@ -143,7 +145,7 @@ GivenMatrix without_corner(const GivenMatrix& matrix) {
 bool has_corner_left_over(const GivenMatrix& matrix) {
   const ProjectionFacts facts = projection_facts(matrix);
   if (facts.kind != ProjectionKind::kPerspective || facts.w_offset == 0) return false;
-  if (at(matrix.m, 3, 3) != 1) return false;
+  if (entry_at(matrix.m, 3, 3) != 1) return false;
   const auto parts = factor_projection(matrix);
   return !parts || projection_facts(without_corner(matrix)).fewest_digits() <
                        projection_facts(parts->projection).fewest_digits();
@@ -172,7 +174,7 @@ bool is_transposed_projection(const GivenMatrix& matrix) {
   const ProjectionFacts facts = projection_facts(matrix);
   if (facts.looks_transposed) return true;
   if (facts.kind != ProjectionKind::kNone || factor_projection(matrix)) return false;
-  const MatrixFacts as_matrix = facts_of(matrix.m);
+  const MatrixFacts as_matrix = matrix_facts(matrix.m);
   if (as_matrix.affine_transposed) return !as_matrix.affine;
   const GivenMatrix turned = transposed(matrix);
   const ProjectionFacts turned_facts = projection_facts(turned);

@@ -134,22 +134,23 @@ void read_angle(ProjectionFacts& p, const glm::dvec2& uncertainty) {
 ProjectionKind kind_of(const glm::dmat4& m) {
   for (int row : {0, 1}) {
     const int other = 1 - row;
-    if (at(m, row, row) == 0 || !is_small(m, row, other)) return ProjectionKind::kNone;
+    if (entry_at(m, row, row) == 0 || !is_small(m, row, other)) return ProjectionKind::kNone;
   }
   if (!is_small(m, 3, 0) || !is_small(m, 3, 1)) return ProjectionKind::kNone;
   if (!is_small(m, 3, 2)) {
     const bool shifted = !is_small(m, 0, 3) || !is_small(m, 1, 3);
     return shifted && !is_small(m, 3, 3) ? ProjectionKind::kNone : ProjectionKind::kPerspective;
   }
-  if (at(m, 3, 3) == 0 || !is_small(m, 0, 2) || !is_small(m, 1, 2)) return ProjectionKind::kNone;
+  if (entry_at(m, 3, 3) == 0 || !is_small(m, 0, 2) || !is_small(m, 1, 2))
+    return ProjectionKind::kNone;
   return ProjectionKind::kParallel;
 }
 
 }  // namespace
 
 std::string planes_text(const DepthReading& r) {
-  return "near " + rounded(r.near, r.near_uncertainty) + " and far " +
-         rounded(r.far, r.far_uncertainty);
+  return "near " + rounded_text(r.near, r.near_uncertainty) + " and far " +
+         rounded_text(r.far, r.far_uncertainty);
 }
 
 int ProjectionFacts::fewest_digits() const {
@@ -182,25 +183,26 @@ ProjectionFacts projection_facts(const GivenMatrix& matrix, DepthRange expected)
   p.kind = kind_of(matrix.m);
   if (p.kind == ProjectionKind::kNone) return p;
   const bool perspective = p.kind == ProjectionKind::kPerspective;
-  p.w_scale = std::abs(perspective ? at(matrix.m, 3, 2) : at(matrix.m, 3, 3));
-  const glm::dmat4 m = matrix.m * ((!perspective && at(matrix.m, 3, 3) < 0 ? -1 : 1) / p.w_scale);
+  p.w_scale = std::abs(perspective ? entry_at(matrix.m, 3, 2) : entry_at(matrix.m, 3, 3));
+  const glm::dmat4 m =
+      matrix.m * ((!perspective && entry_at(matrix.m, 3, 3) < 0 ? -1 : 1) / p.w_scale);
   const glm::dmat4 uncertainty = matrix.uncertainty / p.w_scale;
   if (perspective) {
-    p.looks_down_minus_z = at(m, 3, 2) < 0;
-    p.looks_transposed = p.w_scale != 1 && std::abs(at(matrix.m, 2, 3)) == 1;
-    p.w_offset = is_small(m, 3, 3) ? 0 : at(m, 3, 3);
+    p.looks_down_minus_z = entry_at(m, 3, 2) < 0;
+    p.looks_transposed = p.w_scale != 1 && std::abs(entry_at(matrix.m, 2, 3)) == 1;
+    p.w_offset = is_small(m, 3, 3) ? 0 : entry_at(m, 3, 3);
   } else {
-    p.looks_down_minus_z = (at(m, 2, 2) < 0) == (expected == DepthRange::kStandard);
+    p.looks_down_minus_z = (entry_at(m, 2, 2) < 0) == (expected == DepthRange::kStandard);
   }
   const double along = p.looks_down_minus_z ? -1 : 1;  // z = along * d
-  p.scale = {at(m, 0, 0), at(m, 1, 1)};
-  p.centre = perspective ? along * glm::dvec2(at(m, 0, 2), at(m, 1, 2))
-                         : glm::dvec2(at(m, 0, 3), at(m, 1, 3));
+  p.scale = {entry_at(m, 0, 0), entry_at(m, 1, 1)};
+  p.centre = perspective ? along * glm::dvec2(entry_at(m, 0, 2), entry_at(m, 1, 2))
+                         : glm::dvec2(entry_at(m, 0, 3), entry_at(m, 1, 3));
   if (perspective) {
-    for (const int row : {0, 1}) p.shift[row] = is_small(m, row, 3) ? 0 : at(m, row, 3);
+    for (const int row : {0, 1}) p.shift[row] = is_small(m, row, 3) ? 0 : entry_at(m, row, 3);
   }
-  p.alpha = along * at(m, 2, 2);
-  p.beta = at(m, 2, 3);
+  p.alpha = along * entry_at(m, 2, 2);
+  p.beta = entry_at(m, 2, 3);
   p.alpha_uncertainty = uncertainty[2][2];
   p.beta_uncertainty = uncertainty[3][2];
   p.oblique_depth = !is_small(m, 2, 0) || !is_small(m, 2, 1);

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kProjection = "projection";
 
 void note_view_inside(const MatrixSetup& setup, Findings& found) {
-  if (setup.view.given && facts_of(setup.view.m).shape != Shape::kIdentity) {
+  if (setup.view.given && matrix_facts(setup.view.m).shape != MatrixShape::kIdentity) {
     found.hint("contains-view", kProjection,
                "it already contains a view, and another one is given: the camera is applied twice",
                "give the projection alone, or leave out --view");
@@ -27,13 +27,13 @@ bool has_transposed_skew(const glm::dmat4& m) {
   const bool x_and_y_are_scaled =
       is_small(m, 0, 1) && is_small(m, 0, 2) && is_small(m, 1, 0) && is_small(m, 1, 2);
   return x_and_y_are_scaled && !is_small(m, 3, 0) && !is_small(m, 2, 0) && is_small(m, 3, 1) &&
-         is_small(m, 2, 1) && std::abs(std::abs(at(m, 3, 2)) - 1) <= kSmall && is_small(m, 3, 3) &&
-         !is_small(m, 2, 3);
+         is_small(m, 2, 1) && std::abs(std::abs(entry_at(m, 3, 2)) - 1) <= kSmall &&
+         is_small(m, 3, 3) && !is_small(m, 2, 3);
 }
 
 // Whether the matrix is of another kind that was given as the projection by mistake. Reports it.
 bool is_something_else(const GivenMatrix& given, Findings& found) {
-  const MatrixFacts facts = facts_of(given.m);
+  const MatrixFacts facts = matrix_facts(given.m);
   if (is_view_times_projection(given.m)) {
     found.alarm("factors-exchanged", kProjection,
                 "it has the structure of view * projection: the view was applied after the "
@@ -86,11 +86,11 @@ void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findin
   if (lens.shift == glm::dvec2(0)) return;
   const auto without_parallax = lens.without_parallax();
   if (!without_parallax) return note_view_inside(setup, found);
-  const std::string moved = brief(-lens.shift.x / lens.scale.x);
+  const std::string moved = short_number(-lens.shift.x / lens.scale.x);
   if (*without_parallax > 0) {
     found.note("stereo", kProjection,
                "one eye of a stereo pair: it is at x = " + moved + ", and points at the distance " +
-                   brief(*without_parallax, 5) + " have no parallax (S0-11)",
+                   short_number(*without_parallax, 5) + " have no parallax (S0-11)",
                "");
   } else {
     found.hint("skew-sign", kProjection,
@@ -160,9 +160,10 @@ void check_range(const MatrixSetup& setup, const DepthReading& ours, const Depth
   } else {
     cause += ", which are round numbers; read for " + std::string(setup.dialect.title) +
              " they are " + planes_text(ours) + ". As it is, ";
-    cause += from_minus_w ? "half of the depth buffer is wasted, and surfaces in front of the near "
-                            "plane may be visible (E16)"
-                          : "everything nearer than " + brief(ours.near) + " is clipped (E16)";
+    cause += from_minus_w
+                 ? "half of the depth buffer is wasted, and surfaces in front of the near "
+                   "plane may be visible (E16)"
+                 : "everything nearer than " + short_number(ours.near) + " is clipped (E16)";
   }
   found.alarm("z-range", kProjection, std::move(cause),
               from_minus_w ? "make it for depth -1 .. 1, or give --dialect d3d or vulkan"
@@ -172,8 +173,9 @@ void check_range(const MatrixSetup& setup, const DepthReading& ours, const Depth
 void check_depth(const MatrixSetup& setup, const ProjectionFacts& lens, Findings& found) {
   if (lens.depth_lost) {
     return found.alarm("depth-lost", kProjection,
-                       "every distance gets the same depth, " + brief(lens.alpha + lens.beta) +
-                           "; its rank is " + std::to_string(rank_of(setup.projection.m)) +
+                       "every distance gets the same depth, " +
+                           short_number(lens.alpha + lens.beta) + "; its rank is " +
+                           std::to_string(rank_of(setup.projection.m)) +
                            ": it can draw, but a depth buffer cannot hide anything (E15)",
                        "give the z row two numbers made from near and far; near must not be 0");
   }
@@ -199,17 +201,19 @@ void check_depth(const MatrixSetup& setup, const ProjectionFacts& lens, Findings
 void check_angle(const ProjectionFacts& lens, Findings& found) {
   if (lens.degrees_taken_as_radians) {
     const std::string degrees = std::to_string(*lens.degrees_taken_as_radians);
-    found.alarm("degrees-as-radians", kProjection,
-                "[1][1] = " + brief(lens.scale.y) + " is the cotangent of half of " + degrees +
-                    " radians: " + degrees + " degrees were taken for radians" +
-                    (lens.scale.y > 0 ? ", which makes " + brief(lens.fovy_degrees, 4) + " degrees"
-                                      : ", which rotates the picture by 180 degrees"),
-                "pass radians(" + degrees + ")");
+    found.alarm(
+        "degrees-as-radians", kProjection,
+        "[1][1] = " + short_number(lens.scale.y) + " is the cotangent of half of " + degrees +
+            " radians: " + degrees + " degrees were taken for radians" +
+            (lens.scale.y > 0 ? ", which makes " + short_number(lens.fovy_degrees, 4) + " degrees"
+                              : ", which rotates the picture by 180 degrees"),
+        "pass radians(" + degrees + ")");
   } else if (lens.radians_taken_as_degrees) {
     const std::string degrees = std::to_string(*lens.radians_taken_as_degrees);
     found.alarm("radians-as-degrees", kProjection,
-                "its angle of view is " + brief(lens.fovy_degrees, 4) + " degrees, which is " +
-                    degrees + " degrees in radians: radians were taken for degrees",
+                "its angle of view is " + short_number(lens.fovy_degrees, 4) +
+                    " degrees, which is " + degrees +
+                    " degrees in radians: radians were taken for degrees",
                 "pass " + degrees);
   } else if (lens.degrees_of_half_window) {
     const std::string degrees = std::to_string(*lens.degrees_of_half_window);
@@ -250,7 +254,8 @@ void check_aspect(const MatrixSetup& setup, const ProjectionFacts& lens, Finding
   const double wanted = double(width) / height;
   const auto is = [&](double aspect) { return std::abs(lens.aspect / aspect - 1) <= 0.01; };
   if (is(wanted)) return;
-  std::string why = ", but the picture's is " + brief(wanted, 4) + ": circles become ellipses";
+  std::string why =
+      ", but the picture's is " + short_number(wanted, 4) + ": circles become ellipses";
   std::string remedy = "pass width/height";
   if (is(height / double(width))) {
     why += "; it is height/width";
@@ -259,7 +264,8 @@ void check_aspect(const MatrixSetup& setup, const ProjectionFacts& lens, Finding
            std::to_string(truncated);
     remedy = "divide as floats";
   }
-  found.hint("aspect", kProjection, "its aspect ratio is " + brief(lens.aspect, 4) + why, remedy);
+  found.hint("aspect", kProjection, "its aspect ratio is " + short_number(lens.aspect, 4) + why,
+             remedy);
 }
 
 // Whether this is a perspective projection whose last row was never filled in. Reports it.
@@ -274,7 +280,8 @@ bool check_last_row(const MatrixSetup& setup, const ProjectionFacts& lens, Findi
     if (planes == nullptr || planes->digits + 3 > lens.fewest_digits()) continue;
     found.alarm("last-row", kProjection,
                 "its last row is 0 0 0 1, so that nothing gets smaller with distance; with 0 0 " +
-                    brief(sign) + " 0 it is a perspective projection with " + planes_text(*planes),
+                    short_number(sign) + " 0 it is a perspective projection with " +
+                    planes_text(*planes),
                 "w has to be the distance along the gaze: set [3][2], and [3][3] to 0");
     return true;
   }

@@ -81,7 +81,7 @@ private:
 
 }  // namespace
 
-MeshReport check(const Mesh& mesh) {
+MeshReport mesh_report(const Mesh& mesh) {
   MeshReport report;
   report.positions = std::uint32_t(mesh.positions.size());
   report.faces = std::uint32_t(mesh.faces.size());
@@ -90,7 +90,7 @@ MeshReport check(const Mesh& mesh) {
   report.bounds = bounds(mesh);
   for (const Face& face : mesh.faces) report.area += face_area(mesh, face);
 
-  const Topology topology = find_topology(mesh, Weld::kByPlace);
+  const Topology topology = find_topology(mesh, Weld::kByCoordinates);
   report.vertices = topology.vertices;
   report.edges = std::uint32_t(topology.edges.size());
   report.open_edges = topology.boundary_edges;

@@ -55,6 +55,6 @@ struct MeshReport {
 // face's corners to float can move it: 2^-22 of the largest coordinate of the face (half an ulp in
 // each of three coordinates is below 2^-23 of it for the corner; the mean plane can move as far in
 // the other direction).
-MeshReport check(const Mesh& mesh);
+MeshReport mesh_report(const Mesh& mesh);
 
 }  // namespace glassbox

@@ -78,7 +78,7 @@ public:
         next_(outline.size()),
         turn_(outline.size()),
         in_grid_(outline.size(), false),
-        gone_(outline.size(), false),
+        removed_(outline.size(), false),
         ticket_(outline.size(), 0),
         grid_(outline, 1) {
     std::size_t blockers = 0;
@@ -91,7 +91,7 @@ public:
     grid_ = Grid(outline, blockers);
     for (std::uint32_t i = 0; i < left_; ++i) {
       remember_blocker(i);
-      ask_later(i);
+      enqueue_corner(i);
     }
   }
 
@@ -108,25 +108,25 @@ public:
         break;
       }
     }
-    const std::int64_t looked_at = budget - budget_;
-    return {cut_fan(), looked_at};
+    const std::int64_t test_count = budget - budget_;
+    return {cut_fan(), test_count};
   }
 
 private:
-  struct Question {
+  struct QueuedCorner {
     std::uint32_t corner;
     std::uint32_t ticket;  // invalid once the corner has a later ticket
   };
 
-  void ask_later(std::uint32_t corner) { questions_.push_back({corner, ++ticket_[corner]}); }
+  void enqueue_corner(std::uint32_t corner) { queue_.push_back({corner, ++ticket_[corner]}); }
 
   // The next corner in the queue that is an ear. A corner that is not an ear is tested again only
   // after a neighbour has changed: in a simple outline nothing else can make it an ear.
   std::optional<std::uint32_t> next_ear() {
-    while (asked_ < questions_.size() && budget_ > 0) {
-      const Question question = questions_[asked_++];
-      const std::uint32_t corner = question.corner;
-      if (gone_[corner] || question.ticket != ticket_[corner]) continue;
+    while (queue_head_ < queue_.size() && budget_ > 0) {
+      const QueuedCorner queued = queue_[queue_head_++];
+      const std::uint32_t corner = queued.corner;
+      if (removed_[corner] || queued.ticket != ticket_[corner]) continue;
       if (turn_[corner] > 0 && !blocked(corner, Inside::kClosed)) return corner;
     }
     return std::nullopt;
@@ -152,7 +152,7 @@ private:
   // The lowest remaining corner of the ring. Corners are only ever removed, so the search need not
   // start from 0 again.
   std::uint32_t first_left() {
-    while (gone_[first_left_]) ++first_left_;
+    while (removed_[first_left_]) ++first_left_;
     return first_left_;
   }
 
@@ -173,7 +173,7 @@ private:
     return grid_.any_in_box(low, high, [&](std::uint32_t other) {
       --budget_;
       const FlatPoint& p = points_[other];
-      if (gone_[other] || turn_[other] > 0 || p == a || p == b || p == c) return false;
+      if (removed_[other] || turn_[other] > 0 || p == a || p == b || p == c) return false;
       if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
       return orientation(a, b, p) >= least && orientation(b, c, p) >= least &&
              orientation(c, a, p) >= least;
@@ -185,12 +185,12 @@ private:
     cut_({before, corner, after});
     next_[before] = after;
     previous_[after] = before;
-    gone_[corner] = true;
+    removed_[corner] = true;
     --left_;
     for (const std::uint32_t neighbour : {before, after}) {
       turn_[neighbour] = turn_at(neighbour);
       remember_blocker(neighbour);
-      ask_later(neighbour);
+      enqueue_corner(neighbour);
     }
   }
 
@@ -221,10 +221,10 @@ private:
   std::int64_t budget_;  // cells and corners that may still be tested
   std::vector<std::uint32_t> previous_, next_;
   std::vector<int> turn_;
-  std::vector<bool> in_grid_, gone_;
+  std::vector<bool> in_grid_, removed_;
   std::vector<std::uint32_t> ticket_;
-  std::vector<Question> questions_;
-  std::size_t asked_ = 0;
+  std::vector<QueuedCorner> queue_;
+  std::size_t queue_head_ = 0;
   std::uint32_t first_left_ = 0;
   Grid grid_;
 };

@@ -14,7 +14,7 @@ namespace glassbox {
 struct EarClipping {
   bool proper = true;  // no triangle turns clockwise
   // The work: tested corners, and tested cells of the grid that finds them.
-  std::int64_t looked_at = 0;
+  std::int64_t test_count = 0;
 };
 
 // Cuts a counter-clockwise outline of n >= 3 points into n - 2 triangles, which are passed to `cut`

@@ -11,10 +11,10 @@
 
 namespace glassbox {
 
-// kByIndex: corners meet where they have the same position index. kByPlace: also where two
+// kByIndex: corners meet where they have the same position index. kByCoordinates: also where two
 // positions have the same coordinates (0 and -0 are equal), as in glTF, which repeats a position
 // for each of its normals or texture coordinates.
-enum class Weld { kByIndex, kByPlace };
+enum class Weld { kByIndex, kByCoordinates };
 
 // The passage of one face along an edge.
 struct EdgeUse {

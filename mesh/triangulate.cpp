@@ -23,7 +23,7 @@ struct Facing {
 };
 
 // The point projected along an axis, seen from the axis' positive end, right-handed.
-FlatPoint seen_along(Axis axis, const Point<Object>& p) {
+FlatPoint projected_along(Axis axis, const Point<Object>& p) {
   switch (axis) {
     case Axis::kX:
       return {p.y, p.z};
@@ -36,8 +36,8 @@ FlatPoint seen_along(Axis axis, const Point<Object>& p) {
 
 // The point projected so that the polygon is counter-clockwise: mirrored if it is counter-clockwise
 // from the negative end.
-FlatPoint seen_from_front(const Facing& facing, const Point<Object>& p) {
-  const FlatPoint flat = seen_along(facing.axis, p);
+FlatPoint projected_to_front(const Facing& facing, const Point<Object>& p) {
+  const FlatPoint flat = projected_along(facing.axis, p);
   return facing.sign > 0 ? flat : FlatPoint{flat.y, flat.x};
 }
 
@@ -45,8 +45,8 @@ FlatPoint seen_from_front(const Facing& facing, const Point<Object>& p) {
 double exact_area(const Positions& outline, Axis axis) {
   ExactSum area;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const FlatPoint a = seen_along(axis, outline[i]);
-    const FlatPoint b = seen_along(axis, outline[i + 1 == outline.size() ? 0 : i + 1]);
+    const FlatPoint a = projected_along(axis, outline[i]);
+    const FlatPoint b = projected_along(axis, outline[i + 1 == outline.size() ? 0 : i + 1]);
     area.add_product(a.x, b.y);
     area.subtract_product(a.y, b.x);
   }
@@ -60,11 +60,11 @@ struct BoundedArea {
   double error = 0;
 };
 BoundedArea rounded_area(const Positions& outline, Axis axis) {
-  const FlatPoint origin = seen_along(axis, outline[0]);
+  const FlatPoint origin = projected_along(axis, outline[0]);
   double value = 0, magnitude = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const FlatPoint a = seen_along(axis, outline[i]);
-    const FlatPoint b = seen_along(axis, outline[i + 1 == outline.size() ? 0 : i + 1]);
+    const FlatPoint a = projected_along(axis, outline[i]);
+    const FlatPoint b = projected_along(axis, outline[i + 1 == outline.size() ? 0 : i + 1]);
     const double ax = double(a.x) - origin.x, ay = double(a.y) - origin.y;
     const double bx = double(b.x) - origin.x, by = double(b.y) - origin.y;
     const double term = (ax - bx) * (ay + by);
@@ -101,7 +101,8 @@ Facing facing_of(const Positions& outline) {
 // Whether the points are exactly collinear in space: without area along all three axes.
 bool without_area(const Point<Object>& a, const Point<Object>& b, const Point<Object>& c) {
   for (const Axis axis : {Axis::kZ, Axis::kX, Axis::kY}) {
-    if (orientation(seen_along(axis, a), seen_along(axis, b), seen_along(axis, c)) != 0)
+    if (orientation(projected_along(axis, a), projected_along(axis, b), projected_along(axis, c)) !=
+        0)
       return false;
   }
   return true;
@@ -155,7 +156,7 @@ int quality(int turn_a, int turn_b) {
 
 QuadCut cut_quad(const Positions& quad, const Facing& facing) {
   std::array<FlatPoint, 4> p;
-  for (std::size_t i = 0; i < 4; ++i) p[i] = seen_from_front(facing, quad[i]);
+  for (std::size_t i = 0; i < 4; ++i) p[i] = projected_to_front(facing, quad[i]);
   const int from_0 = quality(orientation(p[0], p[1], p[2]), orientation(p[0], p[2], p[3]));
   const int from_1 = quality(orientation(p[0], p[1], p[3]), orientation(p[1], p[2], p[3]));
   if (from_0 != from_1) return {from_1 > from_0, true};
@@ -172,7 +173,7 @@ public:
     for (face_ = 0; face_ < mesh_.faces.size(); ++face_) {
       first_number_ = result_.numbered;
       cut_face();
-      result_.numbered += numbers_of(mesh_.faces[face_]);
+      result_.numbered += triangle_number_count(mesh_.faces[face_]);
     }
     return std::move(result_);
   }
@@ -220,7 +221,7 @@ private:
 
   bool emit_polygon(const Facing& facing) {
     flat_.clear();
-    for (const Point<Object>& p : outline_) flat_.push_back(seen_from_front(facing, p));
+    for (const Point<Object>& p : outline_) flat_.push_back(projected_to_front(facing, p));
     return clip_ears(flat_, [this](const std::array<std::uint32_t, 3>& corners) { emit(corners); })
         .proper;
   }

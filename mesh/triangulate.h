@@ -34,7 +34,7 @@ struct Triangle {
 };
 
 // The number of triangle numbers that a face takes.
-inline std::uint32_t numbers_of(const Face& face) {
+inline std::uint32_t triangle_number_count(const Face& face) {
   return face.count < 3 ? 0 : face.count - 2;
 }
 

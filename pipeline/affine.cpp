@@ -250,7 +250,8 @@ Result<NearestRotation> nearest_rotation(const glm::dmat3& matrix) {
     NearestRotation result{glm_of(x), 0};
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        result.moved = std::max(result.moved, std::abs(x.at[i][j] - given.at[i][j]));
+        result.largest_change =
+            std::max(result.largest_change, std::abs(x.at[i][j] - given.at[i][j]));
       }
     }
     return result;

@@ -108,7 +108,7 @@ AxisAngle axis_angle_of(const Transform<Target, Source>& rotation) {
 // near: for a reflection, or a matrix without full rank.
 struct NearestRotation {
   glm::dmat3 rotation{1};
-  double moved = 0;  // largest change of an entry
+  double largest_change = 0;  // largest change of an entry
 };
 Result<NearestRotation> nearest_rotation(const glm::dmat3& matrix);
 

@@ -54,7 +54,7 @@ AxisAngleFactors axis_angle_factors(const Point<World, double>& eye,
 }
 
 Transform<Eye, World> product(const AxisAngleFactors& factors) {
-  Transform<Eye, World> m = factors.rolled * factors.turned * factors.moved;
+  Transform<Eye, World> m = factors.roll * factors.rotation * factors.translation;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) m.at(row, column) += 0.0;  // -0 becomes 0
   }

@@ -12,12 +12,12 @@ inline double rodrigues_factor(double cosine, double sine_squared) {
   return cosine > 0 ? 1 / (1 + cosine) : (1 - cosine) / sine_squared;
 }
 
-// The three factors of a view: the view is rolled * turned * moved.
+// The three factors of a view: the view is roll * rotation * translation.
 struct AxisAngleFactors {
-  Transform<World, World> moved;  // T(-eye)
+  Transform<World, World> translation;  // T(-eye)
   // R(a, theta) about a = gaze x (-z), whose length is the sine of theta.
-  Transform<World, World> turned;
-  Transform<Eye, World> rolled;  // R_z(roll): turns up into the upper half of the yz plane
+  Transform<World, World> rotation;
+  Transform<Eye, World> roll;  // R_z(roll): turns up into the upper half of the yz plane
 };
 
 // `gaze` and `up` are unit vectors that are not on one line. For a gaze along +z, a would be 0/0;
@@ -26,7 +26,7 @@ AxisAngleFactors axis_angle_factors(const Point<World, double>& eye,
                                     const Vector<World, double>& gaze,
                                     const Vector<World, double>& up);
 
-// (rolled * turned) * moved, without -0.
+// (roll * rotation) * translation, without -0.
 Transform<Eye, World> product(const AxisAngleFactors& factors);
 
 }  // namespace glassbox

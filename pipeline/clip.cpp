@@ -211,8 +211,8 @@ bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& 
 PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
                                const Transform<Clip, Object, float>& clip_from_object) {
   const std::array<double, 4> coefficients{plane.a, plane.b, plane.c, plane.d};
-  // Four roundings of the float transform; a dozen in double here and in over(), and a few in the
-  // error bound itself.
+  // Four roundings of the float transform; a dozen in double here and in distance_range(), and
+  // a few in the error bound itself.
   constexpr double kShare = gamma<float>(4) * (1 + 0x1p-40) + gamma<double>(20);
   std::array<double, 4> slope{}, error{};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -229,13 +229,14 @@ PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
   error_offset_ = error[3] + gamma<double>(20) * std::abs(plane.e);
 }
 
-PlaneOverBoxes::Distances PlaneOverBoxes::over(const Box<Object>& box) const {
-  return over(box.center(), {box.high.x * 0.5 - box.low.x * 0.5, box.high.y * 0.5 - box.low.y * 0.5,
-                             box.high.z * 0.5 - box.low.z * 0.5});
+PlaneOverBoxes::Distances PlaneOverBoxes::distance_range(const Box<Object>& box) const {
+  return distance_range(box.center(),
+                        {box.high.x * 0.5 - box.low.x * 0.5, box.high.y * 0.5 - box.low.y * 0.5,
+                         box.high.z * 0.5 - box.low.z * 0.5});
 }
 
-PlaneOverBoxes::Distances PlaneOverBoxes::over(const Point<Object, double>& centre,
-                                               const Vector<Object, double>& half) const {
+PlaneOverBoxes::Distances PlaneOverBoxes::distance_range(const Point<Object, double>& centre,
+                                                         const Vector<Object, double>& half) const {
   const Vector<Object, double> middle{centre.x, centre.y, centre.z};
   const double distance = dot(slope_, middle) + offset_;
   const double reach =
@@ -251,7 +252,7 @@ ClipVerdict classify_box(const Box<Object>& box,
   if (may_overflow(box, clip_from_object)) return ClipVerdict::kClip;
   bool inside_all = true;
   for (const ClipPlane& plane : planes) {
-    const auto [least, greatest] = PlaneOverBoxes(plane, clip_from_object).over(box);
+    const auto [least, greatest] = PlaneOverBoxes(plane, clip_from_object).distance_range(box);
     if (greatest < 0) return ClipVerdict::kReject;
     inside_all = inside_all && least >= 0;
   }

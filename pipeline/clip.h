@@ -92,9 +92,10 @@ public:
   struct Distances {
     double least = 0, greatest = 0;
   };
-  Distances over(const Box<Object>& box) const;
+  Distances distance_range(const Box<Object>& box) const;
   // The same for a box given by its centre and half its size.
-  Distances over(const Point<Object, double>& centre, const Vector<Object, double>& half) const;
+  Distances distance_range(const Point<Object, double>& centre,
+                           const Vector<Object, double>& half) const;
 
 private:
   // The distance is slope . p + offset, with an error of at most error . |p| + error_offset.

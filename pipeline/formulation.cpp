@@ -134,11 +134,11 @@ std::optional<PerspectiveFactors> perspective_factors(const Transform<Clip, Eye>
   if (shears || !gives_w) return std::nullopt;
   PerspectiveFactors factors;
   for (int axis = 0; axis < 2; ++axis) {
-    factors.scaled.at(axis, axis) = m.at(axis, axis);
+    factors.scale.at(axis, axis) = m.at(axis, axis);
     // z is positive along the gaze here.
-    factors.moved.at(axis, 2) = -m.at(axis, 2) + 0.0;
-    factors.moved.at(axis, 3) = m.at(axis, 3);
-    factors.has_moved = factors.has_moved || m.at(axis, 2) != 0 || m.at(axis, 3) != 0;
+    factors.shear.at(axis, 2) = -m.at(axis, 2) + 0.0;
+    factors.shear.at(axis, 3) = m.at(axis, 3);
+    factors.has_shear = factors.has_shear || m.at(axis, 2) != 0 || m.at(axis, 3) != 0;
   }
   factors.clip_from_pyramid.at(2, 2) = -m.at(2, 2) + 0.0;
   factors.clip_from_pyramid.at(2, 3) = m.at(2, 3);

@@ -52,16 +52,16 @@ AxisAngleFactors axis_angle_factors(const Transform<World, Eye>& world_from_eye)
 struct RegularPyramid {};
 
 // A perspective matrix as a sequence of steps for the slides' left-handed eye (S4.18-20). The
-// product clip_from_pyramid * moved * scaled * eye_left_from_eye() is clip_from_eye bit for bit.
+// product clip_from_pyramid * shear * scale * eye_left_from_eye() is clip_from_eye bit for bit.
 struct PerspectiveFactors {
   // diag(d/h, d/h, 1, 1), or different scales for x and y.
-  Transform<RegularPyramid, EyeLeft> scaled;
+  Transform<RegularPyramid, EyeLeft> scale;
   // The identity, except for windows that are not centred on the gaze and for the eyes of a stereo
   // pair.
-  Transform<RegularPyramid, RegularPyramid> moved;
+  Transform<RegularPyramid, RegularPyramid> shear;
   // Maps the pyramid to the box: x and y stay, depth and w are computed.
   Transform<Clip, RegularPyramid> clip_from_pyramid;
-  bool has_moved = false;
+  bool has_shear = false;
 };
 
 // Returns nothing for matrices that are not a perspective of the form in projection.h.

@@ -163,7 +163,8 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
 
 }  // namespace
 
-Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options) {
+Result<Camera> framing_camera(const Box<World>& bounds, double aspect,
+                              const FramingOptions& options) {
   if (const Result<void> ok = check_request(bounds, aspect, options); !ok) {
     return tl::unexpected(ok.error());
   }
@@ -174,12 +175,12 @@ Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptio
   return frame_points(corners, aspect, options);
 }
 
-Result<Camera> frame(const Scene& scene, double aspect, const FramingOptions& options) {
+Result<Camera> framing_camera(const Scene& scene, double aspect, const FramingOptions& options) {
   const Box<World> box = bounds(scene);
   if (const Result<void> ok = check_request(box, aspect, options); !ok) {
     return tl::unexpected(ok.error());
   }
-  if (!(with_extent(box) == box)) return frame(box, aspect, options);
+  if (!(with_extent(box) == box)) return framing_camera(box, aspect, options);
   return frame_points([&](auto visit) { for_each_drawn_position(scene, visit); }, aspect, options);
 }
 

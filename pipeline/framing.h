@@ -25,8 +25,10 @@ struct FramingOptions {
 // A box without extent is framed as a cube of side 1 (or of 2^-19 of its distance from the origin
 // if that is more). Errors: nothing to see, bounds that are not finite, an aspect that is not
 // positive, an `up` that has no direction.
-Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options = {});
-Result<Camera> frame(const Scene& scene, double aspect, const FramingOptions& options = {});
+Result<Camera> framing_camera(const Box<World>& bounds, double aspect,
+                              const FramingOptions& options = {});
+Result<Camera> framing_camera(const Scene& scene, double aspect,
+                              const FramingOptions& options = {});
 
 struct NearFar {
   double near = 0.1, far = 100;  // world units along the gaze

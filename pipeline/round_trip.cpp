@@ -44,8 +44,8 @@ struct Equations {
   glm::dvec3 slack{0};
 };
 
-Equations equations_of(const NdcAndBound& ndc, const WayThere& way, const Point<Object>& object,
-                       double largest_w) {
+Equations equations_of(const NdcAndBound& ndc, const ForwardTransform& forward,
+                       const Point<Object>& object, double largest_w) {
   const glm::dvec4 p(std::abs(double(object.x)), std::abs(double(object.y)),
                      std::abs(double(object.z)), 1);
   Equations e;
@@ -53,11 +53,13 @@ Equations equations_of(const NdcAndBound& ndc, const WayThere& way, const Point<
     const double n = ndc.position[row];
     double slack = ndc.bound[row] * largest_w;
     for (int column = 0; column < 4; ++column) {
-      const double m = way.clip_from_object[column][row], w = way.clip_from_object[column][3];
+      const double m = forward.clip_from_object[column][row],
+                   w = forward.clip_from_object[column][3];
       const double entry = m - n * w;
       (column < 3 ? e.a[column][row] : e.b[row]) = column < 3 ? entry : -entry;
       const double rounding = gamma<double>(2) * (std::abs(m) + std::abs(n * w));
-      slack += (rounding + way.bound[column][row] + std::abs(n) * way.bound[column][3]) * p[column];
+      slack += (rounding + forward.bound[column][row] + std::abs(n) * forward.bound[column][3]) *
+               p[column];
     }
     e.slack[row] = slack * kRoundUp + kSmallest;
   }
@@ -120,7 +122,7 @@ bool RoundTrip::is_bounded() const {
 }
 
 std::optional<RoundTrip> round_trip(const Point<Object>& object, const Point<Clip>& clip,
-                                    const glm::dvec4& clip_bound, const WayThere& way,
+                                    const glm::dvec4& clip_bound, const ForwardTransform& forward,
                                     const Viewport& viewport) {
   if (!is_finite(clip) || !(clip.w > 0)) return {};
   const NdcVertex divided = divide(clip);
@@ -129,7 +131,7 @@ std::optional<RoundTrip> round_trip(const Point<Object>& object, const Point<Cli
   const glm::dvec3 bound =
       screen_bound(divided.position, divide_bound(clip, clip_bound).position, viewport);
   const NdcAndBound ndc = ndc_of(trip.screen, bound, viewport);
-  const Equations equations = equations_of(ndc, way, object, double(clip.w) + clip_bound.w);
+  const Equations equations = equations_of(ndc, forward, object, double(clip.w) + clip_bound.w);
 
   const glm::dmat3 inverse = glm::inverse(equations.a);
   glm::dvec3 found = inverse * equations.b;

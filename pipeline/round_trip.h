@@ -13,7 +13,7 @@ namespace glassbox {
 
 // The matrix from object to clip space in double, and a bound of each entry's distance from the
 // exact product of its factors.
-struct WayThere {
+struct ForwardTransform {
   glm::dmat4 clip_from_object{1};
   glm::dmat4 bound{0};
 };
@@ -45,7 +45,7 @@ struct RoundTrip {
 // q) c/(1 - c), with c the largest row sum of |I - N A| (Rump 1999). The rounding errors of double
 // are added to r and c.
 std::optional<RoundTrip> round_trip(const Point<Object>& object, const Point<Clip>& clip,
-                                    const glm::dvec4& clip_bound, const WayThere& way,
+                                    const glm::dvec4& clip_bound, const ForwardTransform& forward,
                                     const Viewport& viewport);
 
 }  // namespace glassbox

@@ -39,13 +39,13 @@ struct PlaneStep {
   ClipPlane plane;
   double distance = 0;  // in clip units: negative outside
   double bound = 0;     // of the distance
-  bool outside() const { return distance < 0; }
+  bool is_outside() const { return distance < 0; }
   // Whether rounding cannot have decided the side. A coordinate exactly on the plane, without
   // error, is sure.
-  bool sure() const { return distance < 0 ? -distance > bound : distance >= bound; }
+  bool is_certain() const { return distance < 0 ? -distance > bound : distance >= bound; }
 };
 
-enum class VertexFate { kVisible, kNotFinite, kInEyePlane, kBehindEye, kOutside };
+enum class VertexVerdict { kVisible, kNotFinite, kInEyePlane, kBehindEye, kOutside };
 
 struct DivideStep {
   NdcVertex ndc;
@@ -63,10 +63,10 @@ struct ScreenStep {
 struct VertexChain {
   glm::vec4 object{0, 0, 0, 1};
   TransformStep to_world, to_eye, to_clip;
-  Point<Clip> clip;     // to_clip.after
-  Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as in `render`
+  Point<Clip> clip;                     // to_clip.after
+  Point<Clip> clip_by_composed_matrix;  // composed in double and rounded once, as in `render`
   std::array<PlaneStep, 6> planes;
-  VertexFate fate = VertexFate::kVisible;
+  VertexVerdict verdict = VertexVerdict::kVisible;
   // For kOutside: the plane that the vertex is furthest outside of, measured after the divide.
   int deciding_plane = -1;
   std::optional<DivideStep> divide;  // where w is finite and not 0, also behind the eye
@@ -74,11 +74,11 @@ struct VertexChain {
   std::optional<RoundTrip> round_trip;  // of points with w = 1 that are not behind the eye
 };
 
-VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const ApiDialect& dialect,
-                 const Viewport& viewport);
+VertexChain make_vertex_chain(const glm::vec4& object, const ChainMatrices& matrices,
+                              const ApiDialect& dialect, const Viewport& viewport);
 
 // Each row times the vector, summed from left to right, the order of transform_row. w is multiplied
 // too, which changes no bit where it is 1.
-glm::vec4 apply(const glm::mat4& m, const glm::vec4& v);
+glm::vec4 transform_by_rows(const glm::mat4& m, const glm::vec4& v);
 
 }  // namespace glassbox

@@ -25,10 +25,10 @@ inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& want
 inline Rgba8 blend_over(Transfer transfer, const Rgba& source, const Rgba8& stored,
                         const ColorMask& wanted = {}) {
   return encode(transfer,
-                Rgba{laid_over(source.r, source.a, decode(transfer, stored.r)),
-                     laid_over(source.g, source.a, decode(transfer, stored.g)),
-                     laid_over(source.b, source.a, decode(transfer, stored.b)),
-                     laid_over(1.0f, source.a, decode_unorm8(stored.a))},
+                Rgba{blended_channel(source.r, source.a, decode(transfer, stored.r)),
+                     blended_channel(source.g, source.a, decode(transfer, stored.g)),
+                     blended_channel(source.b, source.a, decode(transfer, stored.b)),
+                     blended_channel(1.0f, source.a, decode_unorm8(stored.a))},
                 wanted);
 }
 

@@ -64,7 +64,7 @@ Level level_of(const MipChain& texture, int k) {
 struct Range {
   std::array<int, 4> low{kFullTexel, kFullTexel, kFullTexel, kFullTexel}, high{};
 
-  void see(const Texel& texel) {
+  void include(const Texel& texel) {
     const std::array<int, 4> channels{texel.r, texel.g, texel.b, texel.a};
     for (std::size_t i = 0; i < 4; ++i) {
       low[i] = std::min(low[i], channels[i]);
@@ -80,33 +80,34 @@ struct Range {
 
 // Collects which texel values a sample can reach when its numbers vary within their bounds, one
 // level after the other.
-class Reach {
+class ReachableTexels {
 public:
-  Reach(const MipChain& texture, const Sampler& sampler, const std::array<Bounded, 2>& texcoord)
+  ReachableTexels(const MipChain& texture, const Sampler& sampler,
+                  const std::array<Bounded, 2>& texcoord)
       : texture_(texture), sampler_(sampler), texcoord_(texcoord) {}
 
-  void look_at(int k, Filter filter) {
+  void add_level(int k, Filter filter) {
     const Level level = level_of(texture_, k);
     const Side across = side(sampler_.wrap_u, texcoord_[0], level.width, filter);
     const Side down = side(sampler_.wrap_v, texcoord_[1], level.height, filter);
     coarsest_ = std::max(coarsest_, k);
     if (!(across.off < kMostTexels && down.off < kMostTexels)) {
-      may_choose_ = everything_ = true;
+      may_choose_ = all_reachable_ = true;
       return;
     }
     if (filter == Filter::kLinear) {
       is_linear_ = true;
-      texels_off_ = std::max(texels_off_, across.off + down.off);
+      texel_error_ = std::max(texel_error_, across.off + down.off);
     } else {
       may_choose_ |= across.first != across.last || down.first != down.last;
     }
-    see(level, across, down);
+    include_texels(level, across, down);
   }
 
   // kFullTexel if every texel may be reached.
-  double contrast() const { return everything_ ? kFullTexel : range_.contrast(); }
+  double contrast() const { return all_reachable_ ? kFullTexel : range_.contrast(); }
   // The sum of the errors along x and y, in texels, where filters are linear.
-  double texels_off() const { return texels_off_; }
+  double texel_error() const { return texel_error_; }
   bool may_choose() const { return may_choose_; }  // another texel may be the nearest one
   bool is_linear() const { return is_linear_; }
   int coarsest() const { return coarsest_; }
@@ -127,12 +128,12 @@ private:
     return {std::int64_t(std::floor(x - off)), std::int64_t(std::floor(x + off)) + linear, off};
   }
 
-  void see(const Level& level, const Side& across, const Side& down) {
+  void include_texels(const Level& level, const Side& across, const Side& down) {
     for (std::int64_t y = down.first; y <= down.last; ++y) {
       const auto row = std::size_t(wrapped_texel(sampler_.wrap_v, y, level.height));
       for (std::int64_t x = across.first; x <= across.last; ++x) {
         const auto column = std::size_t(wrapped_texel(sampler_.wrap_u, x, level.width));
-        range_.see(texture_.texels[level.first + row * std::size_t(level.width) + column]);
+        range_.include(texture_.texels[level.first + row * std::size_t(level.width) + column]);
       }
     }
   }
@@ -141,9 +142,9 @@ private:
   const Sampler& sampler_;
   const std::array<Bounded, 2>& texcoord_;
   Range range_;
-  bool everything_ = false, may_choose_ = false, is_linear_ = false;
+  bool all_reachable_ = false, may_choose_ = false, is_linear_ = false;
   int coarsest_ = 0;
-  double texels_off_ = 0;
+  double texel_error_ = 0;
 };
 
 // ---- which levels ----
@@ -164,10 +165,10 @@ constexpr double kLevelRounding = 0x1p-19;
 
 // Looks at the levels that a minified sample may come from. Returns whether either of two levels
 // may be chosen.
-bool look_at_minified(const MipChain& texture, const Sampler& sampler, const Position& position,
-                      Reach& reach) {
+bool add_minified_levels(const MipChain& texture, const Sampler& sampler, const Position& position,
+                         ReachableTexels& reach) {
   if (sampler.mip == MipFilter::kNone) {
-    reach.look_at(0, sampler.minify);
+    reach.add_level(0, sampler.minify);
     return false;
   }
   const int last = texture.last_level();
@@ -178,7 +179,7 @@ bool look_at_minified(const MipChain& texture, const Sampler& sampler, const Pos
   }
   first_level = std::clamp(first_level, 0, last);
   last_level = std::clamp(last_level, 0, last);
-  for (int k = first_level; k <= last_level; ++k) reach.look_at(k, sampler.minify);
+  for (int k = first_level; k <= last_level; ++k) reach.add_level(k, sampler.minify);
   return sampler.mip == MipFilter::kNearest && first_level != last_level;
 }
 
@@ -216,12 +217,12 @@ LevelBounds level_bounds(float level, const Bounded& squared_texels) {
 double sample_bound(const MipChain& texture, const Sampler& sampler, Transfer transfer,
                     const std::array<Bounded, 2>& texcoord, const LevelBounds& level) {
   const Position position = position_of(level, texture.last_level());
-  Reach reach(texture, sampler, texcoord);
+  ReachableTexels reach(texture, sampler, texcoord);
   const bool one_filter = sampler.magnify == sampler.minify;
   bool may_choose = !one_filter && position.may_be_magnified && position.may_be_minified;
-  if (position.may_be_magnified) reach.look_at(0, sampler.magnify);
+  if (position.may_be_magnified) reach.add_level(0, sampler.magnify);
   if (position.may_be_minified) {
-    may_choose |= look_at_minified(texture, sampler, position, reach);
+    may_choose |= add_minified_levels(texture, sampler, position, reach);
   }
   may_choose |= reach.may_choose();
 
@@ -229,7 +230,7 @@ double sample_bound(const MipChain& texture, const Sampler& sampler, Transfer tr
   const double mixing = (reach.is_linear() ? 3 : 0) + (between_levels ? 1.5 : 0);
   const double levels_off = between_levels ? position.high - position.low : 0;
   const double texels = (transfer == Transfer::kNone ? 0 : 0.5) + reach.coarsest() * 0.53;
-  const double by_place = may_choose ? 1 : std::min(1.0, reach.texels_off() + levels_off);
+  const double by_place = may_choose ? 1 : std::min(1.0, reach.texel_error() + levels_off);
   const double units = texels + mixing + reach.contrast() * by_place;
   return (units / kFullTexel + 2 * kU) * kRoundUp;
 }

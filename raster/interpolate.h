@@ -25,7 +25,7 @@ inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::arr
   fragment.depth = depth_from(lambda, depth);
   const WeightsInSpace<float> in_space =
       affine ? WeightsInSpace<float>{lambda[0], lambda[1], lambda[2], inverse_w[0]}
-             : perspective(lambda, inverse_w);
+             : perspective_weights(lambda, inverse_w);
   fragment.weights = {in_space.weight0, in_space.weight1, in_space.weight2};
   fragment.inverse_w = in_space.inverse_w;
   return fragment;

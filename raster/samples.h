@@ -103,7 +103,7 @@ struct SampledPixel {
 // Returns where the pixel is shaded: at its centre if that is covered, otherwise at the first
 // covered sample. So nothing is ever extrapolated beyond the triangle (Direct3D 11.3 functional
 // specification, centroid sampling).
-inline Coverage shading_place(const SampledPixel& pixel, const SampleSteps& steps) {
+inline Coverage shading_point(const SampledPixel& pixel, const SampleSteps& steps) {
   if (pixel.covers_centre) return pixel.centre;
   int first = 0;
   while ((pixel.samples >> first & 1u) == 0) ++first;

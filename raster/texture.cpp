@@ -27,10 +27,10 @@ std::int16_t nearest_whole(float x) {
 }
 
 // The texel value of each stored byte.
-using WholeOfByte = std::array<std::int16_t, 256>;
+using TexelOfByte = std::array<std::int16_t, 256>;
 
-WholeOfByte whole_of_byte(Transfer transfer) {
-  WholeOfByte whole{};
+TexelOfByte texel_of_byte(Transfer transfer) {
+  TexelOfByte whole{};
   for (std::size_t byte = 0; byte < whole.size(); ++byte) {
     whole[byte] = nearest_whole(decode(transfer, std::uint8_t(byte)) * float(kFullTexel));
   }
@@ -38,7 +38,7 @@ WholeOfByte whole_of_byte(Transfer transfer) {
 }
 
 void append_texels(MipChain& chain, const Image<Rgba8>& image, Transfer transfer) {
-  const WholeOfByte color = whole_of_byte(transfer), alpha = whole_of_byte(Transfer::kNone);
+  const TexelOfByte color = texel_of_byte(transfer), alpha = texel_of_byte(Transfer::kNone);
   for (const Rgba8& stored : image.pixels) {
     chain.texels.push_back({color[stored.r], color[stored.g], color[stored.b], alpha[stored.a]});
   }
@@ -185,8 +185,8 @@ float level_of_detail(const TextureGradient& gradient, int width, int height) {
   return level_of_detail<float>(gradient, width, height);
 }
 
-Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail) {
+Rgba sample_mip_chain(const MipChain& texture, const Sampler& sampler,
+                      const std::array<float, 2>& texcoord, float level_of_detail) {
   return light_of(sample_texture(Levels(texture), sampler, texcoord, level_of_detail));
 }
 

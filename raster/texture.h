@@ -115,7 +115,7 @@ inline bool samples_base_only(const Sampler& sampler) {
 // coordinate is legal; one that is not finite counts as 0. Filtering is done in integers
 // (raster/formulas/texture.h): the result is at most 4.5/kFullTexel from the mean of the texels by
 // exact weights, and where one texel alone decides it is exactly that texel.
-Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail);
+Rgba sample_mip_chain(const MipChain& texture, const Sampler& sampler,
+                      const std::array<float, 2>& texcoord, float level_of_detail);
 
 }  // namespace glassbox

@@ -14,7 +14,7 @@ std::unique_ptr<Engine> make_engine(EngineKind kind, const TileOptions& options)
 Renderer::Renderer(const Scene& scene, Transfer transfer, std::unique_ptr<Engine> engine)
     : scene_(scene), engine_(std::move(engine)) {
   const Stopwatch watch(prepare_ms_);
-  prepared_ = prepare(scene, transfer);
+  prepared_ = prepare_scene(scene, transfer);
 }
 
 Renderer::Renderer(const Scene& scene, Transfer transfer, EngineKind kind,
@@ -32,12 +32,12 @@ Rendering Renderer::render(const View& view, const RenderSettings& settings) {
 }
 
 void Renderer::render(const View& view, const RenderSettings& settings, Rendering& into,
-                      const Image<std::uint32_t>* behind) {
+                      const Image<std::uint32_t>* behind_depth) {
   Framebuffer& buffers = into.buffers;
-  // `behind` has one depth per pixel, which does not say anything about its samples.
+  // `behind_depth` has one depth per pixel, which does not say anything about its samples.
   RenderSettings used = settings;
-  if (behind != nullptr) used.samples = 1;
-  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, {}, behind};
+  if (behind_depth != nullptr) used.samples = 1;
+  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, {}, behind_depth};
   engine_->draw({scene_, prepared_, {&eye, 1}});
   count_preparation(into.statistics);
 }

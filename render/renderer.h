@@ -34,9 +34,9 @@ public:
 
   // The same as render_staged; the depth plane is filled only if it is wanted.
   Rendering render(const View& view, const RenderSettings& settings);
-  // The same, written to memory that is used again. `behind`: see EyePicture::behind.
+  // The same, written to memory that is used again. `behind_depth`: see EyePicture::behind_depth.
   void render(const View& view, const RenderSettings& settings, Rendering& into,
-              const Image<std::uint32_t>* behind = nullptr);
+              const Image<std::uint32_t>* behind_depth = nullptr);
 
   // The same as the functions of these names.
   StereoRendering render_pair(const View& centre, const StereoPair& pair,

@@ -339,7 +339,7 @@ for word in "$@"; do
   esac
 done
 
-# SEED decides which share of the planted faults this run has (tests/support/share.h).
+# SEED decides which share of the planted faults this run has (tests/support/daily_share.h).
 SEED=${SEED:-$(($(date +%s) / 86400))}
 case $SEED in *[!0-9]* | ??????????????????*)
   say "SEED is '$SEED', which is not a number of 1 to 17 digits: give one, or none"

@@ -25,8 +25,8 @@
 #include <glassbox/compare/pictures/approve.h>
 #include <glassbox/compare/pictures/comparison.h>
 #include <glassbox/compare/pictures/pairing.h>
-#include <glassbox/compare/pixels/words.h>
-#include <glassbox/compare/report/heat.h>
+#include <glassbox/compare/pixels/difference_text.h>
+#include <glassbox/compare/report/heat_map_file.h>
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/junit.h>
 #include <glassbox/compare/report/page.h>
@@ -56,7 +56,7 @@ private:
   bool directories_ = false;
   CompareOptions options_;
   std::optional<std::string> heat_, page_, json_, junit_;
-  HeatOf heat_of_ = HeatOf::kSteps;
+  HeatMapKind heat_of_ = HeatMapKind::kSteps;
   bool approve_ = false;
   bool suggest_ = false;
   std::vector<const CLI::Option*> comparing_;  // the options that can change the verdict
@@ -202,7 +202,8 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
                   "heat map, .png or .ppm; for directories, a folder of heat maps")
       ->type_name("FILE")
       ->group(reports);
-  add_choice(command, "--heat", heat_of_, {{"steps", HeatOf::kSteps}, {"flip", HeatOf::kFlip}},
+  add_choice(command, "--heat", heat_of_,
+             {{"steps", HeatMapKind::kSteps}, {"flip", HeatMapKind::kFlip}},
              "what the heat map shows: steps of difference, or the visible error by FLIP [steps]")
       ->group(reports);
   add_html_output(command, page_, "one page with everything, to open in a browser")->group(reports);
@@ -276,7 +277,7 @@ std::vector<Comparison> DiffCommand::compare(const Pairing& pairing) const {
 Result<void> DiffCommand::write_heat_maps(const std::vector<Comparison>& comparisons) const {
   for (const Comparison& one : comparisons) {
     if (directories_ && (passes(one.verdict) || one.error)) continue;
-    if (directories_ && heat_of_ == HeatOf::kFlip && one.reference.format == "32-bit floats") {
+    if (directories_ && heat_of_ == HeatMapKind::kFlip && one.reference.format == "32-bit floats") {
       fmt::print(stderr, "glassbox: note: no heat map of {}: FLIP is not defined for floats\n",
                  printable(one.name));
       continue;
@@ -291,7 +292,7 @@ Result<void> DiffCommand::write_heat_maps(const std::vector<Comparison>& compari
       std::error_code error;
       fs::create_directories(fs::path(path).parent_path(), error);
     }
-    if (const auto written = write_heat(path, one, heat_of_); !written) return written;
+    if (const auto written = write_heat_map(path, one, heat_of_); !written) return written;
   }
   return {};
 }
@@ -340,9 +341,9 @@ void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairin
   }
   if (silent()) return;
   for (const Comparison& one : comparisons) {
-    const std::string more = details(one);
+    const std::string more = comparison_details(one);
     if (directories_ && one.verdict == Verdict::kSame && more.empty()) continue;
-    fmt::print("{}\n{}", one_line(one), more);
+    fmt::print("{}\n{}", comparison_line(one), more);
     if (suggest_ && one.differences) fmt::print("  fuzzy: {}\n", suggested_fuzzy(*one.differences));
   }
   for (const std::string& orphan : pairing.orphans) {
@@ -359,7 +360,7 @@ int DiffCommand::approve_all(const std::vector<Comparison>& comparisons) const {
       exit_code = kBadInput;
       continue;
     }
-    if (const auto done = approve(one.reference.path, one.test.path); !done) {
+    if (const auto done = approve_picture(one.reference.path, one.test.path); !done) {
       return refuse(done.error());
     }
     if (!silent()) fmt::print("approved: {}\n", printable(one.reference.path, 400));

@@ -25,7 +25,7 @@ namespace glassbox::app {
 
 // The report of `explain --stereo` on both eyes' pictures, as text and as JSON.
 struct PairReport {
-  const StereoRendering& both;
+  const StereoRendering& rendering;
   // Empty if the staged engine has drawn, which makes no plan.
   const PlannedPictures& planned;
   bool counted = false;  // counts of the stages are wanted
@@ -62,7 +62,7 @@ std::string plans_text(const std::vector<ReportedEye>& eyes,
 
 // Eyes with the same text are reported once, together.
 std::string pair_text(const PairReport& pair) {
-  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
+  const std::vector<ReportedEye> eyes = eyes_of(pair.rendering);
   std::string text;
   if (pair.is_planned()) text += plans_text(eyes, pair.planned.texts);
   if (!pair.counted) return text;
@@ -77,7 +77,7 @@ std::string pair_text(const PairReport& pair) {
 
 // The keys are "left" and "right", or "both" where both eyes have one picture.
 nlohmann::ordered_json pair_json(const PairReport& pair) {
-  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
+  const std::vector<ReportedEye> eyes = eyes_of(pair.rendering);
   nlohmann::ordered_json json;
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     nlohmann::ordered_json& of_eye = json[eyes[i].key];
@@ -159,7 +159,7 @@ Answer ExplainCommand::explain_staged(const Scene& scene, const View& view) cons
 
 Answer ExplainCommand::explain_tiles(const Scene& scene, const View& view) const {
   const RenderSettings& settings = question_.picture().settings;
-  const PreparedScene prepared = prepare(scene, settings.transfer);
+  const PreparedScene prepared = prepare_scene(scene, settings.transfer);
   Rendering drawn;
   const EyePicture eye{view, settings, drawn.buffers, drawn.buffers.color, drawn.statistics};
   const PictureJob job{scene, prepared, {&eye, 1}};

@@ -20,7 +20,7 @@ namespace glassbox::app {
 
 // The draws of a plan in groups: draws with the same decisions are reported together.
 struct DrawGroup {
-  std::string way;                   // how they are drawn: over lanes, staged, not drawn
+  std::string method;                // how they are drawn: over lanes, staged, not drawn
   std::vector<Decision> decisions;   // with the numbers of the largest draw
   std::vector<std::uint32_t> draws;  // indices into the draw list, the largest first
   std::uint64_t triangles = 0;
@@ -28,8 +28,8 @@ struct DrawGroup {
 
 namespace {
 
-std::string key_of(const std::string& way, const std::vector<Decision>& decisions) {
-  std::string key = way;
+std::string key_of(const std::string& method, const std::vector<Decision>& decisions) {
+  std::string key = method;
   for (const Decision& d : decisions) key += fmt::format("\n{}{}{}", d.stage, d.needed, d.because);
   return key;
 }
@@ -43,10 +43,10 @@ std::vector<DrawGroup> group_draws(const Plan& plan, const PlannedEye& eye) {
   std::vector<DrawGroup> groups;
   std::map<std::string, std::size_t> group_of;
   for (std::uint32_t i = 0; i < draws.size(); ++i) {
-    const std::string way = way_of(plan.methods[i]);
+    const std::string method = describe_method(plan.methods[i]);
     const auto [found, is_new] =
-        group_of.try_emplace(key_of(way, decisions(plan, eye, i)), groups.size());
-    if (is_new) groups.push_back({way, {}, {}, 0});
+        group_of.try_emplace(key_of(method, decisions(plan, eye, i)), groups.size());
+    if (is_new) groups.push_back({method, {}, {}, 0});
     DrawGroup& group = groups[found->second];
     group.draws.push_back(i);
     group.triangles += triangles(i);
@@ -84,7 +84,7 @@ std::string lines_of(const std::vector<Decision>& decisions) {
 }
 
 std::string counted_with_separators(std::uint64_t count, const std::string& thing) {
-  return grouped(count) + " " + inflected(count, thing);
+  return with_separators(count) + " " + singular_or_plural(count, thing);
 }
 
 const std::string& name_of(const Scene& scene, const Draw& draw) {
@@ -111,7 +111,7 @@ std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& ey
       triangles_not_shown += groups[i].triangles;
       continue;
     }
-    text += "\n" + wrapped("", title_of(scene, eye, groups[i]) + groups[i].way);
+    text += "\n" + wrapped("", title_of(scene, eye, groups[i]) + groups[i].method);
     text += lines_of(groups[i].decisions);
   }
   if (draws_not_shown > 0) {
@@ -141,7 +141,7 @@ nlohmann::ordered_json to_json(const Plan& plan, const PlannedEye& eye) {
   for (const DrawGroup& group : group_draws(plan, eye)) {
     nlohmann::ordered_json instances = nlohmann::ordered_json::array();
     for (const std::uint32_t i : group.draws) instances.push_back(eye.list.draws[i].instance);
-    groups.push_back({{"way", group.way},
+    groups.push_back({{"way", group.method},
                       {"triangles", group.triangles},
                       {"instances", std::move(instances)},
                       {"decisions", to_json(group.decisions)}});
@@ -161,7 +161,7 @@ void plan_pictures(const PictureJob& job, const TileOptions& options, PlannedPic
 PlanningEngine::PlanningEngine(const TileOptions& options, PlannedPictures& planned)
     : options_(options), engine_(options), planned_(planned) {}
 
-NotSubmitted PlanningEngine::draw(const PictureJob& job) {
+PairCullCounts PlanningEngine::draw(const PictureJob& job) {
   plan_pictures(job, options_, planned_);
   engine_.render(job.scene, job.prepared, job.eyes);
   engine_.render(job.scene, job.prepared, job.eyes, &planned_.report);

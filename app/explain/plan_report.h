@@ -37,7 +37,7 @@ public:
 
   // Draws twice and counts the second time, because the first one also starts threads and allocates
   // memory.
-  NotSubmitted draw(const PictureJob& job) override;
+  PairCullCounts draw(const PictureJob& job) override;
 
 private:
   TileOptions options_;

@@ -53,16 +53,16 @@ std::string tile_text(const Statistics& s, const TileReport& report) {
   std::string text = fmt::format(
       "  vertices: {} tested against planes; to eye space: {} normals, {} positions\n"
       "  triangles: {} in {} entries of {} tiles' lists, {} of them set up one by one\n",
-      grouped(s.plane_tests), grouped(s.normals), grouped(s.eye_positions),
-      grouped(report.triangles), grouped(report.list_entries), grouped(report.tiles),
-      grouped(report.large_triangles));
+      with_separators(s.plane_tests), with_separators(s.normals), with_separators(s.eye_positions),
+      with_separators(report.triangles), with_separators(report.list_entries),
+      with_separators(report.tiles), with_separators(report.large_triangles));
   if (report.runs < report.draws) {
     text += fmt::format("  draws: {} in {} runs of one mesh, each one list of triangles\n",
-                        grouped(report.draws), grouped(report.runs));
+                        with_separators(report.draws), with_separators(report.runs));
   }
   if (report.textures > 0) {
     text += fmt::format("  textures: {} of {} used, and their mip levels made\n",
-                        grouped(report.textures_made), grouped(report.textures));
+                        with_separators(report.textures_made), with_separators(report.textures));
   }
   text += fmt::format("\n  {:<26}{:>12}      {:>25}   {}\n", "time", "", "bytes of tables",
                       "busy ms, thread by thread");

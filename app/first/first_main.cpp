@@ -3,13 +3,13 @@
 #include <exception>
 
 #include "app/first/first_picture.h"
-#include "cli/report/whole_run.h"
+#include "cli/report/begin_and_end_run.h"
 
 int main() {
   glassbox::begin_run();
   try {
     return glassbox::end_run(glassbox::app::draw_first_picture());
   } catch (const std::exception& error) {
-    return glassbox::tell(error);
+    return glassbox::report_exception(error);
   }
 }

@@ -40,17 +40,17 @@ std::string next_steps() {
          line("render --help", "cameras, shading, depth formats, outputs");
 }
 
-Result<View> framed(const Scene& scene) {
-  return frame(scene, double(kWidth) / kHeight).and_then([](const Camera& camera) {
+Result<View> framed_view(const Scene& scene) {
+  return framing_camera(scene, double(kWidth) / kHeight).and_then([](const Camera& camera) {
     return make_view(camera, kWidth, kHeight, DepthRange::kStandard);
   });
 }
 
 // Draws and writes the picture that `glassbox render teapot` makes.
-Result<Rendering> drawn_and_written() {
+Result<Rendering> render_and_write() {
   const Result<Scene> scene = make_builtin(kScene);
   if (!scene) return tl::unexpected(scene.error());
-  const Result<View> view = framed(*scene);
+  const Result<View> view = framed_view(*scene);
   if (!view) return tl::unexpected(view.error());
   Rendering rendering = render_tiled(*scene, *view, {});
   const Recipe recipe{kScene, {}, GLASSBOX_VERSION};
@@ -63,7 +63,7 @@ Result<Rendering> drawn_and_written() {
 
 int draw_first_picture() {
   const Clock::time_point start = Clock::now();
-  const Result<Rendering> rendering = drawn_and_written();
+  const Result<Rendering> rendering = render_and_write();
   if (!rendering) return refuse(rendering.error());
   const Statistics& statistics = rendering->statistics;
   const double total_ms = elapsed_ms(start);

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/pipeline/stereo/comfort.h>
-#include <glassbox/render/depth_seen.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
+#include <glassbox/render/visible_depth_span.h>
 
 namespace glassbox::app {
 
@@ -15,7 +15,7 @@ namespace {
 
 // After so many rounds, a frame that still shows depths outside its known span gets the whole
 // range, so that planning ends.
-constexpr int kPatientRounds = 8;
+constexpr int kRoundsBeforeWholeRange = 8;
 
 RenderSettings distance_only(RenderSettings settings) {
   settings.samples = 1;
@@ -26,11 +26,11 @@ RenderSettings distance_only(RenderSettings settings) {
   return settings;
 }
 
-bool covers(const DepthSpan& known, const DepthSpan& seen) {
+bool contains_span(const DepthSpan& known, const DepthSpan& seen) {
   return known.nearest <= seen.nearest && seen.farthest <= known.farthest;
 }
 
-DepthSpan both(const DepthSpan& a, const DepthSpan& b) {
+DepthSpan union_of(const DepthSpan& a, const DepthSpan& b) {
   return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
 }
 
@@ -46,7 +46,7 @@ DepthSpan whole_range(const View& view) {
 
 // Frames without a span get that of the frame before; those at the beginning get that of the first
 // frame with one.
-void fill_gaps(std::vector<ComfortFrame>& frames, const std::vector<std::size_t>& empty) {
+void fill_gaps(std::vector<StereoFrame>& frames, const std::vector<std::size_t>& empty) {
   std::vector<bool> known(frames.size(), true);
   for (const std::size_t i : empty) known[i] = false;
   const auto first = std::size_t(std::ranges::find(known, true) - known.begin());
@@ -62,14 +62,19 @@ void fill_gaps(std::vector<ComfortFrame>& frames, const std::vector<std::size_t>
 
 class Planner {
 public:
-  Planner(Renderer& renderer, const std::vector<Shot>& shots, const EyeWishes& wishes,
-          const StereoSettings& settings, const std::function<void(std::size_t)>& look)
-      : renderer_(renderer), shots_(shots), wishes_(wishes), settings_(settings), look_(look) {}
+  Planner(Renderer& renderer, const std::vector<SequenceFrame>& sequence,
+          const EyePlanLimits& limits, const StereoSettings& settings,
+          const std::function<void(std::size_t)>& look)
+      : renderer_(renderer),
+        sequence_(sequence),
+        limits_(limits),
+        settings_(settings),
+        look_(look) {}
 
   Result<EyePlan> plan() {
-    look_first();
+    find_first_spans();
     set_bounds();
-    plan_.pairs = comfortable_pairs(frames_, wishes_.budget, rates_);
+    plan_.pairs = smoothed_stereo_pairs(frames_, limits_.budget, rates_);
     std::vector<std::size_t> unproven(frames_.size());
     for (std::size_t i = 0; i < unproven.size(); ++i) unproven[i] = i;
     for (int round = 0; !unproven.empty(); ++round) {
@@ -77,33 +82,34 @@ public:
       bool grown = false;
       for (const std::size_t i : unproven) {
         look_(i);
-        if (widen(i, round)) grown = true;
+        if (widen_span(i, round)) grown = true;
       }
       if (!grown) break;
       unproven = replan();
     }
-    for (const ComfortFrame& frame : frames_) plan_.spans.push_back(frame.span);
+    for (const StereoFrame& frame : frames_) plan_.spans.push_back(frame.span);
     return plan_;
   }
 
 private:
-  void look_first() {
-    for (std::size_t i = 0; i < shots_.size(); ++i) {
+  void find_first_spans() {
+    for (std::size_t i = 0; i < sequence_.size(); ++i) {
       look_(i);
-      const auto seen = depth_seen(renderer_, shots_[i].centre, settings_.render);
-      if (!seen) plan_.empty.push_back(i);
-      frames_.push_back({shots_[i].centre, seen.value_or(DepthSpan{}), shots_[i].window});
+      const auto seen = visible_depth_span(renderer_, sequence_[i].centre, settings_.render);
+      if (!seen) plan_.empty_frames.push_back(i);
+      frames_.push_back({sequence_[i].centre, seen.value_or(DepthSpan{}), sequence_[i].window});
     }
-    fill_gaps(frames_, plan_.empty);
+    fill_gaps(frames_, plan_.empty_frames);
   }
 
   void set_bounds() {
     double farthest_window = 0;
-    for (const Shot& shot : shots_) farthest_window = std::max(farthest_window, shot.window);
-    plan_.separation_bound = wishes_.separation.value_or(farthest_window / kWindowsPerSeparation);
+    for (const SequenceFrame& frame : sequence_)
+      farthest_window = std::max(farthest_window, frame.window);
+    plan_.separation_bound = limits_.separation.value_or(farthest_window / kWindowsPerSeparation);
     rates_.at_most = plan_.separation_bound / 2;
-    rates_.window_frames = rates_.release_frames = wishes_.release_frames;
-    plan_.step_bound = wishes_.max_step.value_or(largest_limit() / wishes_.release_frames);
+    rates_.window_frames = rates_.release_frames = limits_.release_frames;
+    plan_.step_bound = limits_.max_step.value_or(largest_limit() / limits_.release_frames);
     // If all separations are 0, or the release takes no time, the step has no bound.
     if (!(plan_.step_bound > 0)) plan_.step_bound = std::numeric_limits<double>::infinity();
     rates_.max_step = plan_.step_bound / 2;
@@ -111,10 +117,10 @@ private:
 
   // The largest separation that the budget allows in any frame.
   double largest_limit() const {
-    ComfortRates free = rates_;
+    SmoothingOptions free = rates_;
     free.release_frames = 0;
     double largest = 0;
-    for (const StereoPair& pair : comfortable_pairs(frames_, wishes_.budget, free)) {
+    for (const StereoPair& pair : smoothed_stereo_pairs(frames_, limits_.budget, free)) {
       largest = std::max(largest, 2 * pair.half_separation);
     }
     return largest;
@@ -125,28 +131,28 @@ private:
       const auto legal = check_pair(frames_[i].centre, plan_.pairs[i]);
       if (legal) continue;
       const Error& error = legal.error();
-      return fail(fmt::format("frame {}", shots_[i].number), error.place + ": " + error.cause,
+      return fail(fmt::format("frame {}", sequence_[i].number), error.place + ": " + error.cause,
                   error.remedy);
     }
     return {};
   }
 
   // Draws the pair of a frame and adds the depths seen to its span. Returns whether the span grew.
-  bool widen(std::size_t i, int round) {
-    ++plan_.measured;
+  bool widen_span(std::size_t i, int round) {
+    ++plan_.measured_pairs;
     const auto seen = depth_seen_by(renderer_, frames_[i].centre, plan_.pairs[i], settings_);
-    if (!seen || covers(frames_[i].span, *seen)) return false;
-    ++plan_.widened;
-    frames_[i].span = both(frames_[i].span, *seen);
-    if (round >= kPatientRounds) {
-      frames_[i].span = both(frames_[i].span, whole_range(frames_[i].centre));
+    if (!seen || contains_span(frames_[i].span, *seen)) return false;
+    ++plan_.widening_pairs;
+    frames_[i].span = union_of(frames_[i].span, *seen);
+    if (round >= kRoundsBeforeWholeRange) {
+      frames_[i].span = union_of(frames_[i].span, whole_range(frames_[i].centre));
     }
     return true;
   }
 
   // Chooses the pairs anew. Returns the frames whose separation has changed.
   std::vector<std::size_t> replan() {
-    std::vector<StereoPair> pairs = comfortable_pairs(frames_, wishes_.budget, rates_);
+    std::vector<StereoPair> pairs = smoothed_stereo_pairs(frames_, limits_.budget, rates_);
     std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (pairs[i].half_separation != plan_.pairs[i].half_separation) changed.push_back(i);
@@ -156,12 +162,12 @@ private:
   }
 
   Renderer& renderer_;
-  const std::vector<Shot>& shots_;
-  const EyeWishes& wishes_;
+  const std::vector<SequenceFrame>& sequence_;
+  const EyePlanLimits& limits_;
   const StereoSettings& settings_;
   const std::function<void(std::size_t)>& look_;
-  std::vector<ComfortFrame> frames_;
-  ComfortRates rates_;
+  std::vector<StereoFrame> frames_;
+  SmoothingOptions rates_;
   EyePlan plan_;
 };
 
@@ -170,7 +176,7 @@ private:
 std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures) {
   const auto left = depth_span(pictures.left.distance);
   const auto right = depth_span(pictures.right.distance);
-  if (left && right) return both(*left, *right);
+  if (left && right) return union_of(*left, *right);
   return left ? left : right;
 }
 
@@ -180,10 +186,10 @@ std::optional<DepthSpan> depth_seen_by(Renderer& renderer, const View& centre,
   return depth_seen_in(renderer.render_pair(centre, pair, probe));
 }
 
-Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<Shot>& shots,
-                          const EyeWishes& wishes, const StereoSettings& settings,
+Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<SequenceFrame>& sequence,
+                          const EyePlanLimits& limits, const StereoSettings& settings,
                           const std::function<void(std::size_t)>& look) {
-  return Planner(renderer, shots, wishes, settings, look).plan();
+  return Planner(renderer, sequence, limits, settings, look).plan();
 }
 
 }  // namespace glassbox::app

@@ -6,14 +6,14 @@
 #include <optional>
 #include <vector>
 
-#include "cli/frames/shots.h"
+#include "cli/frames/sequence_frames.h"
 
-#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
-struct EyeWishes {
+struct EyePlanLimits {
   ParallaxBudget budget;
   std::optional<double> separation;  // the upper bound; absent: a thirtieth of the farthest window
   double release_frames = 15;        // for the separation and for the window
@@ -27,9 +27,9 @@ struct EyePlan {
   double step_bound = 0;         // the largest change of the separation per frame; may be infinite
   std::vector<DepthSpan> spans;  // the depths for which the separations were chosen
   // frames in which nothing was seen: they use the span of a neighbouring frame
-  std::vector<std::size_t> empty;
-  int measured = 0;  // pairs of pictures drawn for the plan
-  int widened = 0;   // of these, pairs that showed depths outside the span known before
+  std::vector<std::size_t> empty_frames;
+  int measured_pairs = 0;  // pairs of pictures drawn for the plan
+  int widening_pairs = 0;  // of these, pairs that showed depths outside the span known before
 };
 
 // The depths that both eyes of the pair see, in pictures of full size; none if nothing was drawn.
@@ -40,13 +40,13 @@ std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures);
 // Chooses the separations for every frame.
 //
 // The first separations fit the depths that a quick look from the camera between the eyes finds
-// (depth_seen). It may miss thin things, and things that only the eyes see. So both eyes' distance
-// planes are drawn for every frame, and depths outside the known span are added to it. The frames
-// whose separations change because of this are drawn again, until nothing is added.
+// (visible_depth_span). It may miss thin things, and things that only the eyes see. So both eyes'
+// distance planes are drawn for every frame, and depths outside the known span are added to it. The
+// frames whose separations change because of this are drawn again, until nothing is added.
 //
 // `look` is called before every look at a frame, with its index. An error names the frame.
-Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<Shot>& shots,
-                          const EyeWishes& wishes, const StereoSettings& settings,
+Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<SequenceFrame>& sequence,
+                          const EyePlanLimits& limits, const StereoSettings& settings,
                           const std::function<void(std::size_t)>& look);
 
 }  // namespace glassbox::app

@@ -12,7 +12,7 @@
 #include "app/frames/frames_report.h"
 #include "cli/frames/frame_range.h"
 #include "cli/frames/path_file.h"
-#include "cli/frames/shots.h"
+#include "cli/frames/sequence_frames.h"
 #include "cli/frames/stop_request.h"
 #include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
@@ -42,13 +42,13 @@ public:
 
   int run() {
     for (const auto step :
-         {&FramesRun::check, &FramesRun::load, &FramesRun::aim, &FramesRun::plan}) {
+         {&FramesRun::check, &FramesRun::load, &FramesRun::place_cameras, &FramesRun::plan}) {
       if (const auto done = (this->*step)(); !done) return refuse(done.error());
     }
     const StopRequest stop;
-    for (std::size_t i = first(); i < last(); ++i) {
-      if (stop.asked()) return stopped();
-      progress_.phase(of_all("rendering", i));
+    for (std::size_t i = first_index(); i < end_index(); ++i) {
+      if (stop.is_requested()) return report_stop();
+      progress_.phase(frame_progress("rendering", i));
       if (const auto written = render(i); !written) return refuse(written.error());
     }
     if (const auto written = write_others(); !written) return refuse(written.error());
@@ -62,15 +62,15 @@ private:
   int count() const { return range().count; }
   // The eyes depend on the neighbouring frames, so they are chosen for all frames together, even if
   // only some are drawn.
-  FrameRange aimed() const { return stereo() ? FrameRange{1, count(), count()} : range(); }
-  // The indices of the first shot that is drawn, and of the one after the last.
-  std::size_t first() const { return std::size_t(range().first - aimed().first); }
-  std::size_t last() const { return std::size_t(range().last - aimed().first) + 1; }
+  FrameRange planned_range() const { return stereo() ? FrameRange{1, count(), count()} : range(); }
+  // The indices of the first frame that is drawn, and of the one after the last.
+  std::size_t first_index() const { return std::size_t(range().first - planned_range().first); }
+  std::size_t end_index() const { return std::size_t(range().last - planned_range().first) + 1; }
   bool stereo() const { return request_.stereo.form.wanted; }
   const Size& size() const { return request_.picture.size; }
 
-  std::string of_all(const char* what, std::size_t i) const {
-    return fmt::format("{} frame {} of {}", what, shots_[i].number, count());
+  std::string frame_progress(const char* what, std::size_t i) const {
+    return fmt::format("{} frame {} of {}", what, sequence_[i].number, count());
   }
 
   Result<void> read_path() {
@@ -83,7 +83,7 @@ private:
 
   Result<void> check() {
     if (const auto read = read_path(); !read) return read;
-    const auto names = FrameNames::of(request_.output, request_.usual_output, count());
+    const auto names = FrameNames::from_output(request_.output, request_.default_output, count());
     if (!names) return tl::unexpected(names.error());
     names_ = *names;
     report_.scene = request_.scene;
@@ -109,15 +109,15 @@ private:
 
   Result<void> load() {
     progress_.phase("loading " + scene_title(request_.scene));
-    Result<Scene> scene = load_asked_scene(request_.scene, request_.limits);
+    Result<Scene> scene = load_scene_argument(request_.scene, request_.limits);
     if (!scene) return tl::unexpected(scene.error());
-    scene_ = as_asked(std::move(*scene), request_.picture);
+    scene_ = with_texture_filter(std::move(*scene), request_.picture);
     renderer_.emplace(make_renderer(scene_, request_.picture.settings, request_.engine));
-    for (const std::string& warning : scene_.warnings) progress_.say("warning: " + warning);
+    for (const std::string& warning : scene_.warnings) progress_.print_line("warning: " + warning);
     return {};
   }
 
-  Result<void> aim() {
+  Result<void> place_cameras() {
     progress_.phase("following the path");
     std::optional<Turntable> turntable;
     if (request_.frames.turntable) {
@@ -126,25 +126,26 @@ private:
       if (!made) return tl::unexpected(made.error());
       turntable = *made;
     }
-    auto shots = make_shots(scene_, request_.picture, path_, turntable, aimed(), stereo());
-    if (!shots) return tl::unexpected(shots.error());
-    shots_ = std::move(*shots);
-    say_what_surprises();
+    auto sequence =
+        make_sequence_frames(scene_, request_.picture, path_, turntable, planned_range(), stereo());
+    if (!sequence) return tl::unexpected(sequence.error());
+    sequence_ = std::move(*sequence);
+    note_path_problems();
     return {};
   }
 
-  void say_what_surprises() {
-    const double end = path_.keyframes.empty() ? 0 : path_.keyframes.back().at;
+  void note_path_problems() {
+    const double end = path_.keyframes.empty() ? 0 : path_.keyframes.back().time;
     if (path_.keyframes.size() == 1 && count() > 1) {
-      progress_.say("note: the path has one keyframe: the camera stands still");
+      progress_.print_line("note: the path has one keyframe: the camera stands still");
     } else if (path_.clock == PathClock::kFrames && end > count()) {
-      progress_.say(
+      progress_.print_line(
           fmt::format("note: the path continues to frame {}, but --frames is {}", end, count()));
     }
     std::error_code ignored;
     const std::string next = names_.name(count() + 1);
     if (std::filesystem::exists(next, ignored)) {
-      progress_.say("note: " + next + " exists from a longer sequence and is not removed");
+      progress_.print_line("note: " + next + " exists from a longer sequence and is not removed");
     }
   }
 
@@ -153,29 +154,30 @@ private:
     const FramesOptions& frames = request_.frames;
     const auto px = [&](double percent) { return percent * size().width / 100; };
     report_.budget = {px(frames.budget_percent[0]), px(frames.budget_percent[1])};
-    const EyeWishes wishes{report_.budget, request_.picture.eyes.separation, frames.release_frames,
-                           frames.max_step};
+    const EyePlanLimits limits{report_.budget, request_.picture.eyes.separation,
+                               frames.release_frames, frames.max_step};
     const StereoSettings settings{request_.picture.settings, request_.stereo.culling};
-    auto plan = plan_eyes(*renderer_, shots_, wishes, settings,
-                          [this](std::size_t i) { progress_.phase(of_all("looking at", i)); });
+    auto plan = plan_eyes(*renderer_, sequence_, limits, settings, [this](std::size_t i) {
+      progress_.phase(frame_progress("looking at", i));
+    });
     if (!plan) return tl::unexpected(plan.error());
     report_.eyes = std::move(*plan);
     return {};
   }
 
   Result<DrawnFrame> draw(std::size_t i) {
-    const Shot& shot = shots_[i];
-    FrameRecord record = record_of(shot, names_.name(shot.number));
+    const SequenceFrame& frame = sequence_[i];
+    FrameRecord record = record_of(frame, names_.name(frame.number));
     RenderSettings settings = request_.picture.settings;
     if (!stereo()) {
-      return DrawnFrame{renderer_->render(shot.centre, settings).buffers.color, record};
+      return DrawnFrame{renderer_->render(frame.centre, settings).buffers.color, record};
     }
     settings.want_distance = true;
     const StereoPair& pair = report_.eyes->pairs[i];
-    const ChosenEyes eyes{shot.camera, shot.centre, {pair, "", ""}};
+    const ChosenEyes eyes{frame.camera, frame.centre, {pair, "", ""}};
     return render_stereo_picture(*renderer_, scene_, eyes, settings, request_.stereo, second_)
         .map([&](StereoPicture drawn) {
-          measure(record, shot.centre, pair, depth_seen_in(drawn.rendering));
+          measure_parallax(record, frame.centre, pair, depth_seen_in(drawn.rendering));
           return DrawnFrame{std::move(drawn.image), record};
         });
   }
@@ -188,15 +190,15 @@ private:
     const StereoPair* pair = stereo() ? &report_.eyes->pairs[i] : nullptr;
     std::vector<TextEntry> recipe;  // empty for a scene from a pipe: it could not be read again
     if (request_.scene != "-") {
-      recipe =
-          to_text(Recipe{request_.scene, words_for(shots_[i], pair, options), GLASSBOX_VERSION});
+      recipe = to_text(Recipe{request_.scene, frame_command_words(sequence_[i], pair, options),
+                              GLASSBOX_VERSION});
     }
     report_.frames.push_back(drawn->record);
     return write_image(drawn->record.image, drawn->image, recipe);
   }
 
   Result<void> write_others() {
-    say_what_is_odd();
+    note_odd_frames();
     report_.total_ms = elapsed_ms(start_);
     if (!report_.plot.empty()) {
       const auto written = write_text(report_.plot, plot_svg(report_));
@@ -206,7 +208,7 @@ private:
   }
 
   // Notes frames that show nothing, and frames with hardly any separation compared with the others.
-  void say_what_is_odd() {
+  void note_odd_frames() {
     if (!report_.eyes) return;
     double most = 0;
     for (const FrameRecord& frame : report_.frames) {
@@ -222,21 +224,21 @@ private:
       ++flat;
     }
     if (nothing > 0) {
-      progress_.say(
+      progress_.print_line(
           fmt::format("note: no part of the scene is in view in {} of the frames", nothing));
     }
     if (flat > 0) {
-      progress_.say(fmt::format(
+      progress_.print_line(fmt::format(
           "note: in {} of the frames the eye separation is less than a hundredth of the path's "
           "largest; in frame {} something is only {:.3g} in front of the camera",
           flat, flattest->number, flattest->seen->nearest));
     }
   }
 
-  int stopped() {
+  int report_stop() {
     progress_.done();
     fmt::print(stderr, "glassbox: stopped: {} of {} frames are written\n", report_.frames.size(),
-               last() - first());
+               end_index() - first_index());
     return kFailure;
   }
 
@@ -248,7 +250,7 @@ private:
   Scene scene_;
   std::optional<Renderer> renderer_;  // draws scene_
   views::SecondEye second_;
-  std::vector<Shot> shots_;
+  std::vector<SequenceFrame> sequence_;
   FramesReport report_;
 };
 

@@ -17,8 +17,8 @@ namespace glassbox::app {
 // The options of `glassbox render`, already checked.
 struct FramesRequest {
   const std::string& scene;
-  const std::string& output;        // -o; empty: named after the scene
-  const std::string& usual_output;  // the name that a single picture would get
+  const std::string& output;          // -o; empty: named after the scene
+  const std::string& default_output;  // the name that a single picture would get
   const PictureOptions& picture;
   const StereoPictureOptions& stereo;
   const FramesOptions& frames;

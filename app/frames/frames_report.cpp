@@ -67,24 +67,24 @@ std::string eyes_text(const FramesReport& report) {
 Json eyes_json(const FramesReport& report) {
   const EyePlan& eyes = *report.eyes;
   Json empty = Json::array();
-  for (const std::size_t i : eyes.empty) empty.push_back(i + 1);
+  for (const std::size_t i : eyes.empty_frames) empty.push_back(i + 1);
   return {{"budget_px", {report.budget.in_front_px, report.budget.behind_px}},
           {"separation_bound", finite_or_inf(eyes.separation_bound)},
           {"step_bound", finite_or_inf(eyes.step_bound)},
           {"largest_step", largest_step(report)},
-          {"pairs_measured", eyes.measured},
-          {"pairs_that_saw_more", eyes.widened},
+          {"pairs_measured", eyes.measured_pairs},
+          {"pairs_that_saw_more", eyes.widening_pairs},
           {"frames_that_show_nothing", empty}};
 }
 
 }  // namespace
 
-FrameRecord record_of(const Shot& shot, const std::string& image) {
+FrameRecord record_of(const SequenceFrame& shot, const std::string& image) {
   return {shot.number, shot.time, image, {}, {}, 0, 0};
 }
 
-void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
-             const std::optional<DepthSpan>& seen) {
+void measure_parallax(FrameRecord& record, const View& centre, const StereoPair& pair,
+                      const std::optional<DepthSpan>& seen) {
   record.pair = pair;
   record.seen = seen;
   if (!seen) return;

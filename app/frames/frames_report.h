@@ -9,10 +9,10 @@
 
 #include "app/frames/eye_plan.h"
 #include "cli/frames/frame_range.h"
-#include "cli/frames/shots.h"
+#include "cli/frames/sequence_frames.h"
 #include "cli/options/arguments.h"
 
-#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 
 namespace glassbox::app {
@@ -39,9 +39,9 @@ struct FramesReport {
   double total_ms = 0;
 };
 
-FrameRecord record_of(const Shot& shot, const std::string& image);
-void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
-             const std::optional<DepthSpan>& seen);
+FrameRecord record_of(const SequenceFrame& shot, const std::string& image);
+void measure_parallax(FrameRecord& record, const View& centre, const StereoPair& pair,
+                      const std::optional<DepthSpan>& seen);
 
 std::string frames_text(const FramesReport& report);
 nlohmann::ordered_json frames_json(const FramesReport& report);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/elementary.h>
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 
 namespace glassbox::app {
 
@@ -60,7 +60,7 @@ struct Panel {
 std::string svg_text(double x, double y, const std::string& style, const char* anchor,
                      const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                     x, y, style, anchor, escaped(text));
+                     x, y, style, anchor, escaped_html(text));
 }
 
 std::string svg_line(const std::string& style, double x0, double y0, double x1, double y1) {
@@ -211,7 +211,7 @@ std::vector<Panel> panels_of(const FramesReport& report) {
   return panels;
 }
 
-std::string in_words(const FramesReport& report) {
+std::string plot_description(const FramesReport& report) {
   const auto largest = [&](const auto& value_of) {
     const std::vector<double> values = values_of(report, value_of);
     return *std::ranges::max_element(values);
@@ -255,7 +255,8 @@ std::string plot_svg(const FramesReport& report) {
       "role=\"img\" aria-labelledby=\"title desc\">\n"
       "  <title id=\"title\">Comfort of {2}</title>\n  <desc id=\"desc\">{3}</desc>\n"
       "  <style>{4}  </style>\n{5}</svg>\n",
-      kWidth, height, escaped(title), escaped(in_words(report)), kStyle, drawing.body());
+      kWidth, height, escaped_html(title), escaped_html(plot_description(report)), kStyle,
+      drawing.body());
 }
 
 }  // namespace glassbox::app

@@ -306,9 +306,9 @@ int InfoCommand::run() {
   if (!contents) return refuse(contents.error());
   const Scene& scene = loaded->scene;
   std::vector<MeshReport> reports;
-  for (const Mesh& mesh : scene.meshes) reports.push_back(check(mesh));
+  for (const Mesh& mesh : scene.meshes) reports.push_back(mesh_report(mesh));
 
-  const std::vector<std::string> stiff = stiffness_of_framed(scene);
+  const std::vector<std::string> stiff = numerical_warnings(scene);
 
   if (glb_output_) {
     if (const auto written = write_glb(scene, *glb_output_); !written)

@@ -137,7 +137,7 @@ double box_pixels(const Draw& draw, const Triangle& triangle, const Viewport& vi
 }
 
 double box_pixels(const Scene& scene, const View& view) {
-  const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
   const DrawList list = make_draw_list(scene, prepared, view);
   double sum = 0;
   for (const Draw& draw : list.draws) {
@@ -156,7 +156,7 @@ std::vector<std::string> not_asked(const std::string& because) {
 
 }  // namespace
 
-std::vector<std::string> stiffness_of_framed(const Scene& scene) {
+std::vector<std::string> numerical_warnings(const Scene& scene) {
   const std::uint64_t triangles = count_triangles(scene);
   if (triangles > kMostTriangles) return not_asked(fmt::format("{} triangles", triangles));
   const PictureOptions usual;

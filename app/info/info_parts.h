@@ -38,6 +38,6 @@ Result<LayersInfo> layers_info(const std::string& file);
 
 // One line per warning, for the view that `glassbox render SCENE` draws: the scene's first camera,
 // or else the whole scene framed. None if there is no such view.
-std::vector<std::string> stiffness_of_framed(const Scene& scene);
+std::vector<std::string> numerical_warnings(const Scene& scene);
 
 }  // namespace glassbox::app

@@ -107,7 +107,8 @@ std::string InspectCommand::command_line() const {
   if (const auto& r = page_.rectangle) {
     kept = {"--rect", fmt::format("{},{},{},{}", r->x0, r->y0, r->x1, r->y1)};
   }
-  return shell_line({{"inspect", scene_}, words_given(picture_), start, kept, {"-o", output_}});
+  return shell_line(
+      {{"inspect", scene_}, given_option_words(picture_), start, kept, {"-o", output_}});
 }
 
 int InspectCommand::run() {
@@ -115,15 +116,15 @@ int InspectCommand::run() {
   if (const auto legal = check_extension(output_, ".html"); !legal) return refuse(legal.error());
   if (const auto legal = check_outputs({output_}); !legal) return refuse(legal.error());
   if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
-  tell_of_centres(picture_);
+  print_pixel_centres_note(picture_);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
 
   page_.scene_name = scene_title(scene_);
-  page_.words = words_given(picture_);
+  page_.words = given_option_words(picture_);
   page_.program = "glassbox " GLASSBOX_VERSION;
   page_.command = command_line();
   progress.phase("tracing " + scene_title(scene_));

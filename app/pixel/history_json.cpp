@@ -17,20 +17,20 @@ Json index_or_null(const std::optional<std::size_t>& index) {
 
 Json json_of(const Scene& scene, const PixelEvent& event) {
   const Mesh& mesh = scene.meshes[scene.instances[event.instance].mesh];
-  Json json{{"fate", name_of(event.touch)}};
+  Json json{{"fate", name_of(event.kind)}};
   if (event.source.is_triangle) json["triangle"] = event.source.number;
   json["instance"] = event.instance;
   json["mesh"] = mesh.name;
   if (event.source.is_triangle) json["face"] = event.face;
   json["material"] = scene.materials[mesh.material].name;
   if (event.source.is_triangle) json["piece"] = event.source.piece;
-  if (event.touch == Touch::kTurnedAway) {
+  if (event.kind == PixelEventKind::kTurnedAway) {
     json["shows"] = event.front ? "front" : "back";
     json["area_px2"] = event.area_px2;
     return json;
   }
   json["distance"] = event.distance;
-  if (event.touch == Touch::kClipped) {
+  if (event.kind == PixelEventKind::kClipped) {
     json["plane"] = event.plane;
     json["inside"] = event.inside;
     json["shows"] = event.front ? "front" : "back";
@@ -39,11 +39,11 @@ Json json_of(const Scene& scene, const PixelEvent& event) {
   json["depth"] = {{"code", event.code},
                    {"stored", event.stored},
                    {"stored_by", index_or_null(event.stored_by)},
-                   {"passes", event.touch != Touch::kHidden},
+                   {"passes", event.kind != PixelEventKind::kHidden},
                    {"writes", event.writes_depth}};
-  if (event.touch == Touch::kHidden) return json;
+  if (event.kind == PixelEventKind::kHidden) return json;
   json["alpha"] = event.alpha;
-  if (event.touch == Touch::kDiscarded) {
+  if (event.kind == PixelEventKind::kDiscarded) {
     json["cutoff"] = event.cutoff;
     return json;
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMissesShown = 3;
 
-std::string cut(const std::string& text, std::size_t width) {
+std::string shortened(const std::string& text, std::size_t width) {
   return printable(text, text.size() > width ? width - 3 : width);
 }
 
@@ -35,12 +35,12 @@ std::string row(const std::string& number, const std::string& triangle, const st
                 const std::string& fate, const std::string& distance, const std::string& code,
                 const std::string& bytes) {
   std::string text = fmt::format("  {:>3} {:>8}  {:<28}{:<13}{:<12}{:<10}{}", number, triangle,
-                                 cut(surface, 27), fate, distance, code, bytes);
+                                 shortened(surface, 27), fate, distance, code, bytes);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
 
-std::string note(const std::string& text) {
+std::string indented_note(const std::string& text) {
   return wrapped(std::string(15, ' '), text);
 }
 
@@ -56,28 +56,28 @@ std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& e
 }
 
 // A note that does not fit into the row; empty if the row is enough.
-std::string note_of(const PixelHistory& history, const PixelEvent& event) {
+std::string event_note(const PixelHistory& history, const PixelEvent& event) {
   std::string text;
-  switch (event.touch) {
-    case Touch::kClipped:
+  switch (event.kind) {
+    case PixelEventKind::kClipped:
       return fmt::format(
           "the {} plane cut off its {}, which would be at this pixel (it is {:.9g} outside)",
           event.plane, event.front ? "front" : "back", -event.inside);
-    case Touch::kTurnedAway:
+    case PixelEventKind::kTurnedAway:
       return fmt::format("shows its {}: signed area {:.9g} px^2, counter-clockwise is positive",
                          event.front ? "front" : "back", event.area_px2);
-    case Touch::kHidden:
+    case PixelEventKind::kHidden:
       return depth_note(event, history.events);
-    case Touch::kDiscarded:
+    case PixelEventKind::kDiscarded:
       return fmt::format("alpha {:.9g} is below the cutoff, {:.9g}", event.alpha, event.cutoff);
-    case Touch::kMasked:
+    case PixelEventKind::kMasked:
       return event.writes_depth ? "the colour mask lets nothing through; its depth is written"
                                 : "the colour mask lets nothing through";
-    case Touch::kBlended:
+    case PixelEventKind::kBlended:
       text = fmt::format("light ({:.4g}, {:.4g}, {:.4g}) with alpha {:.4g} over {}", event.light.r,
                          event.light.g, event.light.b, event.alpha, bytes_text(event.before));
       break;
-    case Touch::kWritten:
+    case PixelEventKind::kWritten:
       break;
   }
   if (event.overwritten_by) {
@@ -88,15 +88,15 @@ std::string note_of(const PixelHistory& history, const PixelEvent& event) {
 
 std::string event_text(const Scene& scene, const PixelHistory& history, std::size_t i) {
   const PixelEvent& event = history.events[i];
-  const bool drawn = event.touch >= Touch::kMasked;
+  const bool drawn = event.kind >= PixelEventKind::kMasked;
   std::string text = row(
       fmt::format("#{}", i), event.source.is_triangle ? std::to_string(event.source.number) : "",
-      surface_text(scene, event), name_of(event.touch),
-      event.touch == Touch::kTurnedAway ? "" : fmt::format("{:.9g}", event.distance),
+      surface_text(scene, event), name_of(event.kind),
+      event.kind == PixelEventKind::kTurnedAway ? "" : fmt::format("{:.9g}", event.distance),
       is_fragment(event) ? fmt::format("{:08x}", event.code) : "",
       drawn ? bytes_text(event.after) : "");
-  const std::string more = note_of(history, event);
-  return more.empty() ? text : text + note(more);
+  const std::string more = event_note(history, event);
+  return more.empty() ? text : text + indented_note(more);
 }
 
 std::string misses_text(const Scene& scene, const PixelHistory& history, bool all) {
@@ -104,7 +104,7 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
       all ? history.misses.size() : std::min(kMissesShown, history.misses.size());
   std::string text = fmt::format("\n{} whose box reaches into the pixel {} its centre{}\n",
                                  counted(history.misses.size(), "triangle"),
-                                 inflected(history.misses.size(), "misses", "miss"),
+                                 singular_or_plural(history.misses.size(), "misses", "miss"),
                                  shown < history.misses.size()
                                      ? fmt::format("; the nearest {} (--all lists them):", shown)
                                      : ":");
@@ -119,7 +119,7 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
     event.instance = missed.instance;
     event.face = missed.face;
     text += fmt::format("      {:>8}  {:<28}{}\n", missed.number,
-                        cut(surface_text(scene, event), 27), how);
+                        shortened(surface_text(scene, event), 27), how);
   }
   return text;
 }
@@ -134,8 +134,9 @@ std::string last_line(const Scene& scene, const PixelHistory& history) {
   const std::string what = event.source.is_triangle
                                ? fmt::format("triangle {}", event.source.number)
                                : "a line or a point of " + mesh_text(scene, event.instance);
-  return fmt::format("the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
-                     event.touch == Touch::kBlended ? ", blended over what was there before" : "");
+  return fmt::format(
+      "the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
+      event.kind == PixelEventKind::kBlended ? ", blended over what was there before" : "");
 }
 
 }  // namespace

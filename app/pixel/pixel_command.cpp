@@ -75,9 +75,10 @@ std::string text_of(const Scene& scene, const SeenPixel& seen) {
   const Rgba8& c = seen.color;
   std::string text = fmt::format("  colour    ({}, {}, {}), alpha {}\n", c.r, c.g, c.b, c.a);
   if (!seen.distance) return text + "  nothing was drawn here: this is the background\n";
-  text += seen.triangle ? fmt::format("  triangle  {}: {}\n", seen.triangle->number,
-                                      place_of(scene, seen.triangle->instance, seen.triangle->face))
-                        : "  triangle  none: a line or a point\n";
+  text += seen.triangle
+              ? fmt::format("  triangle  {}: {}\n", seen.triangle->number,
+                            face_text(scene, seen.triangle->instance, seen.triangle->face))
+              : "  triangle  none: a line or a point\n";
   text += fmt::format("  distance  {:.9g} along the gaze\n", *seen.distance);
   if (seen.world) {
     text += fmt::format("  world     ({:.9g}, {:.9g}, {:.9g})\n", seen.world->x, seen.world->y,
@@ -100,7 +101,8 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
-// Whether the words are options that add_picture_options knows, written as words_given writes them,
+// Whether the words are options that add_picture_options knows, written as
+// given_option_words writes them,
 // and nothing else. In particular there is no "--" or "++", which would change the meaning of the
 // words after it.
 bool are_picture_options(const std::vector<std::string>& words) {
@@ -114,7 +116,7 @@ bool are_picture_options(const std::vector<std::string>& words) {
   } catch (const CLI::Error&) {
     return false;  // --help throws as well
   }
-  return words_given(picture) == words;
+  return given_option_words(picture) == words;
 }
 
 }  // namespace
@@ -152,7 +154,7 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
 int PixelCommand::run() const {
   const auto legal = check_pixel("--at", at_, question_.picture().size);
   if (!legal) return refuse(legal.error());
-  tell_of_centres(question_.picture());
+  print_pixel_centres_note(question_.picture());
   return question_.answer(
       [this](const Scene& scene, const View& view) { return answer(scene, view); });
 }

@@ -100,14 +100,14 @@ Json place_json(const ErrorReport& report, const BoundPlace& place) {
 
 // ---- decisions that may be wrong, and what is left out ----
 
-struct Doubt {
+struct UncertainDecision {
   const char* key;
   std::uint64_t count;
   const char* one;
   const char* many;
 };
 
-std::vector<Doubt> doubts_of(const PictureErrors& e) {
+std::vector<UncertainDecision> uncertain_decisions(const PictureErrors& e) {
   return {{"vertices_snapped_elsewhere", e.vertices_snapped_elsewhere,
            "vertex may snap to another grid point with exact numbers",
            "vertices may snap to another grid point with exact numbers"},
@@ -127,7 +127,7 @@ std::vector<Doubt> doubts_of(const PictureErrors& e) {
            "they show"}};
 }
 
-std::vector<std::string> left_out(const ErrorReport& report) {
+std::vector<std::string> limitations(const ErrorReport& report) {
   std::vector<std::string> notes;
   if (samples_drawn(report.settings) > 1) {
     notes.push_back(fmt::format(
@@ -151,7 +151,8 @@ std::string row_text(const Row& row) {
                                  number_or_unknown(bounds.typical() * row.units),
                                  any ? place_text(bounds.place()) : "");
   if (bounds.unbounded() > 0) {
-    text += fmt::format("{} of {} unknown", grouped(bounds.unbounded()), grouped(bounds.count()));
+    text += fmt::format("{} of {} unknown", with_separators(bounds.unbounded()),
+                        with_separators(bounds.count()));
   }
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
@@ -181,20 +182,20 @@ std::string commands_text(const ErrorReport& report) {
   return text.empty() ? "" : "commands that show these places\n" + text;
 }
 
-std::string doubts_text(const PictureErrors& errors) {
+std::string uncertain_decisions_text(const PictureErrors& errors) {
   std::string text;
-  for (const Doubt& doubt : doubts_of(errors)) {
-    if (doubt.count > 0) {
-      text +=
-          wrapped("  ", grouped(doubt.count) + " " + (doubt.count == 1 ? doubt.one : doubt.many));
+  for (const UncertainDecision& decision : uncertain_decisions(errors)) {
+    if (decision.count > 0) {
+      text += wrapped("  ", with_separators(decision.count) + " " +
+                                (decision.count == 1 ? decision.one : decision.many));
     }
   }
   return text.empty() ? "" : "what exact numbers might decide differently\n" + text;
 }
 
-std::string left_out_text(const ErrorReport& report) {
+std::string limitations_text(const ErrorReport& report) {
   std::string text = "what the bounds do not cover\n";
-  for (const std::string& note : left_out(report)) text += wrapped("  ", note);
+  for (const std::string& note : limitations(report)) text += wrapped("  ", note);
   return text;
 }
 
@@ -255,7 +256,7 @@ std::string error_report_text(const ErrorReport& report) {
   return fmt::format("{}, {} x {}, {}: how far each stage's numbers may be off, and its time\n",
                      printable(report.scene, kLongPath), report.width, report.height,
                      report.engine) +
-         parts_text(report) + doubts_text(report.errors) + left_out_text(report) +
+         parts_text(report) + uncertain_decisions_text(report.errors) + limitations_text(report) +
          second_eye_text(report) + commands_text(report);
 }
 
@@ -266,18 +267,19 @@ Json error_report_json(const ErrorReport& report) {
     for (const Row& row : part.rows) rows.push_back(row_json(report, row));
     parts.push_back({{"part", part.name}, {"ms", part.ms}, {"numbers", std::move(rows)}});
   }
-  Json doubts = Json::object();
-  for (const Doubt& doubt : doubts_of(report.errors)) doubts[doubt.key] = doubt.count;
+  Json uncertain = Json::object();
+  for (const UncertainDecision& decision : uncertain_decisions(report.errors))
+    uncertain[decision.key] = decision.count;
   Json json{{"schema", "glassbox-report/1"},
             {"scene", report.scene},
             {"width", report.width},
             {"height", report.height},
             {"engine", report.engine},
             {"parts", std::move(parts)},
-            {"might_be_otherwise", std::move(doubts)},
+            {"might_be_otherwise", std::move(uncertain)},
             {"fragments_of_lines_and_points", report.errors.fragments_of_lines_and_points},
             {"pixels_unknown", report.errors.pixels_unbounded},
-            {"left_out", left_out(report)}};
+            {"left_out", limitations(report)}};
   if (report.second_eye) json["second_eye"] = second_eye_json(*report.second_eye);
   return json;
 }

@@ -62,7 +62,7 @@ public:
 private:
   int run();
   // Draws the frames of a camera path.
-  int run_frames(const std::string& usual_output);
+  int run_frames(const std::string& default_output);
   Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;
   Result<void> write_pictures(const std::string& image, const DrawnPicture& drawn) const;
@@ -253,8 +253,8 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
 // nobody could read again.
 std::vector<TextEntry> RenderCommand::recipe_text() const {
   if (scene_ == "-") return {};
-  std::vector<std::string> words = words_given(picture_);
-  for (const std::string& word : words_of(stereo_.options)) words.push_back(word);
+  std::vector<std::string> words = given_option_words(picture_);
+  for (const std::string& word : option_words(stereo_.options)) words.push_back(word);
   return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
 }
 
@@ -303,7 +303,7 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
       });
 }
 
-int RenderCommand::run_frames(const std::string& usual_output) {
+int RenderCommand::run_frames(const std::string& default_output) {
   if (depth_output_ || id_output_) {
     return refuse({"", depth_output_ ? "--depth-out" : "--id-out",
                    "it would be different for each frame",
@@ -327,8 +327,8 @@ int RenderCommand::run_frames(const std::string& usual_output) {
   if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
     return refuse(legal.error());
   }
-  return render_frames(
-      {scene_, output_, usual_output, picture_, stereo_, frames_, engine_, limits_, json_output_});
+  return render_frames({scene_, output_, default_output, picture_, stereo_, frames_, engine_,
+                        limits_, json_output_});
 }
 
 int RenderCommand::run() {
@@ -337,16 +337,16 @@ int RenderCommand::run() {
     return refuse(legal.error());
   }
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
-  tell_of_ignored(picture_);
+  print_ignored_options(picture_);
   if (stereo_.second_eye) {
     stereo_.second_eye->threads =
         engine_.tile.threads > 0 ? engine_.tile.threads : default_threads();
     stereo_.second_eye->target = engine_.tile.target;
   }
-  const std::string usual = scene_stem(scene_) + ".png";
-  if (frames_.wanted()) return run_frames(usual);
-  const std::string output = output_.empty() ? usual : output_;
-  if (const auto legal = check_picture_output(output, format_, usual); !legal) {
+  const std::string default_output = scene_stem(scene_) + ".png";
+  if (frames_.requests_sequence()) return run_frames(default_output);
+  const std::string output = output_.empty() ? default_output : output_;
+  if (const auto legal = check_picture_output(output, format_, default_output); !legal) {
     return refuse(legal.error());
   }
   if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());
@@ -354,7 +354,7 @@ int RenderCommand::run() {
     return refuse(legal.error());
   }
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   const double load_ms = elapsed_ms(start);
 
@@ -378,7 +378,7 @@ int RenderCommand::run() {
     if (const auto written = write_pictures(output, *drawn); !written) {
       return refuse(written.error());
     }
-    if (stop.asked()) return kFailure;
+    if (stop.is_requested()) return kFailure;
   }
   progress.done();
   if (nothing_drawn(*drawn)) {
@@ -400,7 +400,7 @@ Result<void> RenderCommand::write_error_report(const Scene& scene, Renderer& ren
                                                const DrawnPicture& drawn) const {
   // The report on a pair is about the left eye, which is always drawn.
   const bool is_pair = drawn.eyes.has_value();
-  std::vector<std::string> words = words_given(picture_);
+  std::vector<std::string> words = given_option_words(picture_);
   if (is_pair) words.insert(words.end(), {"--seen-by", "left"});
   const View view = is_pair ? eye_view(drawn.view, drawn.eyes->eyes.pair, Side::kLeft) : drawn.view;
   ErrorReport found{scene_,

@@ -23,7 +23,7 @@ namespace glassbox::app {
 namespace {
 
 std::string triple(const glm::dvec3& v) {
-  return brief_triple(v, 9);
+  return short_vector_text(v, 9);
 }
 
 std::string rows(const glm::dmat4& m) {
@@ -84,28 +84,27 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   const glm::dmat4& pose = camera.world_from_eye.columns;
   const glm::dvec3 gaze = -glm::dvec3(pose[2]), axis(-gaze.y, gaze.x, 0);
   const double turn = degrees_from_radians(arctan2(hypotenuse(axis.x, axis.y), -gaze.z));
-  const double roll =
-      degrees_from_radians(arctan2(factors.rolled.at(1, 0), factors.rolled.at(0, 0)));
+  const double roll = degrees_from_radians(arctan2(factors.roll.at(1, 0), factors.roll.at(0, 0)));
   std::string text = sentence(fmt::format("the eye stands at {} and looks along {}",
                                           triple(glm::dvec3(pose[3])), triple(gaze + 0.0)));
   text += sentence(
       "eye_from_world = R_z(roll) R(a, theta) T(-eye): translate, rotate until the gaze is -z, "
       "roll until up is in the upper half of the yz plane");
-  text += sentence("T(-eye)") + rows(factors.moved.columns);
-  text += sentence(fmt::format("R(a, theta): {} degrees about a = gaze x (-z) = {}", brief(turn, 9),
-                               triple(axis + 0.0)));
-  text += rows(factors.turned.columns);
-  text += sentence(fmt::format("R_z(roll): {} degrees", brief(roll, 9)));
-  text += rows(factors.rolled.columns);
+  text += sentence("T(-eye)") + rows(factors.translation.columns);
+  text += sentence(fmt::format("R(a, theta): {} degrees about a = gaze x (-z) = {}",
+                               short_number(turn, 9), triple(axis + 0.0)));
+  text += rows(factors.rotation.columns);
+  text += sentence(fmt::format("R_z(roll): {} degrees", short_number(roll, 9)));
+  text += rows(factors.roll.columns);
   return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
 }
 
 // The difference between eye_from_world and that of the usual formulation; empty if it is the usual
 // one.
 std::string view_difference_text(const SteppedTriangle& stepped) {
-  if (!stepped.usual || stepped.formulation.view == ViewForm::kUvn) return "";
+  if (!stepped.usual_view || stepped.formulation.view == ViewForm::kUvn) return "";
   const glm::dmat4& a = stepped.chosen.view.eye_from_world.columns;
-  const glm::dmat4& b = stepped.usual->eye_from_world.columns;
+  const glm::dmat4& b = stepped.usual_view->eye_from_world.columns;
   const auto distance = [](double x, double y) { return std::abs(x - y); };
   double moved = 0;
   for (int row = 0; row < 3; ++row) moved = std::max(moved, distance(a[3][row], b[3][row]));
@@ -118,7 +117,7 @@ std::string view_difference_text(const SteppedTriangle& stepped) {
 // ---- clip from eye ----
 
 std::string far_text(double far) {
-  return std::isinf(far) ? "infinity" : brief(far, 9);
+  return std::isinf(far) ? "infinity" : short_number(far, 9);
 }
 
 struct LensText {
@@ -127,16 +126,16 @@ struct LensText {
     const double degrees = degrees_from_radians(lens.fovy_radians);
     return fmt::format(
         "a perspective projection: vertical angle of view {} degrees, aspect ratio {}",
-        brief(degrees, 9), brief(aspect, 9));
+        short_number(degrees, 9), short_number(aspect, 9));
   }
   std::string operator()(const OrthographicLens& lens) const {
     return fmt::format("a parallel projection: half height {} world units, aspect ratio {}",
-                       brief(lens.half_height, 9), brief(aspect, 9));
+                       short_number(lens.half_height, 9), short_number(aspect, 9));
   }
   std::string operator()(const FrustumLens& lens) const {
     return fmt::format("a frustum: left {}, right {}, bottom {}, top {} on the near plane",
-                       brief(lens.left, 9), brief(lens.right, 9), brief(lens.bottom, 9),
-                       brief(lens.top, 9));
+                       short_number(lens.left, 9), short_number(lens.right, 9),
+                       short_number(lens.bottom, 9), short_number(lens.top, 9));
   }
 };
 
@@ -158,7 +157,7 @@ std::string depth_formula(const View& view) {
 std::string entries_text(const View& view, ProjectionForm form) {
   const double a = view.clip_from_eye.at(0, 0), b = view.clip_from_eye.at(1, 1);
   const double n = view.near, f = view.far, aspect = b / a;
-  const auto number = [](double value) { return brief(value, 9); };
+  const auto number = [](double value) { return short_number(value, 9); };
   const char* const left_handed =
       "; times diag(1, 1, -1, 1), because the slides' eye looks along +z";
   switch (form) {
@@ -190,7 +189,8 @@ std::string lens_text(const Camera& camera, const View& view, ProjectionForm for
   const double aspect = std::abs(double(view.viewport.width()) / double(view.viewport.height()));
   std::string text =
       sentence("clip_from_eye: " + std::visit(LensText{aspect}, camera.lens)) +
-      sentence(fmt::format("near n = {}, far f = {}{}", brief(view.near, 9), far_text(view.far),
+      sentence(fmt::format("near n = {}, far f = {}{}", short_number(view.near, 9),
+                           far_text(view.far),
                            view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
   if (form != ProjectionForm::kPerspective) {
     text += entries_text(view, form);
@@ -213,9 +213,9 @@ std::string two_steps_text(const View& view) {
   std::string text = sentence(
       "the same in two steps, from an eye that looks along +z, diag(1, 1, -1, 1): a scale makes "
       "the viewing pyramid regular, |x|, |y| <= z,");
-  text += rows(factors->scaled.columns);
-  if (factors->has_moved) {
-    text += sentence("a shear centres it on the gaze,") + rows(factors->moved.columns);
+  text += rows(factors->scale.columns);
+  if (factors->has_shear) {
+    text += sentence("a shear centres it on the gaze,") + rows(factors->shear.columns);
   }
   text += sentence("and the pyramid becomes the box:") + rows(factors->clip_from_pyramid.columns);
   return text + sentence("their product is clip_from_eye, bit for bit");
@@ -224,9 +224,10 @@ std::string two_steps_text(const View& view) {
 // The difference between clip_from_eye and that of the usual formulation; empty if it is the usual
 // one.
 std::string projection_difference_text(const SteppedTriangle& stepped) {
-  if (!stepped.usual || stepped.formulation.projection == ProjectionForm::kPerspective) return "";
+  if (!stepped.usual_view || stepped.formulation.projection == ProjectionForm::kPerspective)
+    return "";
   const glm::dmat4& a = stepped.chosen.view.clip_from_eye.columns;
-  const glm::dmat4& b = stepped.usual->clip_from_eye.columns;
+  const glm::dmat4& b = stepped.usual_view->clip_from_eye.columns;
   const std::uint64_t ulps =
       largest_over(4, a, b, [](double x, double y) { return ulp_distance(x, y); });
   return sentence(
@@ -241,15 +242,15 @@ std::string model_factors_text(const Scene& scene, const Instance& instance) {
   const glm::dmat4& product = scene.nodes[instance.node].world_from_node.columns;
   if (product == glm::dmat4(1)) return sentence("world_from_object is the identity");
   std::string text =
-      sentence("world_from_object: " + affine_sentence(facts_of(product))) + rows(product);
+      sentence("world_from_object: " + affine_sentence(matrix_facts(product))) + rows(product);
   const std::vector<std::uint32_t> path = path_to(scene, instance.node);
   if (path.size() == 1) return text;
   text += sentence("the product of these nodes, from the root down:");
   for (const std::uint32_t index : path) {
     const Node& node = scene.nodes[index];
-    text +=
-        wrapped("       ", fmt::format("{} {}: {}", index, in_quotes(node.name),
-                                       affine_sentence(facts_of(node.parent_from_node.columns))));
+    text += wrapped("       ",
+                    fmt::format("{} {}: {}", index, in_quotes(node.name),
+                                affine_sentence(matrix_facts(node.parent_from_node.columns))));
   }
   return text;
 }

@@ -29,7 +29,7 @@ std::string distances_table(const SteppedTriangle& stepped, const StepTarget& ta
     for (std::size_t k = 0; k < 3; ++k) {
       if (!target.wants(k)) continue;
       const PlaneDistance& d = distances[k][i];
-      text += fmt::format("{:<27}", brief(d.distance, 7) + " " + bound_text(d.bound) +
+      text += fmt::format("{:<27}", short_number(d.distance, 7) + " " + bound_text(d.bound) +
                                         (d.distance < 0 ? " out" : ""));
     }
     text += "\n";
@@ -45,8 +45,9 @@ std::string polygon_text(const ClipStep& step) {
     const glm::vec4 p = to_glm(step.after.vertices[i].position);
     const auto [a, b] = step.sources[i];
     const std::string from = a == b ? fmt::format("was {}", a) : fmt::format("cuts {}-{}", a, b);
-    text += fmt::format("       {}  {:<10} ({}, {}, {}, {})\n", i, from, brief(double(p.x), 9),
-                        brief(double(p.y), 9), brief(double(p.z), 9), brief(double(p.w), 9));
+    text += fmt::format("       {}  {:<10} ({}, {}, {}, {})\n", i, from,
+                        short_number(double(p.x), 9), short_number(double(p.y), 9),
+                        short_number(double(p.z), 9), short_number(double(p.w), 9));
   }
   return text;
 }
@@ -77,17 +78,18 @@ std::string early_culling_text(const SteppedTriangle& stepped) {
   }
   const auto& corners = stepped.triangle->corners;
   const ObjectCull& cull = *stepped.object_culling->test;
-  const ObjectCull::Judgement judged =
-      cull.judge({corners[0].object, corners[1].object, corners[2].object});
+  const ObjectCull::Evaluation evaluation =
+      cull.evaluate({corners[0].object, corners[1].object, corners[2].object});
   const bool whole = std::ranges::all_of(corners, [](const auto& c) { return c.outcode == 0; });
-  const char* verdict = !judged.removed ? "uncertain here, so the snapped area decides"
-                        : whole         ? "it is removed, and does not reach the stages below"
-                                        : "but a plane cuts it, so the snapped area decides";
-  const double rounding = judged.test.bound + judged.test.viewer_error_bound;
+  const char* verdict = !evaluation.removed ? "uncertain here, so the snapped area decides"
+                        : whole             ? "it is removed, and does not reach the stages below"
+                                            : "but a plane cuts it, so the snapped area decides";
+  const double rounding = evaluation.test.bound + evaluation.test.viewer_error_bound;
   std::string text = fmt::format("culling in object space, before clipping: (P - eye).m = {} {}",
-                                 brief(judged.test.value, 9), bound_text(rounding));
-  if (std::isfinite(judged.margin)) {
-    text += fmt::format("; snapping and float may move it by {}", brief(judged.margin, 3));
+                                 short_number(evaluation.test.value, 9), bound_text(rounding));
+  if (std::isfinite(evaluation.margin)) {
+    text +=
+        fmt::format("; snapping and float may move it by {}", short_number(evaluation.margin, 3));
   }
   return sentence(text + ": " + verdict);
 }

@@ -16,8 +16,8 @@ std::string line(const std::string& text) {
 }
 
 std::string color_text(const Rgba& c) {
-  return fmt::format("({}, {}, {}, {})", brief(double(c.r)), brief(double(c.g)), brief(double(c.b)),
-                     brief(double(c.a)));
+  return fmt::format("({}, {}, {}, {})", short_number(double(c.r)), short_number(double(c.g)),
+                     short_number(double(c.b)), short_number(double(c.a)));
 }
 
 std::string weights_text(const TracedFragment& traced, const TriangleSetup& setup,
@@ -28,8 +28,9 @@ std::string weights_text(const TracedFragment& traced, const TriangleSetup& setu
   for (std::size_t k = 0; k < 3; ++k) {
     text += line(fmt::format(
         "  {}  {:>16} / {}   {:>12} {:<11} {:>12} {}", setup.order[k], traced.coverage.edges[k],
-        setup.double_area, brief(double(traced.fragment.lambda[k])), bound_text(bounds.lambda[k]),
-        brief(double(traced.fragment.weights[k])), bound_text(bounds.weights[k])));
+        setup.double_area, short_number(double(traced.fragment.lambda[k])),
+        bound_text(bounds.lambda[k]), short_number(double(traced.fragment.weights[k])),
+        bound_text(bounds.weights[k])));
   }
   return text;
 }
@@ -43,35 +44,36 @@ std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& tra
   if (view.perspective) {
     const double distance = 1 / double(f.inverse_w);
     text += line(fmt::format("{:<4} {:>16}  {:<12}  distance along the gaze", "w",
-                             brief(distance, 9), bound_text(bounds.distance)));
-    text += sentence(
-        fmt::format("the bound of z corresponds to a distance of {} here",
-                    brief(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
+                             short_number(distance, 9), bound_text(bounds.distance)));
+    text += sentence(fmt::format(
+        "the bound of z corresponds to a distance of {} here",
+        short_number(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
   }
   const std::string stored = traced.stored == kEmptyDepth ? "the code of the cleared buffer"
                                                           : fmt::format("{:#010x}", traced.stored);
-  return text + sentence(fmt::format("depth test: code {:#010x} is {}below {}", traced.code,
-                                     traced.fate == Fate::kHidden ? "not " : "", stored));
+  return text +
+         sentence(fmt::format("depth test: code {:#010x} is {}below {}", traced.code,
+                              traced.result == FragmentResult::kHidden ? "not " : "", stored));
 }
 
 std::string colour_text(const TracedFragment& traced, const RenderSettings& settings) {
   std::string text = sentence("surface " + color_text(traced.surface) +
                               ", linear: material, vertex colour, texture");
-  if (traced.fate == Fate::kDiscarded)
+  if (traced.result == FragmentResult::kDiscarded)
     return text + sentence("its alpha is below the material's cutoff: discarded");
   if (settings.show == Show::kColor) {
     const auto& [r, g, b] = traced.emission;
     const bool emits = r != 0 || g != 0 || b != 0;
     if (emits) {
-      text += line(fmt::format("emitted  ({}, {}, {}), linear", brief(double(r)), brief(double(g)),
-                               brief(double(b))));
+      text += line(fmt::format("emitted  ({}, {}, {}), linear", short_number(double(r)),
+                               short_number(double(g)), short_number(double(b))));
     }
     text += line("lit      " + color_text(traced.light) + ", linear" +
                  (emits ? ", with the emitted light" : ""));
   }
-  text += sentence(
-      fmt::format("pixel   {} -> {}{}", bytes_text(traced.before), bytes_text(traced.after),
-                  traced.fate == Fate::kBlended ? ", blended over what was there" : ""));
+  text += sentence(fmt::format(
+      "pixel   {} -> {}{}", bytes_text(traced.before), bytes_text(traced.after),
+      traced.result == FragmentResult::kBlended ? ", blended over what was there" : ""));
   return text;
 }
 
@@ -87,7 +89,7 @@ std::string fragment_text(const SteppedTriangle& stepped, const TracedFragment& 
                                           : ""));
   text += weights_text(traced, *piece.setup, bounds);
   text += depth_text(stepped, traced, bounds, bits);
-  if (traced.fate != Fate::kHidden) text += colour_text(traced, stepped.trace.settings);
+  if (traced.result != FragmentResult::kHidden) text += colour_text(traced, stepped.trace.settings);
   return text;
 }
 

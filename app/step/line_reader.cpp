@@ -16,9 +16,9 @@ namespace glassbox::app {
 
 namespace {
 
-class Stream : public LineReader {
+class StreamLineReader : public LineReader {
 public:
-  explicit Stream(std::istream& in) : in_(in) {}
+  explicit StreamLineReader(std::istream& in) : in_(in) {}
   std::optional<std::string> read(const std::string& prompt) override {
     fmt::print("{}", prompt);
     std::fflush(stdout);
@@ -40,7 +40,7 @@ std::vector<std::string> words_before(const std::string& text) {
   return words;
 }
 
-std::string common_beginning(const std::vector<std::string>& words) {
+std::string common_prefix(const std::vector<std::string>& words) {
   std::string common = words.front();
   for (const std::string& word : words) {
     const auto end = std::mismatch(common.begin(), common.end(), word.begin(), word.end()).first;
@@ -49,9 +49,9 @@ std::string common_beginning(const std::vector<std::string>& words) {
   return common;
 }
 
-class Terminal : public LineReader {
+class TerminalLineReader : public LineReader {
 public:
-  explicit Terminal(Candidates candidates)
+  explicit TerminalLineReader(Candidates candidates)
       : candidates_(std::move(candidates)),
         history_(history_init()),
         edit_(el_init("glassbox", stdin, stdout, stderr)) {
@@ -60,24 +60,24 @@ public:
     history(history_, &event, H_SETSIZE, kRemembered);
     history(history_, &event, H_SETUNIQUE, 1);
     el_set(edit_, EL_CLIENTDATA, this);
-    el_set(edit_, EL_PROMPT, &Terminal::prompt_of);
+    el_set(edit_, EL_PROMPT, &TerminalLineReader::prompt_of);
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
     el_set(edit_, EL_SIGNAL, 1);  // Control-C restores the terminal
     // The narrow call (el_set) would make wide copies of these words and never free them.
-    el_wset(edit_, EL_ADDFN, L"complete", L"completes a word", &Terminal::complete_word);
+    el_wset(edit_, EL_ADDFN, L"complete", L"completes a word", &TerminalLineReader::complete_word);
     el_set(edit_, EL_BIND, "^I", "complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     // Between two prompts the terminal itself edits lines. An end of input typed then arrives as
     // NUL.
     el_set(edit_, EL_BIND, "^@", "em-delete-or-list", nullptr);
   }
-  ~Terminal() override {
+  ~TerminalLineReader() override {
     el_end(edit_);
     history_end(history_);
   }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
+  TerminalLineReader(const TerminalLineReader&) = delete;
+  TerminalLineReader& operator=(const TerminalLineReader&) = delete;
 
   std::optional<std::string> read(const std::string& prompt) override {
     prompt_ = prompt;
@@ -95,13 +95,13 @@ public:
   }
 
 private:
-  static Terminal& of(EditLine* edit) {
+  static TerminalLineReader& reader_of(EditLine* edit) {
     void* self = nullptr;
     el_get(edit, EL_CLIENTDATA, &self);
-    return *static_cast<Terminal*>(self);
+    return *static_cast<TerminalLineReader*>(self);
   }
-  static char* prompt_of(EditLine* edit) { return of(edit).prompt_.data(); }
-  static unsigned char complete_word(EditLine* edit, wint_t) { return of(edit).complete(); }
+  static char* prompt_of(EditLine* edit) { return reader_of(edit).prompt_.data(); }
+  static unsigned char complete_word(EditLine* edit, wint_t) { return reader_of(edit).complete(); }
 
   unsigned char complete() {
     const LineInfo* line = el_line(edit_);
@@ -113,7 +113,7 @@ private:
     }
     if (fitting.empty()) return CC_ERROR;
     const std::string more =
-        common_beginning(fitting).substr(begun.size()) + (fitting.size() == 1 ? " " : "");
+        common_prefix(fitting).substr(begun.size()) + (fitting.size() == 1 ? " " : "");
     if (!more.empty()) return el_insertstr(edit_, more.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
     fmt::print("\n ");
     for (const std::string& word : fitting) fmt::print(" {}", word);
@@ -130,15 +130,15 @@ private:
 
 }  // namespace
 
-std::unique_ptr<LineReader> lines_of(std::istream& in) {
-  return std::make_unique<Stream>(in);
+std::unique_ptr<LineReader> make_stream_reader(std::istream& in) {
+  return std::make_unique<StreamLineReader>(in);
 }
 
-std::unique_ptr<LineReader> terminal_lines(Candidates candidates) {
+std::unique_ptr<LineReader> make_terminal_reader(Candidates candidates) {
   const char* name = std::getenv("TERM");
   const std::string terminal = name == nullptr ? "" : name;
-  if (terminal.empty() || terminal == "dumb") return lines_of(std::cin);
-  return std::make_unique<Terminal>(std::move(candidates));
+  if (terminal.empty() || terminal == "dumb") return make_stream_reader(std::cin);
+  return std::make_unique<TerminalLineReader>(std::move(candidates));
 }
 
 }  // namespace glassbox::app

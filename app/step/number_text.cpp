@@ -32,12 +32,12 @@ std::string bits_text(double value) {
 }
 
 std::string number_line(const char* name, float value, double bound, bool bits) {
-  return fmt::format("{:<4} {:>16}  {:<12}{}", name, brief(double(value), 9), bound_text(bound),
-                     bits ? bits_text(value) : "");
+  return fmt::format("{:<4} {:>16}  {:<12}{}", name, short_number(double(value), 9),
+                     bound_text(bound), bits ? bits_text(value) : "");
 }
 
 std::string number_line(const char* name, double value, double bound, bool bits) {
-  return fmt::format("{:<4} {:>24}  {:<12}{}", name, brief(value, 17), bound_text(bound),
+  return fmt::format("{:<4} {:>24}  {:<12}{}", name, short_number(value, 17), bound_text(bound),
                      bits ? bits_text(value) : "");
 }
 
@@ -45,7 +45,7 @@ std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits) {
   std::array<std::string, 4> rows;
   for (int column = 0; column < 4; ++column) {
     std::vector<std::string> entries;
-    for (int row = 0; row < 4; ++row) entries.push_back(brief(m[column][row], digits));
+    for (int row = 0; row < 4; ++row) entries.push_back(short_number(m[column][row], digits));
     std::size_t width = 0;
     for (const std::string& entry : entries) width = std::max(width, entry.size());
     for (std::size_t row = 0; row < 4; ++row) {

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Names in the order of the enumerators of Shape, Severity and VertexFate.
+// Names in the order of the enumerators of MatrixShape, Severity and VertexVerdict.
 constexpr const char* kShapes[] = {"not-finite", "identity",  "translation",           "rigid",
                                    "similarity", "scaled",    "scaled-after-rotation", "sheared",
                                    "flat",       "projective"};
@@ -27,7 +27,7 @@ constexpr const char* kFates[] = {"visible", "not-finite", "in-eye-plane", "behi
 
 Json affine_json(const GivenMatrix& given) {
   Json json{{"given", given.given}, {"origin", given.origin}, {"rows", rows_json(given.m)}};
-  const MatrixFacts facts = facts_of(given.m);
+  const MatrixFacts facts = matrix_facts(given.m);
   json["shape"] = kShapes[std::size_t(facts.shape)];
   json["affine"] = facts.affine;
   json["rank"] = facts.rank;
@@ -45,7 +45,7 @@ Json affine_json(const GivenMatrix& given) {
 
 Json view_json(const GivenMatrix& view) {
   Json json = affine_json(view);
-  const auto eye = facts_of(view.m).affine ? eyepoint_of(view) : std::nullopt;
+  const auto eye = matrix_facts(view.m).affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return json;
   json["eye"] = {{"position", numbers_json(eye->position)},
                  {"right", numbers_json(eye->right)},
@@ -128,7 +128,7 @@ Json step_json(const char* space, const TransformStep& step) {
 
 Json planes_json(const VertexChain& chain) {
   Json json = Json::array();
-  if (chain.fate == VertexFate::kNotFinite) return json;
+  if (chain.verdict == VertexVerdict::kNotFinite) return json;
   for (const auto& [plane, distance, bound] : chain.planes) {
     json.push_back({{"name", plane.name},
                     {"coefficients", {plane.a, plane.b, plane.c, plane.d}},
@@ -156,7 +156,7 @@ Json window_json(const ScreenStep& s, const PointStep::Walk& walk, const PointSt
           {"depth", s.depth},
           {"snapped", {s.snap_x.snapped, s.snap_y.snapped}},
           {"snap_stable", {s.snap_x.stable, s.snap_y.stable}},
-          {"open_by_digits", walk.open_px}};
+          {"open_by_digits", walk.digits_uncertainty_px}};
 }
 
 Json round_trip_json(const RoundTrip& trip) {
@@ -171,12 +171,12 @@ Json walk_json(const PointStep::Walk& walk, const PointStep& step) {
   json["steps"] = {step_json("world", chain.to_world), step_json("eye", chain.to_eye)};
   if (!step.setup.projection.given) return json;
   json["steps"].push_back(step_json("clip", chain.to_clip));
-  json["clip_at_once"] = numbers_json(chain.at_once);
-  json["fate"] = kFates[std::size_t(chain.fate)];
+  json["clip_at_once"] = numbers_json(chain.clip_by_composed_matrix);
+  json["fate"] = kFates[std::size_t(chain.verdict)];
   json["outside"] = Json::array();
-  if (chain.fate != VertexFate::kNotFinite) {
+  if (chain.verdict != VertexVerdict::kNotFinite) {
     for (const PlaneStep& at : chain.planes) {
-      if (at.outside()) json["outside"].push_back(at.plane.name);
+      if (at.is_outside()) json["outside"].push_back(at.plane.name);
     }
   }
   json["planes"] = planes_json(chain);

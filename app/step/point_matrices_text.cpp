@@ -16,8 +16,8 @@ namespace {
 std::string turn_text(const MatrixFacts& facts) {
   if (!facts.rotation || facts.rotation->radians < kSmall) return {};
   return fmt::format("a rotation by {} degrees about {}",
-                     brief(degrees_from_radians(facts.rotation->radians), 5),
-                     brief_triple(facts.rotation->axis, 4));
+                     short_number(degrees_from_radians(facts.rotation->radians), 5),
+                     short_vector_text(facts.rotation->axis, 4));
 }
 
 std::string joined(std::initializer_list<std::string> parts) {
@@ -29,7 +29,7 @@ std::string joined(std::initializer_list<std::string> parts) {
 }
 
 std::string rigidity_text(const MatrixFacts& facts) {
-  return facts.orthogonality == 0 ? "exactly" : "to within " + brief(facts.orthogonality, 2);
+  return facts.orthogonality == 0 ? "exactly" : "to within " + short_number(facts.orthogonality, 2);
 }
 
 std::string heading(const char* name, const char* from_to, const GivenMatrix& matrix) {
@@ -44,26 +44,26 @@ std::string indented(const std::string& text) {
 std::string model_text(const GivenMatrix& model) {
   std::string text = heading("MODEL", "world from object", model);
   if (!model.given) return text;
-  return text + matrix_rows(model.m, "  ") + indented(affine_sentence(facts_of(model.m)));
+  return text + matrix_rows(model.m, "  ") + indented(affine_sentence(matrix_facts(model.m)));
 }
 
 // `lens` is the projection that belongs to the view; ProjectionKind::kNone if none is known.
 std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
-  const MatrixFacts facts = facts_of(view.m);
+  const MatrixFacts facts = matrix_facts(view.m);
   std::string text = indented(affine_sentence(facts));
   const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return text;
   text += indented(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
-                               brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
+                               short_vector_text(eye->right, 4), short_vector_text(eye->up, 4)));
   if (lens.kind == ProjectionKind::kNone) {
     return text + indented(fmt::format("it looks along {} if it looks down -z, and the other way "
                                        "if down +z: the projection decides",
-                                       brief_triple(-eye->back, 4)));
+                                       short_vector_text(-eye->back, 4)));
   }
-  return text +
-         indented(fmt::format("it looks along {}, because the projection looks down {}z",
-                              brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
-                              lens.looks_down_minus_z ? "-" : "+"));
+  return text + indented(fmt::format(
+                    "it looks along {}, because the projection looks down {}z",
+                    short_vector_text(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
+                    lens.looks_down_minus_z ? "-" : "+"));
 }
 
 std::string view_text(const MatrixSetup& setup) {
@@ -81,8 +81,8 @@ std::string reading_text(const DepthReading& r) {
   if (!r.possible) return "none";
   const char* low = r.from_minus_one ? "-1" : "0";
   return fmt::format("{} at the near plane {}, {} at the far plane {}", r.reversed ? "1" : low,
-                     rounded(r.near, r.near_uncertainty), r.reversed ? low : "1",
-                     rounded(r.far, r.far_uncertainty));
+                     rounded_text(r.near, r.near_uncertainty), r.reversed ? low : "1",
+                     rounded_text(r.far, r.far_uncertainty));
 }
 
 std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
@@ -99,22 +99,24 @@ std::string perspective_text(const ProjectionFacts& p) {
   std::string text = indented(
       p.looks_down_minus_z ? "perspective; w grows along -z: a right-handed eye, looking down -z"
                            : "perspective; w grows along +z: a left-handed eye, looking down +z");
-  std::string window = fmt::format("vertical angle of view {} degrees, aspect ratio {}",
-                                   rounded(p.fovy_degrees, p.fovy_uncertainty), brief(p.aspect, 5));
+  std::string window =
+      fmt::format("vertical angle of view {} degrees, aspect ratio {}",
+                  rounded_text(p.fovy_degrees, p.fovy_uncertainty), short_number(p.aspect, 5));
   if (p.off_centre()) {
     window += fmt::format("; off-centre: the gaze meets the picture at NDC ({}, {})",
-                          brief(p.centre.x), brief(p.centre.y));
+                          short_number(p.centre.x), short_number(p.centre.y));
   }
   if (p.shift != glm::dvec2(0)) {
-    window += fmt::format("; the eye is moved to x = {}, y = {}", brief(-p.shift.x / p.scale.x),
-                          brief(-p.shift.y / p.scale.y));
+    window +=
+        fmt::format("; the eye is moved to x = {}, y = {}", short_number(-p.shift.x / p.scale.x),
+                    short_number(-p.shift.y / p.scale.y));
   }
   return text + indented(window);
 }
 
 std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   const auto edge = [&](int axis, double side) {
-    return brief((side - p.centre[axis]) / p.scale[axis]);
+    return short_number((side - p.centre[axis]) / p.scale[axis]);
   };
   return indented("parallel: w is the same everywhere") +
          indented(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
@@ -143,7 +145,7 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect)
            view_sentences(parts->view, lens) + indented("The projection's part:") +
            lens_text(lens, dialect);
   }
-  const MatrixFacts facts = facts_of(given.m);
+  const MatrixFacts facts = matrix_facts(given.m);
   return text + indented(facts.affine ? "as a matrix: " + affine_sentence(facts)
                                       : fmt::format("not a projection (rank {})", facts.rank));
 }
@@ -153,36 +155,37 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect)
 std::string affine_sentence(const MatrixFacts& facts) {
   const std::string moved = facts.translation == glm::dvec3(0)
                                 ? ""
-                                : "a translation by " + brief_triple(facts.translation);
-  const std::string mirror =
-      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
-                     : "";
+                                : "a translation by " + short_vector_text(facts.translation);
+  const std::string mirror = facts.mirror() ? fmt::format("; it mirrors (determinant {})",
+                                                          short_number(facts.determinant, 4))
+                                            : "";
   switch (facts.shape) {
-    case Shape::kNotFinite:
+    case MatrixShape::kNotFinite:
       return "not all of its entries are finite";
-    case Shape::kIdentity:
+    case MatrixShape::kIdentity:
       return "the identity";
-    case Shape::kTranslation:
+    case MatrixShape::kTranslation:
       return moved + ", and nothing else";
-    case Shape::kRigid:
+    case MatrixShape::kRigid:
       return fmt::format("rigid {}: {}{}", rigidity_text(facts),
                          joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
                          mirror);
-    case Shape::kSimilarity:
-      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
+    case MatrixShape::kSimilarity:
+      return joined(
+                 {"a scale by " + short_number(std::abs(facts.scale.x)), turn_text(facts), moved}) +
              mirror;
-    case Shape::kScaled:
-      return joined({"scales by " + brief_triple(facts.scale) + " along the axes", turn_text(facts),
-                     moved}) +
+    case MatrixShape::kScaled:
+      return joined({"scales by " + short_vector_text(facts.scale) + " along the axes",
+                     turn_text(facts), moved}) +
              mirror;
-    case Shape::kScaledAfter:
+    case MatrixShape::kScaledAfter:
       return joined({"a rotation, then scales along fixed axes: a shear", moved}) + mirror;
-    case Shape::kSheared:
+    case MatrixShape::kSheared:
       return joined({"affine, with a shear", moved}) + mirror;
-    case Shape::kFlat:
+    case MatrixShape::kFlat:
       return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
-                         brief(facts.determinant, 3));
-    case Shape::kProjective:
+                         short_number(facts.determinant, 3));
+    case MatrixShape::kProjective:
       return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
   }
   return "";

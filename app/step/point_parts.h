@@ -23,6 +23,6 @@ std::string walk_text(const PointStep::Walk& walk, const PointStep& step);
 
 // Where the point ends: "visible at (640.00, 360.00)", "outside the near plane: its distance along
 // the gaze is 0.05, and ...", "behind the eye (w = -3)"
-std::string fate_text(const VertexChain& chain, const PointStep& step);
+std::string vertex_verdict_text(const VertexChain& chain, const PointStep& step);
 
 }  // namespace glassbox::app

@@ -79,14 +79,15 @@ ChainMatrices chain_matrices(const MatrixSetup& setup) {
 PointStep::Walk walk_point(const glm::vec4& point, const PointStep& step) {
   const MatrixSetup& s = step.setup;
   ChainMatrices matrices = chain_matrices(s);
-  PointStep::Walk walked{walk(point, matrices, s.dialect, step.viewport), 0, std::nullopt};
+  PointStep::Walk walked{make_vertex_chain(point, matrices, s.dialect, step.viewport), 0,
+                         std::nullopt};
   if (!walked.chain.screen) return walked;
   matrices.world_from_object_bound = s.model.uncertainty;
   matrices.eye_from_world_bound = s.view.uncertainty;
   matrices.clip_from_eye_bound = s.projection.uncertainty;
-  const VertexChain open = walk(point, matrices, s.dialect, step.viewport);
+  const VertexChain open = make_vertex_chain(point, matrices, s.dialect, step.viewport);
   const glm::dvec3 added = open.screen->bound - walked.chain.screen->bound;
-  walked.open_px = std::max(added.x, added.y);
+  walked.digits_uncertainty_px = std::max(added.x, added.y);
   return walked;
 }
 

@@ -28,7 +28,7 @@ struct PointStepOptions {
   std::optional<NumberOrder> order;
   const ApiDialect* dialect = nullptr;          // nullptr: guess it
   std::optional<std::array<double, 4>> window;  // x, y, width, height
-  std::optional<Hand> world;
+  std::optional<Handedness> world;
   bool bits = false;
 };
 
@@ -36,7 +36,7 @@ struct PointStep {
   struct Walk {
     VertexChain chain;
     // uncertainty in the window from the digits of the matrices, in addition to the bounds
-    double open_px = 0;
+    double digits_uncertainty_px = 0;
     std::optional<glm::dvec2> expected;
   };
 

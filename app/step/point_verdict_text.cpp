@@ -32,13 +32,13 @@ std::string where_text(const PointStep::Walk& walk, const PointStep& step) {
   const VertexChain& chain = walk.chain;
   std::string line = point_text(chain.object) + " is ";
   if (step.setup.projection.given) {
-    line += fate_text(chain, step);
+    line += vertex_verdict_text(chain, step);
     if (walk.expected) {
       line += fmt::format(", expected at ({:.2f}, {:.2f})", walk.expected->x, walk.expected->y);
     }
   } else {
     line += fmt::format("at {} in eye space; without --proj nothing is projected",
-                        brief_triple(glm::dvec3(chain.to_eye.after)));
+                        short_vector_text(glm::dvec3(chain.to_eye.after)));
   }
   if (chain.object.w == 0) line += "; w = 0 makes it a direction, which no translation moves";
   return wrapped("  ", line);
@@ -83,7 +83,7 @@ std::string alternatives_text(const ConventionsReport& report) {
     text +=
         wrapped("  ", fmt::format("{} would also work, but {} a matrix that is correct as given",
                                   counted(report.spoiling, "other change"),
-                                  inflected(report.spoiling, "damages", "damage")));
+                                  singular_or_plural(report.spoiling, "damages", "damage")));
   }
   return text;
 }
@@ -103,7 +103,7 @@ std::string changes_text(const PointStep& step) {
   const bool expects = step.walks.front().expected.has_value();
   const bool pairs = report.alternatives.front().second.has_value();
   const std::string line = fmt::format(
-      "If the {} should be {}, {} would work{}:", inflected(report.points, "point"),
+      "If the {} should be {}, {} would work{}:", singular_or_plural(report.points, "point"),
       expects ? "where it is expected" : "in the picture",
       pairs ? "two changes together" : "one of these changes",
       report.alternatives.size() == 1 ? ""

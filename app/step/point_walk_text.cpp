@@ -34,8 +34,8 @@ std::string product_text(const TransformStep& step, bool bits) {
     const auto rows = entry_rows(glm::dmat4(step.matrix), digits);
     std::vector<std::string> before, after;
     for (int i = 0; i < 4; ++i) {
-      before.push_back(brief(double(step.before[i]), digits));
-      after.push_back(brief(double(step.after[i]), 9));
+      before.push_back(short_number(double(step.before[i]), digits));
+      after.push_back(short_number(double(step.after[i]), 9));
     }
     const std::size_t before_width = widest(before), after_width = widest(after);
     std::size_t longest = 0;
@@ -71,7 +71,7 @@ std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
   const double rounding = 1e-6 * std::abs(along);
   const auto side = [&](double x, const char* plus, const char* minus) {
     if (std::abs(x) < rounding) x = 0;
-    return brief(std::abs(x)) + (x < 0 ? minus : plus);
+    return short_number(std::abs(x)) + (x < 0 ? minus : plus);
   };
   return sentence(fmt::format("seen from the eye, which looks down {}z: {}, {}, {}",
                               p.looks_down_minus_z ? "-" : "+", side(along, " in front", " behind"),
@@ -80,13 +80,13 @@ std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
 }
 
 // Compares with the product of all matrices as one, which most programs use.
-std::string at_once_text(const VertexChain& chain) {
+std::string combined_matrix_text(const VertexChain& chain) {
   const int factors = int(!is_identity(chain.to_world.matrix)) +
                       int(!is_identity(chain.to_eye.matrix)) +
                       int(!is_identity(chain.to_clip.matrix));
-  const glm::dvec4 apart =
-      glm::abs(glm::dvec4(to_glm(chain.at_once)) - glm::dvec4(chain.to_clip.after));
-  const double most = std::max({apart.x, apart.y, apart.z, apart.w});
+  const glm::dvec4 difference =
+      glm::abs(glm::dvec4(to_glm(chain.clip_by_composed_matrix)) - glm::dvec4(chain.to_clip.after));
+  const double most = std::max({difference.x, difference.y, difference.z, difference.w});
   if (factors < 2 || !std::isfinite(most)) return {};
   return fmt::format(
       "     multiplied first in double and rounded once, the matrices give the same{}\n",
@@ -114,9 +114,9 @@ std::string planes_table(const VertexChain& chain) {
   std::string text;
   for (const PlaneStep& at : chain.planes) {
     text += fmt::format("     {:<7}{:>5} = {:<15} {:<12} {}{}\n", at.plane.name,
-                        plane_form(at.plane), brief(at.distance, 9), bound_text(at.bound),
-                        at.outside() ? "outside" : "inside",
-                        at.sure() ? "" : ", uncertain because of rounding");
+                        plane_form(at.plane), short_number(at.distance, 9), bound_text(at.bound),
+                        at.is_outside() ? "outside" : "inside",
+                        at.is_certain() ? "" : ", uncertain because of rounding");
   }
   return text;
 }
@@ -134,45 +134,46 @@ std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
         step.setup.dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one;
     if (!reading.possible || p.oblique_depth) return {};
     return fmt::format("its distance along the gaze is {}, and this projection shows {} to {}",
-                       brief(distance), brief(reading.near), brief(reading.far));
+                       short_number(distance), short_number(reading.near),
+                       short_number(reading.far));
   }
   const int axis = plane < 4 ? 0 : 1;
   const double reach = p.kind == ProjectionKind::kPerspective ? distance : 1;
   const double a = ((-1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   const double b = ((1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   const std::string where = p.kind == ProjectionKind::kPerspective
-                                ? "at its distance " + brief(distance)
+                                ? "at its distance " + short_number(distance)
                                 : "at any distance";
   return fmt::format("{} the picture spans {} from {} to {} in eye space, and the point is at {}",
-                     where, kAxes[axis], brief(std::min(a, b)), brief(std::max(a, b)),
-                     brief(double(eye[axis])));
+                     where, kAxes[axis], short_number(std::min(a, b)), short_number(std::max(a, b)),
+                     short_number(double(eye[axis])));
 }
 
 std::string decision_of(const VertexChain& chain) {
-  const std::string w = brief(double(chain.clip.w));
-  switch (chain.fate) {
-    case VertexFate::kNotFinite:
+  const std::string w = short_number(double(chain.clip.w));
+  switch (chain.verdict) {
+    case VertexVerdict::kNotFinite:
       return "a coordinate is not finite, so nothing can be said";
-    case VertexFate::kBehindEye:
+    case VertexVerdict::kBehindEye:
       return fmt::format(
           "w = {} is negative: behind the eye. Dividing by it would flip the point to the front "
           "(S3-13)",
           w);
-    case VertexFate::kInEyePlane:
+    case VertexVerdict::kInEyePlane:
       return "w = 0: the point lies in the plane of the eye, and its image at infinity";
-    case VertexFate::kOutside: {
+    case VertexVerdict::kOutside: {
       const PlaneStep& plane = chain.planes[std::size_t(chain.deciding_plane)];
       return fmt::format("outside the {} plane by {} (w = {})", plane.plane.name,
-                         brief(-plane.distance), w);
+                         short_number(-plane.distance), w);
     }
-    case VertexFate::kVisible:
+    case VertexVerdict::kVisible:
       return "inside all six planes";
   }
   return "";
 }
 
 bool reaches_the_divide(const VertexChain& chain) {
-  return chain.fate == VertexFate::kVisible || chain.fate == VertexFate::kOutside;
+  return chain.verdict == VertexVerdict::kVisible || chain.verdict == VertexVerdict::kOutside;
 }
 
 std::string clip_text(const VertexChain& chain, const PointStep& step) {
@@ -188,19 +189,19 @@ std::string divide_text(const VertexChain& chain, bool bits) {
   std::string text = "  5  clip -> NDC: divide by w\n";
   const float numerators[] = {chain.clip.x, chain.clip.y, chain.clip.z};
   const float values[] = {d.ndc.position.x, d.ndc.position.y, d.ndc.position.z};
-  const std::string w = brief(double(chain.clip.w), 9);
+  const std::string w = short_number(double(chain.clip.w), 9);
   for (int i = 0; i < 3; ++i) {
     text += fmt::format("     {} = {:>13} / {} = {:<15} {:<11} condition {}{}\n", kAxes[i],
-                        brief(double(numerators[i]), 9), w, brief(double(values[i]), 9),
-                        bound_text(d.bound.position[i]), brief(d.condition[i], 3),
-                        bits ? "  " + bits_text(values[i]) : "");
+                        short_number(double(numerators[i]), 9), w,
+                        short_number(double(values[i]), 9), bound_text(d.bound.position[i]),
+                        short_number(d.condition[i], 3), bits ? "  " + bits_text(values[i]) : "");
   }
   return text;
 }
 
 std::string snap_text(const SnapStability& snap) {
   return fmt::format(
-      "snapped to {} ({})", brief(snap.snapped, 10),
+      "snapped to {} ({})", short_number(snap.snapped, 10),
       snap.stable ? fmt::format("stable: {:.1e} px from the next step", snap.to_boundary)
                   : fmt::format("not stable: rounding may move it to a neighbour, {:.1e} px away",
                                 snap.to_boundary));
@@ -215,17 +216,17 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
                                  step.setup.dialect.window_y_up ? "up" : "down");
   const auto line = [&](const char* name, float ndc, float from, float to, float value,
                         double bound, const SnapStability& snap) {
-    text += fmt::format("     {} = {} * {} + {} = {} {} px{}\n", name, brief(double(ndc), 7),
-                        brief(double((to - from) * 0.5f)), brief(double((to + from) * 0.5f)),
-                        brief(double(value), 9), bound_text(bound),
-                        step.bits ? "  " + bits_text(value) : "");
+    text += fmt::format("     {} = {} * {} + {} = {} {} px{}\n", name, short_number(double(ndc), 7),
+                        short_number(double((to - from) * 0.5f)),
+                        short_number(double((to + from) * 0.5f)), short_number(double(value), 9),
+                        bound_text(bound), step.bits ? "  " + bits_text(value) : "");
     if (std::isfinite(snap.snapped)) text += wrapped("         ", snap_text(snap));
   };
   const Point<Ndc>& ndc = chain.divide->ndc.position;
   line("x", ndc.x, v.left, v.right, s.screen.position.x, s.bound.x, s.snap_x);
   line("y", ndc.y, v.bottom, v.top, s.screen.position.y, s.bound.y, s.snap_y);
   const double scale = step.setup.dialect.z_from_minus_w ? 0.5 : 1;
-  text += fmt::format("     depth {} {}", brief(s.depth, 9), bound_text(s.bound.z * scale));
+  text += fmt::format("     depth {} {}", short_number(s.depth, 9), bound_text(s.bound.z * scale));
   const ProjectionFacts& p = step.lens;
   // The error of the distance follows from that of the depth by the derivative of depth = alpha +
   // beta/d: dd = d^2/|beta| times the depth's error (SPEC C, bound 8).
@@ -235,16 +236,16 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
   }
   text += "\n";
   // If it is smaller than the bounds, it is not worth reporting.
-  if (walk.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
+  if (walk.digits_uncertainty_px > 2 * std::max(s.bound.x, s.bound.y)) {
     text +=
         sentence(fmt::format("the matrices are printed with too few digits, which adds an "
                              "uncertainty of {:.1e} px (%.9g prints a float without loss)",
-                             walk.open_px));
+                             walk.digits_uncertainty_px));
   }
   return text;
 }
 
-std::string way_back_text(const VertexChain& chain, bool bits) {
+std::string round_trip_text(const VertexChain& chain, bool bits) {
   if (!chain.round_trip) return "";
   std::string text = "     back to object space in double, from x, y and z of NDC in float:\n";
   for (const std::string& line : round_trip_lines(*chain.round_trip, bits)) {
@@ -255,19 +256,19 @@ std::string way_back_text(const VertexChain& chain, bool bits) {
 
 }  // namespace
 
-std::string fate_text(const VertexChain& chain, const PointStep& step) {
-  switch (chain.fate) {
-    case VertexFate::kVisible: {
+std::string vertex_verdict_text(const VertexChain& chain, const PointStep& step) {
+  switch (chain.verdict) {
+    case VertexVerdict::kVisible: {
       const Point<Screen>& p = chain.screen->screen.position;
       return fmt::format("visible at ({:.2f}, {:.2f})", p.x, p.y);
     }
-    case VertexFate::kNotFinite:
+    case VertexVerdict::kNotFinite:
       return "not finite";
-    case VertexFate::kInEyePlane:
+    case VertexVerdict::kInEyePlane:
       return "in the plane of the eye (w = 0)";
-    case VertexFate::kBehindEye:
-      return fmt::format("behind the eye (w = {})", brief(double(chain.clip.w)));
-    case VertexFate::kOutside: {
+    case VertexVerdict::kBehindEye:
+      return fmt::format("behind the eye (w = {})", short_number(double(chain.clip.w)));
+    case VertexVerdict::kOutside: {
       const char* plane = chain.planes[std::size_t(chain.deciding_plane)].plane.name;
       const std::string frustum = frustum_sentence(chain, step);
       return fmt::format("outside the {} plane{}", plane, frustum.empty() ? "" : ": " + frustum);
@@ -283,10 +284,10 @@ std::string walk_text(const PointStep::Walk& walk, const PointStep& step) {
   if (!step.setup.projection.given) return text;
   text += eye_sentence(chain, step) +
           step_text(3, "eye -> clip", "projection", chain.to_clip, step.bits) +
-          at_once_text(chain) + clip_text(chain, step);
+          combined_matrix_text(chain) + clip_text(chain, step);
   if (!reaches_the_divide(chain)) return text;
   return text + divide_text(chain, step.bits) + screen_text(walk, step) +
-         way_back_text(chain, step.bits);
+         round_trip_text(chain, step.bits);
 }
 
 }  // namespace glassbox::app

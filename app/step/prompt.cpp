@@ -30,7 +30,7 @@ constexpr const char* kHelp =
     "  reset       the options and the triangle as they were at the start\n"
     "  help        these lines           q           quit\n";
 
-struct Staged {
+struct PromptState {
   StepChoice choice;
   std::vector<StageText> stages;
 };
@@ -38,14 +38,14 @@ struct Staged {
 // ---- another choice ----
 
 // What a user's words can change.
-struct Request {
+struct PromptRequest {
   PictureOptions picture;
   std::optional<std::uint32_t> triangle;
   std::optional<PixelAt> pick;
   std::optional<std::string> vertex;  // "0", "1", "2" or "all"
 };
 
-void add_options(CLI::App& app, Request& request) {
+void add_options(CLI::App& app, PromptRequest& request) {
   add_picture_options(app, request.picture);
   app.add_option("--triangle", request.triangle)->type_name("N");
   app.add_option_function<std::string>(
@@ -63,10 +63,10 @@ void add_options(CLI::App& app, Request& request) {
 // Computes the stages for additional words: picture options, --triangle N, --pick X,Y and --vertex
 // K. Everything that they do not mention stays as in `choice`. A picked triangle stays the same
 // when the picture changes later.
-Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
-                       const std::vector<std::string>& more) {
+Result<PromptState> apply_options(const Scene& loaded, bool bits, const StepChoice& choice,
+                                  const std::vector<std::string>& more) {
   CLI::App app;
-  Request request;
+  PromptRequest request;
   add_options(app, request);
   read_as_decimal(app);
   std::vector<std::string> words = choice.words;
@@ -84,22 +84,24 @@ Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
   }
   // The words may contain another --filter.
   std::optional<Scene> refiltered;
-  if (request.picture.filter) refiltered = as_asked(loaded, request.picture);
+  if (request.picture.filter) refiltered = with_texture_filter(loaded, request.picture);
   const Scene& scene = refiltered ? *refiltered : loaded;
-  const auto aimed = aim(target, scene, request.picture, request.triangle, request.pick, "");
+  const auto aimed =
+      set_step_target(target, scene, request.picture, request.triangle, request.pick, "");
   if (!aimed) return tl::unexpected(aimed.error());
   const auto stepped = step_through(scene, request.picture, target.triangle);
   if (!stepped) return tl::unexpected(stepped.error());
-  return Staged{{words_given(request.picture), target}, stage_texts(scene, *stepped, target, bits)};
+  return PromptState{{given_option_words(request.picture), target},
+                     stage_texts(scene, *stepped, target, bits)};
 }
 
-// The names of the options that restage accepts, each with its possible values; no values for
+// The names of the options that apply_options accepts, each with its possible values; no values for
 // numbers.
 using OptionWords = std::map<std::string, std::vector<std::string>>;
 
-OptionWords restage_options() {
+OptionWords prompt_options() {
   CLI::App app;
-  Request request;
+  PromptRequest request;
   add_options(app, request);
   OptionWords options;
   for (const OptionFacts& option : command_tree(app).options) {
@@ -184,58 +186,61 @@ std::string changed_lines(const std::string& before, const std::string& after) {
 
 // ---- the prompt ----
 
-class Stepper {
+class StepPrompt {
 public:
-  Stepper(const Scene& scene, Staged staged, bool bits)
-      : scene_(scene), bits_(bits), now_(std::move(staged)), first_(now_.choice) {}
+  StepPrompt(const Scene& scene, PromptState staged, bool bits)
+      : scene_(scene), bits_(bits), state_(std::move(staged)), initial_choice_(state_.choice) {}
 
   void run(LineReader& lines) {
     fmt::print("{}\n", kHelp);
     show();
     while (const auto line = lines.read(prompt())) {
-      if (!obey(*line)) return;
+      if (!run_command(*line)) return;
     }
     fmt::print("\n");
   }
 
 private:
-  const std::vector<StageText>& stages() const { return now_.stages; }
+  const std::vector<StageText>& stages() const { return state_.stages; }
 
   std::string prompt() const {
-    return fmt::format("{} {}/{}> ", stages()[at_].name, at_ + 1, stages().size());
+    return fmt::format("{} {}/{}> ", stages()[stage_index_].name, stage_index_ + 1,
+                       stages().size());
   }
 
-  void show() const { fmt::print("{}", stages()[at_].text); }
+  void show() const { fmt::print("{}", stages()[stage_index_].text); }
 
   // Carries out a command. Returns false if it was the last one.
-  bool obey(const std::string& line) {
+  bool run_command(const std::string& line) {
     const std::vector<std::string> words = split_words(line);
     const std::string command = words.empty() ? "n" : words.front();
     if (command == "q" || command == "quit") return false;
-    if (command.starts_with("--")) return change(now_.choice, words), true;
-    if (command == "triangle" || command == "pick" || command == "vertex") return aim(words), true;
-    if (command == "reset") return change(first_, {}), true;
+    if (command.starts_with("--")) return change(state_.choice, words), true;
+    if (command == "triangle" || command == "pick" || command == "vertex")
+      return change_target(words), true;
+    if (command == "reset") return change(initial_choice_, {}), true;
     if (command == "all") return show_all(), true;
     if (command == "help") return fmt::print("{}", kHelp), true;
-    if (command == "n" || command == "next") return go(at_ + 1, "this is the last stage"), true;
+    if (command == "n" || command == "next")
+      return go_to_stage(stage_index_ + 1, "this is the last stage"), true;
     if (command == "p" || command == "b" || command == "back")
-      return go(at_ - 1, "this is the first stage"), true;
-    jump(command);
+      return go_to_stage(stage_index_ - 1, "this is the first stage"), true;
+    go_to_named_stage(command);
     return true;
   }
 
-  void go(std::size_t stage, const char* refusal) {
+  void go_to_stage(std::size_t stage, const char* refusal) {
     if (stage >= stages().size()) {
       fmt::print("  {}\n", refusal);
       return;
     }
-    at_ = stage;
+    stage_index_ = stage;
     show();
   }
 
-  void jump(const std::string& name) {
+  void go_to_named_stage(const std::string& name) {
     for (std::size_t i = 0; i < stages().size(); ++i) {
-      if (stages()[i].name == name) return go(i, "");
+      if (stages()[i].name == name) return go_to_stage(i, "");
     }
     fmt::print("  there is no stage or command of this name\n{}", kHelp);
   }
@@ -245,7 +250,7 @@ private:
   }
 
   // Turns "triangle 7" into "--triangle 7" and applies it.
-  void aim(std::vector<std::string> words) {
+  void change_target(std::vector<std::string> words) {
     if (words.size() != 2) {
       fmt::print("  {} needs one more word: {}\n", words[0],
                  words[0] == "triangle" ? "a number"
@@ -254,25 +259,25 @@ private:
       return;
     }
     words[0] = "--" + words[0];
-    change(now_.choice, words);
+    change(state_.choice, words);
   }
 
   // Applies a change. For another triangle the stage is shown whole; for another picture, only the
   // lines that change.
   void change(const StepChoice& choice, const std::vector<std::string>& more) {
-    Result<Staged> staged = restage(scene_, bits_, choice, more);
+    Result<PromptState> staged = apply_options(scene_, bits_, choice, more);
     if (!staged) {
       fmt::print("  {}\n", staged.error().message());
       return;
     }
-    const StepTarget before = now_.choice.target;
+    const StepTarget before = state_.choice.target;
     const bool same = before == staged->choice.target;
     if (same) show_changes(stages(), staged->stages);
-    now_ = std::move(*staged);
-    at_ = std::min(at_, stages().size() - 1);
+    state_ = std::move(*staged);
+    stage_index_ = std::min(stage_index_, stages().size() - 1);
     if (same) return;
-    if (before.triangle != now_.choice.target.triangle) {
-      fmt::print("  triangle {}\n", now_.choice.target.triangle);
+    if (before.triangle != state_.choice.target.triangle) {
+      fmt::print("  triangle {}\n", state_.choice.target.triangle);
     }
     show();
   }
@@ -287,21 +292,21 @@ private:
 
   const Scene& scene_;
   const bool bits_;
-  Staged now_;
-  const StepChoice first_;
-  std::size_t at_ = 0;
+  PromptState state_;
+  const StepChoice initial_choice_;
+  std::size_t stage_index_ = 0;
 };
 
 }  // namespace
 
-void step_by_hand(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
-                  bool bits, bool terminal) {
-  const OptionWords options = restage_options();
+void run_step_prompt(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
+                     bool bits, bool terminal) {
+  const OptionWords options = prompt_options();
   const auto complete = [&options](const std::vector<std::string>& words) {
     return step_candidates(words, options);
   };
-  const auto lines = terminal ? terminal_lines(complete) : lines_of(std::cin);
-  Stepper(scene, {choice, std::move(stages)}, bits).run(*lines);
+  const auto lines = terminal ? make_terminal_reader(complete) : make_stream_reader(std::cin);
+  StepPrompt(scene, {choice, std::move(stages)}, bits).run(*lines);
 }
 
 }  // namespace glassbox::app

@@ -23,8 +23,8 @@ struct StepChoice {
 
 // Reads commands until "quit" or the end of the input, and writes to standard output. If
 // `terminal`, with line editing, history and completion; otherwise from any standard input.
-void step_by_hand(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
-                  bool bits, bool terminal);
+void run_step_prompt(const Scene& scene, const StepChoice& choice, std::vector<StageText> stages,
+                     bool bits, bool terminal);
 
 // Reads the commands of a prompt from any stream, or from a terminal with line editing and history
 // (libedit).
@@ -36,7 +36,7 @@ public:
   virtual std::optional<std::string> read(const std::string& prompt) = 0;
 };
 
-std::unique_ptr<LineReader> lines_of(std::istream& in);
+std::unique_ptr<LineReader> make_stream_reader(std::istream& in);
 
 // Returns all words that can complete `words.back()`, which is empty or the beginning of a word.
 // The words before it are complete.
@@ -44,7 +44,7 @@ using Candidates = std::function<std::vector<std::string>(const std::vector<std:
 
 // Reads from a terminal: the arrow keys move in the line and through earlier lines, Control-R
 // searches those, and the tab key completes words. If the terminal cannot do that (TERM unset or
-// dumb), behaves like lines_of.
-std::unique_ptr<LineReader> terminal_lines(Candidates candidates);
+// dumb), behaves like make_stream_reader.
+std::unique_ptr<LineReader> make_terminal_reader(Candidates candidates);
 
 }  // namespace glassbox::app

@@ -26,7 +26,8 @@ glm::dvec3 divided(const Transform<Clip, EyeLeft>& m, const Point<Eye, double>& 
 }
 
 std::string point_text(const glm::dvec3& p) {
-  return fmt::format("({}, {}, {})", brief(p.x, 9), brief(p.y, 9), brief(p.z, 9));
+  return fmt::format("({}, {}, {})", short_number(p.x, 9), short_number(p.y, 9),
+                     short_number(p.z, 9));
 }
 
 // Divides x_s and y_s by the window's half sides and tells how far the results are from the run's
@@ -38,8 +39,8 @@ std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorne
                                    p.y / (d / view.clip_from_eye.at(1, 1))};
   const std::uint64_t ulps = std::max(ulp_distance(float(over[0]), ndc.position.x),
                                       ulp_distance(float(over[1]), ndc.position.y));
-  return fmt::format("divided by the half sides ({}, {}): NDC's x and y{}", brief(over[0], 9),
-                     brief(over[1], 9),
+  return fmt::format("divided by the half sides ({}, {}): NDC's x and y{}",
+                     short_number(over[0], 9), short_number(over[1], 9),
                      ulps == 0 ? std::string(", the same floats") : " to " + counted(ulps, "ulp"));
 }
 
@@ -84,7 +85,7 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
   std::string text =
       sentence(fmt::format("without depth, as in the slides' first projection, onto the view plane "
                            "z = d = {} (the near plane; z along the gaze), divided by w:",
-                           brief(d, 9)));
+                           short_number(d, 9)));
   text += matrix_rows(m.columns, kIndent, 9);
   std::uint64_t ulps = 0;
   text += corners_text(stepped, target, [&](const TracedCorner& corner) {

@@ -170,9 +170,9 @@ void add_conventions(CLI::App& command, PointStepOptions& o) {
   add_choice<const ApiDialect*>(command, "--dialect", o.dialect, dialects,
                                 "the API of clip space and window [guessed from the projection]")
       ->group(kGroup);
-  add_choice<std::optional<Hand>>(command, "--world", o.world,
-                                  {{"right", Hand::kRight}, {"left", Hand::kLeft}},
-                                  "the handedness of your world, if you know it")
+  add_choice<std::optional<Handedness>>(
+      command, "--world", o.world, {{"right", Handedness::kRight}, {"left", Handedness::kLeft}},
+      "the handedness of your world, if you know it")
       ->group(kGroup);
 }
 
@@ -210,7 +210,7 @@ bool is_for(const CLI::Option& option, bool of_points) {
   return own_matrices || option.get_name() == "--size" || option.get_group() == "Other outputs";
 }
 
-void tell_of_ignored(const CLI::App& command, bool of_points) {
+void print_ignored_options(const CLI::App& command, bool of_points) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || is_for(*option, of_points)) continue;
     fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", option->get_name(),
@@ -236,7 +236,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   add_max_megabytes(command, max_megabytes_, " of JSON than this");
   command.callback([this, &command, &exit_code] {
     const bool asks_for_points = !points_.points.empty();
-    if (scene_.empty() == asks_for_points) tell_of_ignored(command, asks_for_points);
+    if (scene_.empty() == asks_for_points) print_ignored_options(command, asks_for_points);
     exit_code = run();
   });
 }
@@ -295,9 +295,9 @@ int StepCommand::run_triangle() {
     return refuse({"", "--interactive", "standard input is the scene",
                    "leave it out, or name the scene's file"});
   }
-  tell_of_centres(picture_);
+  print_pixel_centres_note(picture_);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   if (!triangle_ && !pick_) {
@@ -306,7 +306,7 @@ int StepCommand::run_triangle() {
   }
   StepTarget target;
   target.vertex = vertex_;
-  const auto aimed = aim(target, *scene, picture_, triangle_, pick_, "--");
+  const auto aimed = set_step_target(target, *scene, picture_, triangle_, pick_, "--");
   if (!aimed) return refuse(aimed.error());
   const Result<SteppedTriangle> stepped = step_through(*scene, picture_, target.triangle);
   if (!stepped) return refuse(stepped.error());
@@ -327,7 +327,8 @@ int StepCommand::run_triangle() {
              picture_.size.width, picture_.size.height);
   const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   if (interactive_ || (terminal && !json_output_)) {
-    step_by_hand(*scene, {words_given(picture_), target}, std::move(stages), bits_, terminal);
+    run_step_prompt(*scene, {given_option_words(picture_), target}, std::move(stages), bits_,
+                    terminal);
   } else {
     for (const StageText& stage : stages) fmt::print("\n{}", stage.text);
   }
@@ -335,7 +336,7 @@ int StepCommand::run_triangle() {
 }
 
 int StepCommand::run_points() {
-  const std::vector<std::string> words = words_given(picture_);
+  const std::vector<std::string> words = given_option_words(picture_);
   if (std::find(words.begin(), words.end(), "--size") != words.end()) {
     const auto [width, height] = picture_.size;
     points_.window = {0, 0, double(width), double(height)};

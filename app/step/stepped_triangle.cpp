@@ -24,7 +24,7 @@ std::optional<View> usual_view(const Scene& scene, const PictureOptions& picture
 std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
                                         const RenderSettings& settings, std::uint32_t instance) {
   if (settings.cull_stage == CullStage::kScreen) return std::nullopt;
-  const PreparedScene prepared = prepare(scene, settings.transfer);
+  const PreparedScene prepared = prepare_scene(scene, settings.transfer);
   const DrawList list = make_draw_list(scene, prepared, view);
   const auto draw = std::ranges::find(list.draws, instance, &Draw::instance);
   return object_culling(*draw, view, settings);
@@ -34,7 +34,7 @@ std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
 Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, PixelAt pixel) {
   const Result<ChosenView> chosen = choose_view(scene, picture);
   if (!chosen) return tl::unexpected(chosen.error());
-  RenderSettings settings = at_centres(picture.settings);
+  RenderSettings settings = with_one_sample(picture.settings);
   settings.want_id = true;
   const Rendering rendering = render_staged(scene, chosen->view, settings);
   const std::uint32_t id = rendering.buffers.id.at(pixel.x, pixel.y);
@@ -61,11 +61,11 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
   SteppedTriangle stepped;
   stepped.chosen = *chosen;
   stepped.formulation = picture.camera.formulation;
-  stepped.usual = usual_view(scene, picture);
+  stepped.usual_view = usual_view(scene, picture);
   stepped.trace = std::move(run.trace);
   stepped.place = *find_triangle(scene, triangle);
   const auto& ids = run.rendering.buffers.id.pixels;
-  stepped.seen = int(std::count(ids.begin(), ids.end(), triangle + 1));
+  stepped.visible_pixels = int(std::count(ids.begin(), ids.end(), triangle + 1));
   if (stepped.trace.triangles.empty()) return stepped;
   stepped.triangle = stepped.trace.triangles.front();
   stepped.draw_bounds = bounds_of(draw_of(stepped), chosen->view);
@@ -76,9 +76,9 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
   return stepped;
 }
 
-Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& picture,
-                 std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
-                 const std::string& dashes) {
+Result<void> set_step_target(StepTarget& target, const Scene& scene, const PictureOptions& picture,
+                             std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
+                             const std::string& dashes) {
   if (triangle) {
     const auto legal = check_triangle(dashes + "triangle", scene, *triangle);
     if (!legal) return legal;

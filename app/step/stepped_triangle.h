@@ -29,9 +29,9 @@ struct StepTarget {
 
 struct SteppedTriangle {
   ChosenView chosen;
-  Formulation formulation;    // how the two matrices of `chosen` were computed
-  std::optional<View> usual;  // the view by the usual formulation, if that is another one
-  Trace trace;                // of this triangle only
+  Formulation formulation;         // how the two matrices of `chosen` were computed
+  std::optional<View> usual_view;  // the view by the usual formulation, if that is another one
+  Trace trace;                     // of this triangle only
   NumberedTriangle place;
   // None if the triangle has no area as modelled, so that it is not drawn.
   std::optional<TracedTriangle> triangle;
@@ -39,7 +39,7 @@ struct SteppedTriangle {
   TriangleBounds bounds;
   // With --cull-stage object: the result of the test before clipping, or why there is none.
   std::optional<ObjectCulling> object_culling;
-  int seen = 0;  // number of pixels of the finished picture that show it
+  int visible_pixels = 0;  // number of pixels of the finished picture that show it
 };
 
 // Runs the pipeline once for the triangle with this number, which must exist.
@@ -49,9 +49,9 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
 // Sets the target to the triangle with the given number, or to the one visible in the given pixel;
 // leaves it as it is if neither is given. An error if there is no such triangle or pixel, or if
 // nothing is visible there. `dashes` is the prefix of option names in errors.
-Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& picture,
-                 std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
-                 const std::string& dashes);
+Result<void> set_step_target(StepTarget& target, const Scene& scene, const PictureOptions& picture,
+                             std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
+                             const std::string& dashes);
 
 const TracedDraw& draw_of(const SteppedTriangle& stepped);
 

@@ -141,7 +141,7 @@ std::string ndc_text(const Context& c) {
     auto lines = number_lines(to_glm(vertex.ndc.position), bounds.ndc.position, c.bits);
     if (bounds.condition != glm::dvec3(0)) {
       for (int i = 0; i < 3; ++i)
-        lines[std::size_t(i)] += "  condition " + brief(bounds.condition[i], 3);
+        lines[std::size_t(i)] += "  condition " + short_number(bounds.condition[i], 3);
     }
     lines.push_back(number_line("1/w", vertex.ndc.inverse_w, bounds.ndc.inverse_w, c.bits));
     return lines;
@@ -157,7 +157,7 @@ std::string snap_text(std::int32_t snapped, const SnapStability& snap) {
 }
 
 // The way back from the screen to object space.
-std::string way_back_text(const Context& c) {
+std::string round_trip_text(const Context& c) {
   const auto& corners = c.stepped.bounds.corners;
   if (std::none_of(corners.begin(), corners.end(),
                    [](const CornerBounds& corner) { return corner.round_trip.has_value(); })) {
@@ -177,9 +177,10 @@ std::string screen_text(const Context& c) {
   const Viewport& v = c.stepped.chosen.view.viewport;
   std::string text = sentence(fmt::format(
       "x = {} + {} x_ndc, y = {} - {} y_ndc; pixels from the upper left corner, then to 1/256",
-      brief((double(v.left) + double(v.right)) / 2), brief((double(v.right) - double(v.left)) / 2),
-      brief((double(v.top) + double(v.bottom)) / 2),
-      brief((double(v.bottom) - double(v.top)) / 2)));
+      short_number((double(v.left) + double(v.right)) / 2),
+      short_number((double(v.right) - double(v.left)) / 2),
+      short_number((double(v.top) + double(v.bottom)) / 2),
+      short_number((double(v.bottom) - double(v.top)) / 2)));
   text += vertices_text(c, [&](const TracedVertex& vertex, const VertexBounds& bounds) {
     return std::vector<std::string>{
         number_line("x", vertex.screen.position.x, bounds.screen.x, c.bits) +
@@ -187,7 +188,7 @@ std::string screen_text(const Context& c) {
         number_line("y", vertex.screen.position.y, bounds.screen.y, c.bits) +
             snap_text(vertex.snapped.y, bounds.snap_y)};
   });
-  return text + way_back_text(c);
+  return text + round_trip_text(c);
 }
 
 // ---- setup and facing ----
@@ -212,7 +213,7 @@ std::string facing_text(const Context& c, const TracedPiece& piece, double area_
   const double area = double(setup.double_area) / (kSubpixels * kSubpixels);
   std::string text = sentence(fmt::format(
       "twice the area {}/65536 = {} px^2, {} on the screen{}{}: the {} is seen, and the piece {}",
-      setup.double_area, brief(area, 9), setup.clockwise ? "clockwise" : "counter-clockwise",
+      setup.double_area, short_number(area, 9), setup.clockwise ? "clockwise" : "counter-clockwise",
       area > area_bound ? "" : fmt::format(" (not sure: {})", bound_text(area_bound)),
       draw_of(c.stepped).mirrored ? ", with a model matrix that mirrors" : "",
       piece.front ? "front" : "back", piece.culled ? "is culled" : "goes on"));
@@ -241,7 +242,7 @@ std::string setup_text(const Context& c) {
   }
   if (const auto& test = c.stepped.bounds.back_face) {
     text += sentence(fmt::format("the same test in object space: (P - eye).m = {} {}{}: {}",
-                                 brief(test->value, 9),
+                                 short_number(test->value, 9),
                                  bound_text(test->bound + test->viewer_error_bound),
                                  test->used_exact ? ", decided exactly" : "",
                                  test->facing == Facing::kBack    ? "a back face"
@@ -255,12 +256,13 @@ std::string setup_text(const Context& c) {
 
 std::string fragments_text(const Context& c) {
   const auto& fragments = c.stepped.trace.fragments;
-  std::map<Fate, int> fates;
-  for (const TracedFragment& fragment : fragments) ++fates[fragment.fate];
-  std::string text = sentence(fmt::format(
-      "{} covered: {} hidden, {} discarded, {} written, {} blended",
-      counted(fragments.size(), "pixel centre is", "pixel centres are"), fates[Fate::kHidden],
-      fates[Fate::kDiscarded], fates[Fate::kWritten], fates[Fate::kBlended]));
+  std::map<FragmentResult, int> results;
+  for (const TracedFragment& fragment : fragments) ++results[fragment.result];
+  std::string text =
+      sentence(fmt::format("{} covered: {} hidden, {} discarded, {} written, {} blended",
+                           counted(fragments.size(), "pixel centre is", "pixel centres are"),
+                           results[FragmentResult::kHidden], results[FragmentResult::kDiscarded],
+                           results[FragmentResult::kWritten], results[FragmentResult::kBlended]));
   if (fragments.empty()) return text;
   const auto chosen =
       std::find_if(fragments.begin(), fragments.end(), [&](const TracedFragment& f) {
@@ -278,8 +280,9 @@ std::string fragments_text(const Context& c) {
 std::string picture_text(const Context& c) {
   const auto& fragments = c.stepped.trace.fragments;
   return sentence(fmt::format("{} of the finished picture {} this triangle, of {} that it covered",
-                              counted(c.stepped.seen, "pixel"),
-                              inflected(c.stepped.seen, "shows", "show"), fragments.size()));
+                              counted(c.stepped.visible_pixels, "pixel"),
+                              singular_or_plural(c.stepped.visible_pixels, "shows", "show"),
+                              fragments.size()));
 }
 
 std::string without_trailing_blanks(const std::string& text) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/elementary.h>
-#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 
 namespace glassbox::app {
 
@@ -27,8 +27,8 @@ std::string option_number(double value) {
 
 // The parallax budget, with one more limit behind the window: on the display, parallax must not
 // exceed the distance between the pupils.
-ParallaxBudget bearable(const StereoFindings& found) {
-  const double pupils_px = kPupilDistanceMm / found.question.display.width_mm *
+ParallaxBudget display_budget(const StereoFindings& found) {
+  const double pupils_px = kPupilDistanceMm / found.criteria.display.width_mm *
                            double(found.chosen.centre.viewport.width());
   return {found.depth.budget.in_front_px, std::min(found.depth.budget.behind_px, pupils_px)};
 }
@@ -48,7 +48,7 @@ std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   const double at_most =
       std::max(found.chosen.eyes.pair.half_separation, window / kWindowsPerSeparation / 2);
   const double half =
-      largest_half_separation(centre, window, *found.depth.seen, bearable(found), at_most);
+      largest_half_separation(centre, window, *found.depth.seen, display_budget(found), at_most);
   if (!(half > 0)) return {};
   return Eyes{rounded_down(2 * half), window};
 }
@@ -69,7 +69,8 @@ std::optional<Eyes> eyes_before(const StereoFindings& found, double distance) {
 
 // Eyes with the window at which the nearest and the farthest visible depth both reach the budget.
 std::optional<Eyes> best_eyes(const StereoFindings& found) {
-  return eyes_before(found, best_window(found.chosen.centre, *found.depth.seen, bearable(found)));
+  return eyes_before(found,
+                     best_window(found.chosen.centre, *found.depth.seen, display_budget(found)));
 }
 
 std::vector<std::string> options_of(const Eyes& eyes) {
@@ -108,25 +109,25 @@ void advise_on_cuts(const Scene& scene, const StereoFindings& found, std::vector
 }
 
 void advise_on_budget(const StereoFindings& found, std::vector<Advice>& all) {
-  const double apart = 2 * found.chosen.eyes.pair.half_separation;
+  const double current_separation = 2 * found.chosen.eyes.pair.half_separation;
   const auto same = eyes_for_same_window(found);
   const auto best = best_eyes(found);
   const bool broken =
       found.depth.share_beyond_budget() > 0 || found.depth.farthest_displayed.diverges;
   if (!broken) {
     constexpr double kMuchMore = 2;
-    if (!same || same->separation < kMuchMore * apart) return;
+    if (!same || same->separation < kMuchMore * current_separation) return;
     all.push_back(
         {fmt::format(
              "There is room for more depth: the eyes may be {:.4g} apart instead of {:.4g}.",
-             same->separation, apart),
+             same->separation, current_separation),
          options_of(*same)});
     return;
   }
   if (same) {
     all.push_back({fmt::format("Move the eyes closer together: {:.4g} apart instead of {:.4g}, "
                                "with the window where it is, keeps the budget.",
-                               same->separation, apart),
+                               same->separation, current_separation),
                    options_of(*same)});
   }
   if (!best || (same && best->separation <= 1.05 * same->separation)) return;
@@ -160,7 +161,7 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
            "Or change the colours: with glassbox render's --desaturate {:.2f} --brighten {:.2f}, "
            "c' = b + (1 - b) lerp(c, luma(c), k), the {} anaglyph has a mean rivalry of {:.3f}, at "
            "a mean colour difference of {:.1f} (CIEDE2000){}.",
-           chosen.recolour.desaturate, chosen.recolour.brighten, name_of(found.question.method),
+           chosen.recolour.desaturate, chosen.recolour.brighten, name_of(found.criteria.method),
            chosen.rivalry, chosen.difference,
            colour.suggestion->meets_target ? "" : "; greys cannot do better"),
        {}});

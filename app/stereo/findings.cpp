@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <glassbox/base/elapsed.h>
-#include <glassbox/render/depth_seen.h>
+#include <glassbox/render/visible_depth_span.h>
 
 namespace glassbox::app {
 
@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 // Returns the result of `draw` and its time. The second call is timed, when the engine already has
 // its threads and memory.
 template <class Draw>
-auto timed_when_warm(const Draw& draw, double& ms) {
+auto timed_second_run(const Draw& draw, double& ms) {
   draw();
   const Clock::time_point start = Clock::now();
   auto drawn = draw();
@@ -27,35 +27,36 @@ auto timed_when_warm(const Draw& draw, double& ms) {
 
 // ---- depth ----
 
-std::optional<DepthSpan> seen_by_either(const Framebuffer& left, const Framebuffer& right) {
+std::optional<DepthSpan> visible_span(const Framebuffer& left, const Framebuffer& right) {
   const auto a = depth_span(left.distance), b = depth_span(right.distance);
   if (!a || !b) return a ? a : b;
   return DepthSpan{std::min(a->nearest, b->nearest), std::max(a->farthest, b->farthest)};
 }
 
 DepthFindings find_depth(const Scene& scene, const ChosenEyes& chosen,
-                         const StereoRendering& rendering, const StereoQuestion& question) {
+                         const StereoRendering& rendering, const StereoCriteria& criteria) {
   const View& centre = chosen.centre;
   const StereoPair& pair = chosen.eyes.pair;
   const Framebuffer &left = rendering.left, &right = rendering.right;
   DepthFindings found;
-  const double budget = question.budget_percent / 100 * double(centre.viewport.width());
+  const double budget = criteria.budget_percent / 100 * double(centre.viewport.width());
   found.budget = {budget, budget};
   found.planes = parallax_table(centre, pair);
-  found.seen = seen_by_either(left, right);
+  found.seen = visible_span(left, right);
   if (found.seen) {
     found.nearest = parallax_at(centre, pair, found.seen->nearest);
     found.farthest = parallax_at(centre, pair, found.seen->farthest);
   }
-  found.nearest_displayed = on_display(found.nearest, question.display);
-  found.farthest_displayed = on_display(found.farthest, question.display);
+  found.nearest_displayed = displayed_parallax(found.nearest, criteria.display);
+  found.farthest_displayed = displayed_parallax(found.farthest, criteria.display);
   found.disparity = {disparity_map(centre, pair, left.distance),
                      disparity_map(centre, pair, right.distance)};
-  found.summary = {summarise(found.disparity.left, found.budget),
-                   summarise(found.disparity.right, found.budget)};
+  found.summary = {summarise_disparity(found.disparity.left, found.budget),
+                   summarise_disparity(found.disparity.right, found.budget)};
   found.histogram = histogram_of(found.disparity.left);
   found.monocular = monocular_maps(found.disparity.left, found.disparity.right);
-  found.monocular_counts = {count(found.monocular.left), count(found.monocular.right)};
+  found.monocular_counts = {count_monocular(found.monocular.left),
+                            count_monocular(found.monocular.right)};
   found.violations =
       window_violations(scene, {left, found.disparity.left}, {right, found.disparity.right});
   return found;
@@ -123,7 +124,7 @@ MapSizes sizes_of(Image<float> map) {
 
 Result<MethodFindings> find_method(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                    AnaglyphMethod method, Glasses glasses) {
-  const Result<Viewing> seen = viewing(method, glasses);
+  const Result<AnaglyphViewing> seen = anaglyph_viewing(method, glasses);
   if (!seen) return tl::unexpected(seen.error());
   const Result<GhostMaps> ghosts = ghost_maps(left, right, *seen);
   if (!ghosts) return tl::unexpected(ghosts.error());
@@ -133,10 +134,10 @@ Result<MethodFindings> find_method(const Image<Rgba8>& left, const Image<Rgba8>&
 }
 
 Result<ColourFindings> find_colour(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                   const StereoQuestion& question) {
-  const Result<Viewing> seen = viewing(question.method, question.glasses);
+                                   const StereoCriteria& criteria) {
+  const Result<AnaglyphViewing> seen = anaglyph_viewing(criteria.method, criteria.glasses);
   if (!seen) return tl::unexpected(seen.error());
-  Result<Image<Rgba8>> anaglyph = make_anaglyph(left, right, question.method, question.glasses);
+  Result<Image<Rgba8>> anaglyph = make_anaglyph(left, right, criteria.method, criteria.glasses);
   if (!anaglyph) return tl::unexpected(anaglyph.error());
   Result<GhostMaps> ghosts = ghost_maps(left, right, *seen);
   if (!ghosts) return tl::unexpected(ghosts.error());
@@ -155,12 +156,12 @@ Result<ColourFindings> find_colour(const Image<Rgba8>& left, const Image<Rgba8>&
   found.measured_lenses = seen->lenses.measured;
   for (const auto& method : all_anaglyph_methods()) {
     // Methods that were published for other glasses are skipped.
-    if (const auto one = find_method(left, right, method.value, question.glasses)) {
+    if (const auto one = find_method(left, right, method.value, criteria.glasses)) {
       found.methods.push_back(*one);
     }
   }
-  if (found.mean_rivalry > question.target_rivalry) {
-    Result<Suggestion> suggestion = suggest_recolour(left, right, *seen, question.target_rivalry);
+  if (found.mean_rivalry > criteria.target_rivalry) {
+    Result<Suggestion> suggestion = suggest_recolour(left, right, *seen, criteria.target_rivalry);
     if (!suggestion) return tl::unexpected(suggestion.error());
     found.suggestion = std::move(*suggestion);
   }
@@ -199,24 +200,24 @@ double DepthFindings::largest_percent() const {
 }
 
 Result<StereoFindings> find_stereo(const Scene& scene, Renderer& renderer, const ChosenEyes& chosen,
-                                   const RenderSettings& picture, const StereoQuestion& question) {
+                                   const RenderSettings& picture, const StereoCriteria& criteria) {
   RenderSettings settings = picture;
   settings.want_distance = settings.want_id = true;
   StereoFindings found;
   found.chosen = chosen;
-  found.question = question;
+  found.criteria = criteria;
 
   const Rendering one =
-      timed_when_warm([&] { return renderer.render(chosen.centre, settings); }, found.cost.one_ms);
-  found.rendering = timed_when_warm(
+      timed_second_run([&] { return renderer.render(chosen.centre, settings); }, found.cost.one_ms);
+  found.rendering = timed_second_run(
       [&] { return renderer.render_pair(chosen.centre, chosen.eyes.pair, {settings}); },
       found.cost.both_ms);
   found.culling = find_culling(renderer, chosen, settings, found.rendering);
 
-  found.depth = find_depth(scene, chosen, found.rendering, question);
+  found.depth = find_depth(scene, chosen, found.rendering, criteria);
   found.vertical = find_vertical(chosen, one.buffers.distance);
   const Image<Rgba8>&left = found.rendering.left.color, &right = found.rendering.right.color;
-  Result<ColourFindings> colour = find_colour(left, right, question);
+  Result<ColourFindings> colour = find_colour(left, right, criteria);
   if (!colour) return tl::unexpected(colour.error());
   found.colour = std::move(*colour);
 
@@ -228,7 +229,7 @@ Result<StereoFindings> find_stereo(const Scene& scene, Renderer& renderer, const
   const auto pair = pair_order(left, right, disparity);
   if (!pair) return tl::unexpected(pair.error());
   found.pair_order = *pair;
-  const auto anaglyph = anaglyph_order(found.colour.anaglyph, question.glasses, disparity);
+  const auto anaglyph = anaglyph_order(found.colour.anaglyph, criteria.glasses, disparity);
   if (!anaglyph) return tl::unexpected(anaglyph.error());
   found.anaglyph_order = *anaglyph;
   return found;

@@ -15,8 +15,8 @@
 #include <glassbox/images/stereo/order.h>
 #include <glassbox/images/stereo/recolour.h>
 #include <glassbox/images/stereo/rivalry.h>
-#include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/parallax.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 #include <glassbox/render/renderer.h>
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
@@ -26,7 +26,7 @@
 namespace glassbox::app {
 
 // The requirements that the pair is compared with.
-struct StereoQuestion {
+struct StereoCriteria {
   // of the width, in front of the window and behind it
   double budget_percent = kComfortablePercent;
   Display display;
@@ -37,7 +37,7 @@ struct StereoQuestion {
 
 // One value for each eye.
 template <class T>
-struct BothEyes {
+struct PerEye {
   T left, right;
 };
 
@@ -47,11 +47,11 @@ struct DepthFindings {
   std::optional<DepthSpan> seen;  // by either eye; none if nothing is drawn
   Parallax nearest, farthest;     // of the visible depths
   ParallaxBudget budget;
-  BothEyes<Image<float>> disparity;
-  BothEyes<DisparitySummary> summary;
+  PerEye<Image<float>> disparity;
+  PerEye<DisparitySummary> summary;
   DisparityHistogram histogram;  // of the left eye's pixels
   MonocularMaps monocular;
-  BothEyes<MonocularCounts> monocular_counts;
+  PerEye<MonocularCounts> monocular_counts;
   WindowViolations violations;
   DisplayedParallax farthest_displayed, nearest_displayed;
 
@@ -81,10 +81,10 @@ struct MethodFindings {
 
 struct ColourFindings {
   Image<Rgba8> anaglyph;
-  BothEyes<Image<float>> rivalry;
+  PerEye<Image<float>> rivalry;
   double mean_rivalry = 0, worst_rivalry = 0;
-  GhostMaps ghosts;                          // with signs
-  BothEyes<double> mean_ghost, worst_ghost;  // of the absolute values
+  GhostMaps ghosts;                        // with signs
+  PerEye<double> mean_ghost, worst_ghost;  // of the absolute values
   Ghosts white_leak;
   bool measured_lenses = false;
   std::vector<MethodFindings> methods;   // all methods for these glasses
@@ -93,8 +93,8 @@ struct ColourFindings {
 
 // What would be lost if triangles were culled by the camera between the eyes (E20).
 struct CullingFindings {
-  std::uint64_t triangles = 0;           // visible to an eye, but culled
-  BothEyes<std::uint64_t> pixels{0, 0};  // that would change
+  std::uint64_t triangles = 0;         // visible to an eye, but culled
+  PerEye<std::uint64_t> pixels{0, 0};  // that would change
 };
 
 struct CostFindings {
@@ -104,7 +104,7 @@ struct CostFindings {
 
 struct StereoFindings {
   ChosenEyes chosen;
-  StereoQuestion question;
+  StereoCriteria criteria;
   StereoRendering rendering;  // with the distance and id planes
   DepthFindings depth;
   VerticalFindings vertical;
@@ -119,6 +119,6 @@ struct StereoFindings {
 // Draws for the camera between the eyes, for both eyes, and for both with culling by the centre.
 // `renderer` draws the scene.
 Result<StereoFindings> find_stereo(const Scene& scene, Renderer& renderer, const ChosenEyes& chosen,
-                                   const RenderSettings& settings, const StereoQuestion& question);
+                                   const RenderSettings& settings, const StereoCriteria& criteria);
 
 }  // namespace glassbox::app

@@ -36,9 +36,9 @@ Json eye_json(const DisparitySummary& summary, const MonocularCounts& monocular)
             {"missing", monocular.missing}}}};
 }
 
-Json disparity_json(const DepthFindings& depth, const StereoQuestion& question) {
+Json disparity_json(const DepthFindings& depth, const StereoCriteria& criteria) {
   const DisparityHistogram& histogram = depth.histogram;
-  return {{"budget_percent", question.budget_percent},
+  return {{"budget_percent", criteria.budget_percent},
           {"budget_in_front_px", depth.budget.in_front_px},
           {"budget_behind_px", depth.budget.behind_px},
           {"share_beyond_budget", depth.share_beyond_budget()},
@@ -83,16 +83,16 @@ Json recolour_json(const Compromise& one) {
           {"ciede2000", one.difference}};
 }
 
-Json colour_json(const ColourFindings& colour, const StereoQuestion& question) {
+Json colour_json(const ColourFindings& colour, const StereoCriteria& criteria) {
   Json methods = Json::array();
   for (const MethodFindings& one : colour.methods) {
     methods.push_back({{"method", name_of(one.method)},
                        {"mean_rivalry", one.rivalry},
                        {"mean_ghost", one.ghosts}});
   }
-  Json json{{"method", name_of(question.method)},
-            {"glasses", name_of(question.glasses)},
-            {"target_rivalry", question.target_rivalry},
+  Json json{{"method", name_of(criteria.method)},
+            {"glasses", name_of(criteria.glasses)},
+            {"target_rivalry", criteria.target_rivalry},
             {"mean_rivalry", colour.mean_rivalry},
             {"worst_rivalry", colour.worst_rivalry},
             {"measured_lenses", colour.measured_lenses},
@@ -148,17 +148,17 @@ Json stereo_json(const Scene& scene, const StereoFindings& found, const StereoWo
         {"projection", found.chosen.centre.perspective ? "perspective" : "parallel"},
         {"passes", found.rendering.passes}}},
       {"display",
-       {{"width_mm", found.question.display.width_mm},
-        {"viewing_distance_mm", found.question.display.viewing_distance_mm},
+       {{"width_mm", found.criteria.display.width_mm},
+        {"viewing_distance_mm", found.criteria.display.viewing_distance_mm},
         {"pupil_distance_mm", kPupilDistanceMm}}},
       {"parallax", parallax_json(found)},
-      {"disparity", disparity_json(found.depth, found.question)},
+      {"disparity", disparity_json(found.depth, found.criteria)},
       {"window_violations", violations_json(scene, found.depth.violations)},
       {"vertical_parallax",
        {{"skewed_px", vertical.skewed_px},
         {"toed_in_px", vertical.toed_in_px},
         {"toed_in_at", {vertical.x, vertical.y}}}},
-      {"anaglyph", colour_json(found.colour, found.question)},
+      {"anaglyph", colour_json(found.colour, found.criteria)},
       {"order",
        {{"pair", order_json(found.pair_order)}, {"anaglyph", order_json(found.anaglyph_order)}}},
       {"information",

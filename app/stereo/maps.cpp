@@ -14,26 +14,27 @@ constexpr Rgba8 kRed{225, 40, 40, 255}, kMagenta{215, 60, 190, 255};
 constexpr Rgba8 kWindow{240, 240, 236, 255}, kNothing{88, 92, 100, 255};
 constexpr Rgba8 kFarthestOut{150, 62, 0, 255}, kFarthestIn{16, 52, 140, 255};
 
-std::uint8_t between(std::uint8_t a, std::uint8_t b, double share) {
+std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double share) {
   return std::uint8_t(std::lround(a + (b - a) * share));
 }
 
-Rgba8 mixed(const Rgba8& a, const Rgba8& b, double share) {
-  return {between(a.r, b.r, share), between(a.g, b.g, share), between(a.b, b.b, share), 255};
+Rgba8 mix_colours(const Rgba8& a, const Rgba8& b, double share) {
+  return {mix_channel(a.r, b.r, share), mix_channel(a.g, b.g, share), mix_channel(a.b, b.b, share),
+          255};
 }
 
 // Turns the picture into dark greys, so that coloured marks stand out.
-Rgba8 dimmed(const Rgba8& pixel) {
+Rgba8 darkened_grey(const Rgba8& pixel) {
   const auto level = std::uint8_t((299 * pixel.r + 587 * pixel.g + 114 * pixel.b) / 2000 + 16);
   return {level, level, level, pixel.a};
 }
 
 template <class Mark, class Colour>
-Image<Rgba8> marked(const Image<Rgba8>& picture, const Image<Mark>& marks,
-                    const Colour& colour_of) {
+Image<Rgba8> draw_marks(const Image<Rgba8>& picture, const Image<Mark>& marks,
+                        const Colour& colour_of) {
   Image<Rgba8> out(picture.width, picture.height);
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
-    out.pixels[i] = colour_of(marks.pixels[i], dimmed(picture.pixels[i]));
+    out.pixels[i] = colour_of(marks.pixels[i], darkened_grey(picture.pixels[i]));
   }
   return out;
 }
@@ -47,7 +48,8 @@ Rgba8 disparity_colour(double px, double limit_px) {
   const Rgba8& middle = share < 0 ? kOrange : kBlue;
   const Rgba8& end = share < 0 ? kFarthestOut : kFarthestIn;
   const double size = std::abs(share);
-  return size < 0.5 ? mixed(kWindow, middle, 2 * size) : mixed(middle, end, 2 * size - 1);
+  return size < 0.5 ? mix_colours(kWindow, middle, 2 * size)
+                    : mix_colours(middle, end, 2 * size - 1);
 }
 
 Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudget& budget,
@@ -84,29 +86,29 @@ Image<float> larger_of(const Image<float>& a, const Image<float>& b) {
 }
 
 Image<Rgba8> information_picture(const Image<Rgba8>& left, const Image<std::uint8_t>& marks) {
-  return marked(left, marks, [](std::uint8_t mark, const Rgba8& dim) {
+  return draw_marks(left, marks, [](std::uint8_t mark, const Rgba8& dim) {
     if ((mark & kMarkEdge) == 0) return dim;
     return (mark & kMarkDisplaced) != 0 ? kOrange : kBlue;
   });
 }
 
 Image<Rgba8> violation_picture(const Image<Rgba8>& eye, const Image<std::uint8_t>& marks) {
-  return marked(eye, marks, [](std::uint8_t mark, const Rgba8& dim) {
-    return mark != 0 ? mixed(dim, kRed, 0.75) : dim;
+  return draw_marks(eye, marks, [](std::uint8_t mark, const Rgba8& dim) {
+    return mark != 0 ? mix_colours(dim, kRed, 0.75) : dim;
   });
 }
 
-Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEye>& map) {
-  return marked(eye, map, [](OtherEye seen, const Rgba8& dim) {
+Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEyeVisibility>& map) {
+  return draw_marks(eye, map, [](OtherEyeVisibility seen, const Rgba8& dim) {
     switch (seen) {
-      case OtherEye::kHidden:
+      case OtherEyeVisibility::kHidden:
         return kOrange;
-      case OtherEye::kBesideIt:
+      case OtherEyeVisibility::kOutsidePicture:
         return kBlue;
-      case OtherEye::kMissing:
+      case OtherEyeVisibility::kMissing:
         return kMagenta;
-      case OtherEye::kNothingDrawn:
-      case OtherEye::kSeesIt:
+      case OtherEyeVisibility::kNothingDrawn:
+      case OtherEyeVisibility::kVisible:
         break;
     }
     return dim;

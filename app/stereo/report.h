@@ -73,6 +73,6 @@ Image<Rgba8> violation_picture(const Image<Rgba8>& eye, const Image<std::uint8_t
 
 // Pixels that only this eye sees: hidden from the other eye in orange, outside the other picture in
 // blue, missing there in magenta.
-Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEye>& map);
+Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEyeVisibility>& map);
 
 }  // namespace glassbox::app

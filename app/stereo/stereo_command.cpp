@@ -45,7 +45,7 @@ private:
   std::string scene_;
   PictureOptions picture_;
   AnaglyphOptions anaglyph_;
-  StereoQuestion question_;
+  StereoCriteria criteria_;
   EngineOptions engine_;
   std::optional<std::string> html_output_, json_output_;
   std::vector<const CLI::Option*> options_;  // those of the report that a command line repeats
@@ -53,39 +53,39 @@ private:
 
 namespace {
 
-void add_report_options(CLI::App& command, StereoQuestion& question) {
+void add_report_options(CLI::App& command, StereoCriteria& criteria) {
   const std::string group = "What the pair is compared with";
   command
       .add_option_function<std::string>(
           "--budget",
-          [&question](const std::string& text) {
-            question.budget_percent = parse_number("--budget", text);
+          [&criteria](const std::string& text) {
+            criteria.budget_percent = parse_number("--budget", text);
           },
           fmt::format(
               "parallax allowed in front of and behind the window, in per cent of the width [{:g}]",
-              question.budget_percent))
+              criteria.budget_percent))
       ->type_name("PERCENT")
       ->group(group);
   command
       .add_option_function<std::string>(
           "--display",
-          [&question](const std::string& text) {
+          [&criteria](const std::string& text) {
             const auto [width, distance] = parse_numbers<2>("--display", text);
-            question.display = {width, distance};
+            criteria.display = {width, distance};
           },
           fmt::format(
               "width of the displayed picture and its distance from the viewer, in mm [{:g},{:g}]",
-              question.display.width_mm, question.display.viewing_distance_mm))
+              criteria.display.width_mm, criteria.display.viewing_distance_mm))
       ->type_name("WIDTH,DISTANCE")
       ->group(group);
   command
       .add_option_function<std::string>(
           "--target-rivalry",
-          [&question](const std::string& text) {
-            question.target_rivalry = parse_number("--target-rivalry", text);
+          [&criteria](const std::string& text) {
+            criteria.target_rivalry = parse_number("--target-rivalry", text);
           },
           fmt::format("target for the mean rivalry of the anaglyph, 0 to 1 [{:g}]",
-                      question.target_rivalry))
+                      criteria.target_rivalry))
       ->type_name("R")
       ->group(group);
 }
@@ -107,7 +107,7 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
   add_picture_options(command, picture_);
   const std::size_t before = command.get_options().size();
   add_anaglyph_options(command, anaglyph_);
-  add_report_options(command, question_);
+  add_report_options(command, criteria_);
   const auto all = command.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
   add_engine_options(command, engine_);
@@ -122,24 +122,24 @@ Result<void> StereoCommand::check_options() const {
   if (picture_.eyes.seen_by) {
     return fail("--seen-by", "the report is about both eyes", "leave it out");
   }
-  const double budget = question_.budget_percent;
+  const double budget = criteria_.budget_percent;
   if (!(budget >= 0 && budget <= 100)) {
     return fail("--budget", fmt::format("{:g} is not a percentage from 0 to 100", budget),
                 "give per cent of the width");
   }
-  const Display& display = question_.display;
+  const Display& display = criteria_.display;
   if (!(display.width_mm > 0 && display.viewing_distance_mm > 0)) {
     return fail("--display",
                 fmt::format("a display of {:g} mm at {:g} mm is not possible", display.width_mm,
                             display.viewing_distance_mm),
                 "give the picture's width and its distance, both above 0");
   }
-  const double target = question_.target_rivalry;
+  const double target = criteria_.target_rivalry;
   if (!(target >= 0 && target <= 1)) {
     return fail("--target-rivalry", fmt::format("{:g} is not between 0 and 1", target),
                 "give a mean rivalry, such as 0.1");
   }
-  const auto matrix = anaglyph_matrix(question_.method, question_.glasses);
+  const auto matrix = anaglyph_matrix(criteria_.method, criteria_.glasses);
   if (!matrix) return tl::unexpected(matrix.error());
   if (html_output_) {
     if (const auto legal = check_page_size(picture_.size.width, picture_.size.height); !legal) {
@@ -153,7 +153,8 @@ Result<void> StereoCommand::check_options() const {
 std::string StereoCommand::command_line() const {
   std::vector<std::string> page;
   if (html_output_) page = {"--html", *html_output_};
-  return shell_line({{"stereo", scene_}, words_given(picture_), words_of(options_), page});
+  return shell_line(
+      {{"stereo", scene_}, given_option_words(picture_), option_words(options_), page});
 }
 
 Result<void> StereoCommand::write_outputs(const Scene& scene, const StereoFindings& found,
@@ -162,28 +163,28 @@ Result<void> StereoCommand::write_outputs(const Scene& scene, const StereoFindin
       {"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
   json.update(stereo_json(scene, found, words));
   if (html_output_) {
-    const auto written =
-        write_made(*html_output_,
-                   make_stereo_page(found, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
+    const auto written = write_text_result(
+        *html_output_,
+        make_stereo_page(found, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
     if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
 
 int StereoCommand::run() {
-  question_.method = anaglyph_.method.value_or(question_.method);
-  question_.glasses = anaglyph_.glasses.value_or(question_.glasses);
+  criteria_.method = anaglyph_.method.value_or(criteria_.method);
+  criteria_.glasses = anaglyph_.glasses.value_or(criteria_.glasses);
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   const Result<ChosenEyes> chosen = choose_eyes(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
   Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
   const Result<StereoFindings> found =
-      find_stereo(*scene, renderer, *chosen, picture_.settings, question_);
+      find_stereo(*scene, renderer, *chosen, picture_.settings, criteria_);
   if (!found) return refuse(found.error());
   const StereoWords words{verdicts_of(*scene, *found), advise(*scene, *found)};
   progress.phase("writing the report");

@@ -20,9 +20,9 @@ namespace {
 
 template <class Value>
 void add_named(CLI::App& command, const std::string& name, std::optional<Value>& value,
-               std::span<const Named<Value>> all, const std::string& help) {
+               std::span<const NamedChoice<Value>> all, const std::string& help) {
   Choices<std::optional<Value>> choices;
-  for (const Named<Value>& named : all) choices.emplace_back(named.name, named.value);
+  for (const NamedChoice<Value>& named : all) choices.emplace_back(named.name, named.value);
   add_choice(command, name, value, choices, help)->group("Eyes (stereo)");
 }
 
@@ -70,22 +70,21 @@ bool is_masked(const StereoPictureOptions& stereo) {
 }
 
 // Both eyes' pictures as an anaglyph or in the chosen layout.
-Result<Image<Rgba8>> put_together(const Image<Rgba8>& left, const Image<Rgba8>& right,
+Result<Image<Rgba8>> combine_eyes(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const StereoPictureOptions& stereo) {
-  if (stereo.form.layout) return lay_out(left, right, *stereo.form.layout);
+  if (stereo.form.layout) return make_stereo_layout(left, right, *stereo.form.layout);
   return make_anaglyph(left, right, stereo.anaglyph.method.value_or(AnaglyphMethod::kMask),
                        stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
 }
 
-Result<Image<Rgba8>> recoloured_and_put_together(const Image<Rgba8>& left,
-                                                 const Image<Rgba8>& right,
-                                                 const StereoPictureOptions& stereo) {
-  if (!is_recoloured(stereo)) return put_together(left, right, stereo);
+Result<Image<Rgba8>> recolour_and_combine(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                          const StereoPictureOptions& stereo) {
+  if (!is_recoloured(stereo)) return combine_eyes(left, right, stereo);
   const Result<Image<Rgba8>> new_left = recoloured(left, stereo.recolour);
   if (!new_left) return new_left;
   const Result<Image<Rgba8>> new_right = recoloured(right, stereo.recolour);
   if (!new_right) return new_right;
-  return put_together(*new_left, *new_right, stereo);
+  return combine_eyes(*new_left, *new_right, stereo);
 }
 
 AnaglyphMasks masks_for(Glasses glasses) {
@@ -122,8 +121,8 @@ Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen
   picture.rendering.left.distance = columns_of(left.buffers.distance, cut->left_first, width);
   picture.rendering.right.distance = columns_of(right.buffers.distance, cut->right_first, width);
   Result<Image<Rgba8>> image =
-      recoloured_and_put_together(columns_of(left.buffers.color, cut->left_first, width),
-                                  columns_of(right.buffers.color, cut->right_first, width), stereo);
+      recolour_and_combine(columns_of(left.buffers.color, cut->left_first, width),
+                           columns_of(right.buffers.color, cut->right_first, width), stereo);
   if (!image) return tl::unexpected(image.error());
   picture.image = std::move(*image);
   return picture;
@@ -136,12 +135,12 @@ Result<StereoPicture> draw_and_warp(Renderer& renderer, const Scene& scene,
   const views::SecondEyeSettings& by = *stereo.second_eye;
   if (const auto legal = views::check_second_eye(scene, settings, by.layers); !legal)
     return tl::unexpected(legal.error());
-  views::PairByWarp pair;
+  views::WarpedPair pair;
   views::render_pair_by_warp(renderer, chosen.centre, chosen.eyes.pair, settings, by, second, pair);
   StereoPicture picture;
   picture.rendering = std::move(pair.rendering);
-  Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
-                                                           picture.rendering.right.color, stereo);
+  Result<Image<Rgba8>> image =
+      recolour_and_combine(picture.rendering.left.color, picture.rendering.right.color, stereo);
   if (!image) return tl::unexpected(image.error());
   picture.image = std::move(*image);
   const std::size_t pixels = picture.rendering.right.color.pixels.size();
@@ -153,7 +152,7 @@ Result<StereoPicture> draw_eyes(Renderer& renderer, const Scene& scene, const Ch
                                 const RenderSettings& settings, const StereoPictureOptions& stereo,
                                 views::SecondEye& second) {
   if (stereo.second_eye) return draw_and_warp(renderer, scene, chosen, settings, stereo, second);
-  if (stereo.eyes_by == EyesBy::kCrop) return draw_and_crop(renderer, chosen, settings, stereo);
+  if (stereo.eyes_by == EyeFrusta::kCrop) return draw_and_crop(renderer, chosen, settings, stereo);
   const StereoSettings both{settings, stereo.culling};
   const StereoPair& pair = chosen.eyes.pair;
   const Glasses glasses = stereo.anaglyph.glasses.value_or(Glasses::kRedCyan);
@@ -165,8 +164,8 @@ Result<StereoPicture> draw_eyes(Renderer& renderer, const Scene& scene, const Ch
     return picture;
   }
   picture.rendering = renderer.render_pair(chosen.centre, pair, both);
-  Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
-                                                           picture.rendering.right.color, stereo);
+  Result<Image<Rgba8>> image =
+      recolour_and_combine(picture.rendering.left.color, picture.rendering.right.color, stereo);
   if (!image) return tl::unexpected(image.error());
   picture.image = std::move(*image);
   return picture;
@@ -203,7 +202,7 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
              "the eyes cannot see, which loses some [union]")
       ->group("Eyes (stereo)");
   add_choice(command, "--eyes-by", stereo.eyes_by,
-             {{"skew", EyesBy::kSkew}, {"crop", EyesBy::kCrop}},
+             {{"skew", EyeFrusta::kSkew}, {"crop", EyeFrusta::kCrop}},
              "projection of each eye: a skewed frustum, or a wider symmetric one whose picture is "
              "aligned and cropped [skew]")
       ->group("Eyes (stereo)");
@@ -248,12 +247,12 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
                 fmt::format("--stereo {} is not an anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
-  if (stereo.eyes_by == EyesBy::kCrop && stereo.culling == StereoCulling::kCentre) {
+  if (stereo.eyes_by == EyeFrusta::kCrop && stereo.culling == StereoCulling::kCentre) {
     return fail("--stereo-cull centre",
                 "--eyes-by crop draws each eye by itself, so nothing is culled for both",
                 "leave it out, or leave out --eyes-by crop");
   }
-  if (stereo.second_eye && stereo.eyes_by == EyesBy::kCrop) {
+  if (stereo.second_eye && stereo.eyes_by == EyeFrusta::kCrop) {
     return fail("--eyes-by crop", "--second-eye warp works with skewed frusta only",
                 "leave it out, or leave out --second-eye");
   }
@@ -282,7 +281,7 @@ Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& sce
                                             views::SecondEye& second) {
   Result<StereoPicture> picture = draw_eyes(renderer, scene, chosen, settings, stereo, second);
   if (!picture || !stereo.cable) return picture;
-  return send(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
+  return send_through_cable(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
     picture->image = std::move(arrived);
     return std::move(*picture);
   });

@@ -37,7 +37,7 @@ struct StereoForm {
 
 // kSkew: skewed frusta. kCrop: wider, symmetric frusta, whose pictures are aligned and cropped
 // (S0-08).
-enum class EyesBy { kSkew, kCrop };
+enum class EyeFrusta { kSkew, kCrop };
 
 struct StereoPictureOptions {
   StereoForm form;
@@ -46,7 +46,7 @@ struct StereoPictureOptions {
   // The video cable whose effect on an anaglyph is simulated; absent: none.
   std::optional<Cable> cable;
   StereoCulling culling = StereoCulling::kUnion;
-  EyesBy eyes_by = EyesBy::kSkew;
+  EyeFrusta eyes_by = EyeFrusta::kSkew;
   std::optional<views::SecondEyeSettings> second_eye;  // absent: drawn like the first eye
   std::vector<const CLI::Option*> options;  // the options that add_stereo_picture_options has added
 };

@@ -64,7 +64,7 @@ std::vector<ParallaxRow> parallax_rows(const StereoFindings& found) {
   const DepthFindings& depth = found.depth;
   std::vector<ParallaxRow> rows;
   const auto add = [&](const char* name, const Parallax& parallax) {
-    rows.push_back({name, parallax, on_display(parallax, found.question.display)});
+    rows.push_back({name, parallax, displayed_parallax(parallax, found.criteria.display)});
   };
   add("near plane", depth.planes.near);
   if (depth.seen) add("nearest seen", depth.nearest);

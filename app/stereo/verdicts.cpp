@@ -26,7 +26,7 @@ Verdict about_parallax(const StereoFindings& found) {
   const DepthFindings& depth = found.depth;
   const std::string seen = fmt::format(
       "what is visible has {:+.3f} % to {:+.3f} % of the width, {:g} % are allowed either way",
-      depth.nearest.percent, depth.farthest.percent, found.question.budget_percent);
+      depth.nearest.percent, depth.farthest.percent, found.criteria.budget_percent);
   const double share = depth.share_beyond_budget();
   if (share == 0) return {"parallax", Level::kGood, "within the budget: " + seen};
   constexpr double kFew = 0.01;  // share of the pixels: too few to tire the eyes
@@ -51,7 +51,7 @@ Verdict about_window(const Scene& scene, const StereoFindings& found) {
 
 Verdict about_divergence(const StereoFindings& found) {
   const DisplayedParallax& far = found.depth.farthest_displayed;
-  const Display& display = found.question.display;
+  const Display& display = found.criteria.display;
   const std::string where = fmt::format("on a display {:g} mm wide, {:g} mm away", display.width_mm,
                                         display.viewing_distance_mm);
   if (far.diverges) {
@@ -81,12 +81,12 @@ Verdict about_vertical(const StereoFindings& found) {
 
 Verdict about_rivalry(const StereoFindings& found) {
   const ColourFindings& colour = found.colour;
-  const bool good = colour.mean_rivalry <= found.question.target_rivalry;
+  const bool good = colour.mean_rivalry <= found.criteria.target_rivalry;
   return {"rivalry", good ? Level::kGood : Level::kWarning,
           fmt::format("{} anaglyph: {:.3f} on average, {:.3f} at worst (0: the same to both eyes, "
                       "1: white to one and black to the other); the target is {:g}",
-                      name_of(found.question.method), colour.mean_rivalry, colour.worst_rivalry,
-                      found.question.target_rivalry)};
+                      name_of(found.criteria.method), colour.mean_rivalry, colour.worst_rivalry,
+                      found.criteria.target_rivalry)};
 }
 
 Verdict about_ghosts(const StereoFindings& found) {
@@ -95,7 +95,7 @@ Verdict about_ghosts(const StereoFindings& found) {
     return {"ghosts", Level::kFact,
             fmt::format("not known for {} glasses: their lenses were not measured, and ideal "
                         "lenses leak nothing",
-                        name_of(found.question.glasses))};
+                        name_of(found.criteria.glasses))};
   }
   return {"ghosts", Level::kFact,
           fmt::format("the other eye's light, compared with white: left {:.1f} % on average and "

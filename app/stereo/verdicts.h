@@ -34,8 +34,8 @@ struct Advice {
   std::vector<std::string> options;  // options that replace the current ones; may be empty
 };
 
-// The suggestions; none if all is well. Separations and windows are computed by comfort.h for the
-// visible depths. They have three digits and are rounded such that the budget is kept.
+// The suggestions; none if all is well. Separations and windows are computed by parallax_budget.h
+// for the visible depths. They have three digits and are rounded such that the budget is kept.
 std::vector<Advice> advise(const Scene& scene, const StereoFindings& found);
 
 }  // namespace glassbox::app

@@ -7,7 +7,7 @@
 
 #include "cli/report/number_json.h"
 
-#include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/setting_names.h>
 #include <glassbox/render/trace/fields.h>
 
 namespace glassbox {
@@ -157,9 +157,9 @@ Json json_of(const TracedPiece& piece, double area_bound) {
 
 }  // namespace
 
-const char* name_of(Fate fate) {
+const char* name_of(FragmentResult result) {
   constexpr const char* kNames[] = {"hidden", "discarded", "written", "blended"};
-  return kNames[std::size_t(fate)];
+  return kNames[std::size_t(result)];
 }
 
 Json to_json(const BackFaceTest& test) {
@@ -211,7 +211,8 @@ Json to_json(const Trace& trace, const TracedTriangle& triangle, const TriangleB
           {"back_face", bounds.back_face ? to_json(*bounds.back_face) : Json()}};
 }
 
-Json to_json(const Trace& trace, const TracedFragment& traced, const BoundsOfRun::Known* known) {
+Json to_json(const Trace& trace, const TracedFragment& traced,
+             const BoundsOfRun::KnownTriangle* known) {
   const Fragment& fragment = traced.fragment;
   Json json;
   json["triangle"] = traced.source.is_triangle ? Json(traced.source.number) : Json();
@@ -232,11 +233,11 @@ Json to_json(const Trace& trace, const TracedFragment& traced, const BoundsOfRun
                       {"distance", bound.distance}};
   }
   json["depth_test"] = {{"op", "less"}, {"incoming", traced.code}, {"stored", traced.stored}};
-  json["fate"] = name_of(traced.fate);
-  if (traced.fate == Fate::kHidden) return json;
+  json["fate"] = name_of(traced.result);
+  if (traced.result == FragmentResult::kHidden) return json;
   add_fields(json["attributes"], traced.at);
   json["surface"] = numbers_json(traced.surface);
-  if (traced.fate == Fate::kDiscarded) return json;
+  if (traced.result == FragmentResult::kDiscarded) return json;
   if (trace.settings.show == Show::kColor) {
     json["emission"] = traced.emission;
     json["light"] = numbers_json(traced.light);
@@ -272,7 +273,7 @@ Json to_json(const Scene& scene, const Trace& trace) {
   RoundTrips trips;
   for (const TracedTriangle& triangle : trace.triangles) {
     const TriangleBounds& bounds = known.at(triangle.number).bounds;
-    trips.see(triangle, bounds);
+    trips.add(triangle, bounds);
     triangles.push_back(to_json(trace, triangle, bounds));
   }
   for (const TracedFragment& fragment : trace.fragments) {

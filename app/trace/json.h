@@ -27,9 +27,9 @@ nlohmann::ordered_json to_json(const Trace& trace, const TracedTriangle& triangl
 // `known` is the fragment's triangle. It is null if the trace does not have it; the fragment's
 // bounds are then left out.
 nlohmann::ordered_json to_json(const Trace& trace, const TracedFragment& fragment,
-                               const BoundsOfRun::Known* known);
+                               const BoundsOfRun::KnownTriangle* known);
 
 // A name for JSON: "hidden", "discarded", "written", "blended".
-const char* name_of(Fate fate);
+const char* name_of(FragmentResult result);
 
 }  // namespace glassbox

@@ -23,7 +23,7 @@ constexpr std::uint64_t kAlways = 32;
 
 Trace head_of(const View& view, const RenderSettings& settings) {
   Trace head = BoundsOfRun(view).trace();
-  head.settings = at_centres(settings);
+  head.settings = with_one_sample(settings);
   return head;
 }
 
@@ -59,14 +59,14 @@ void TraceText::draw(const TracedDraw& draw) {
 void TraceText::triangle(const TracedTriangle& triangle) {
   counter_.triangle(triangle);
   const TriangleBounds& bounds = bounds_.triangle(triangle).bounds;
-  round_trips_.see(triangle, bounds);
+  round_trips_.add(triangle, bounds);
   if (is_due(counts().triangles)) triangles_.add(dumped(to_json(head_, triangle, bounds)));
 }
 
 void TraceText::fragment(const TracedFragment& fragment) {
   counter_.fragment(fragment);
   if (!is_due(counts().fragments)) return;
-  fragments_.add(dumped(to_json(head_, fragment, bounds_.of(fragment))));
+  fragments_.add(dumped(to_json(head_, fragment, bounds_.of_fragment(fragment))));
 }
 
 std::uint64_t TraceText::estimate(const Lines& lines, std::uint64_t count) {

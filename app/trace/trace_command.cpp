@@ -27,9 +27,9 @@
 #include "cli/report/progress.h"
 #include "labs/framework/zip.h"
 
+#include <glassbox/base/closest_word.h>
 #include <glassbox/base/counted.h>
 #include <glassbox/base/error.h>
-#include <glassbox/base/near_word.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/render/trace/arrays.h>
@@ -267,7 +267,7 @@ Result<void> TraceCommand::check_size(std::uint64_t bytes, const TraceCounts& co
                             bytes / std::uint64_t(kMegabyte) + 1 +
                                 (is_json() ? bytes / std::uint64_t(kMegabyte) / 20 : 0)));
   }
-  if (bytes > kWorthSaying) progress.say(size + " will be written");
+  if (bytes > kWorthSaying) progress.print_line(size + " will be written");
   return {};
 }
 
@@ -295,7 +295,7 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
   if (!arrays.unknown().empty()) {
     const std::string word = arrays.unknown()[0];
     const std::vector<std::string> names = names_of(arrays);
-    const auto near = near_word(word, names);
+    const auto near = closest_word(word, names);
     return fail("--arrays", "there is no array or group " + in_quotes(word),
                 near ? "did you mean " + std::string(*near) + "?" : "docs/trace.md lists them");
   }
@@ -320,11 +320,11 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
 
 int TraceCommand::run() {
   if (const auto legal = check_words(); !legal) return refuse(legal.error());
-  tell_of_centres(picture_);
+  print_pixel_centres_note(picture_);
   // the limit is checked by --max-mb instead
   filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   if (const auto legal = check_filter(*scene); !legal) return refuse(legal.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);

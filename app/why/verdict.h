@@ -12,20 +12,20 @@
 
 namespace glassbox {
 
-// The end of a triangle in words, such as "turned away".
-const char* words_for(End end);
+// What became of a triangle, in words such as "turned away".
+const char* result_words(TriangleResult result);
 
 // The name of an instance's mesh: "mesh 'teapot'", or "mesh 3" if it has no name.
 std::string mesh_text(const Scene& scene, std::uint32_t instance);
 
 // "face 12 of mesh 'teapot' (instance 0)"
-std::string place_of(const Scene& scene, std::uint32_t instance, std::uint32_t face);
+std::string face_text(const Scene& scene, std::uint32_t instance, std::uint32_t face);
 
 // A distance from a pixel's centre: "3.25/256 px" if it is less than a pixel, else "1.5 px".
 std::string subpixels_text(double subpixels);
 
 // A list in words: "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& parts);
+std::string list_in_words(const std::vector<std::string>& parts);
 
 // The reasons of the verdict, with their numbers: one paragraph per element, without line breaks.
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict);
@@ -36,12 +36,12 @@ std::vector<std::string> explain(const ViewConventions& conventions);
 // The same for triangles that end before they have a fragment.
 std::vector<std::string> explain_geometry(const View& view, const TriangleVerdict& verdict);
 
-// What an end means if a scene's triangles end there: "every w is 0 or less: ...".
-const char* meaning_of(End end);
+// What it means if this became of a scene's triangles: "every w is 0 or less: ...".
+const char* result_meaning(TriangleResult result);
 
 // A verdict as JSON: one field per member, left out if it does not apply.
 nlohmann::ordered_json to_json(const TriangleVerdict& verdict);
 nlohmann::ordered_json to_json(const SceneVerdict& verdict);
-nlohmann::ordered_json to_json(const Miss& miss);
+nlohmann::ordered_json to_json(const CentreMiss& miss);
 
 }  // namespace glassbox

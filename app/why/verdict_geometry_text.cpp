@@ -33,7 +33,7 @@ std::string no_area_text(const NoAreaVerdict& found) {
   return fmt::format(
       "{}, so it has no area and is left out before anything is transformed. The face's corners: "
       "{}.",
-      why, listed(corners));
+      why, list_in_words(corners));
 }
 
 std::string not_finite_text(const TracedTriangle& triangle) {
@@ -45,7 +45,7 @@ std::string not_finite_text(const TracedTriangle& triangle) {
   }
   return fmt::format(
       "A corner overflows float (3.4e38) on the way to clip space: {}. Scale the model down.",
-      listed(corners));
+      list_in_words(corners));
 }
 
 // ---- clip ----
@@ -56,7 +56,7 @@ std::string of_corners(const ClippingVerdict& clipping, const Number& number) {
   for (const ClippedCorner& corner : clipping.corners) {
     texts.push_back(fmt::format("{:.9g}", number(corner)));
   }
-  return listed(texts);
+  return list_in_words(texts);
 }
 
 std::string w_text(const ClippingVerdict& clipping) {
@@ -96,7 +96,7 @@ std::string beside_text(const ClippingVerdict& clipping, const View& view) {
       places.push_back(fmt::format("y = {:.9g} px", corner.screen->y));
     }
   }
-  return text + fmt::format("They are at {}; the picture has {} x {} px.", listed(places),
+  return text + fmt::format("They are at {}; the picture has {} x {} px.", list_in_words(places),
                             view.viewport.width(), view.viewport.height());
 }
 
@@ -160,7 +160,7 @@ std::string clipped_away_text(const ClippingVerdict& clipping) {
   return fmt::format(
       "No single plane has all of it outside, but together they leave nothing: {}. "
       "Its corners in clip space: {}.",
-      listed(steps), listed(corners));
+      list_in_words(steps), list_in_words(corners));
 }
 
 // ---- setup, cull, coverage ----
@@ -174,7 +174,7 @@ std::string no_screen_area_text(const NoScreenAreaVerdict& found) {
   return fmt::format(
       "It has an area of {:.4g} px^2 on the screen, but none after snapping to {} steps per pixel: "
       "{} px become {} /{} px, {}.",
-      found.area_px2, kSubpixels, listed(before), listed(after), kSubpixels,
+      found.area_px2, kSubpixels, list_in_words(before), list_in_words(after), kSubpixels,
       found.snapped[0] == found.snapped[1] && found.snapped[1] == found.snapped[2]
           ? "one point"
           : "which lie on one line");
@@ -215,7 +215,7 @@ std::vector<std::string> cull_texts(const CullVerdict& found) {
   return texts;
 }
 
-std::string outside_text(const Outside& outside, const View& view) {
+std::string outside_text(const OutsideDistances& outside, const View& view) {
   const auto px = [](std::int64_t subpixels) {
     return fmt::format("{:.9g} px", double(subpixels) / kSubpixels);
   };
@@ -231,11 +231,11 @@ std::string outside_text(const Outside& outside, const View& view) {
   if (outside.top > 0) sides.push_back(px(outside.top) + " above");
   if (outside.bottom > 0) sides.push_back(px(outside.bottom) + " below");
   if (sides.empty()) sides.push_back("just beside");
-  return fmt::format("It lies {} the picture of {} x {} px.", listed(sides), view.viewport.width(),
-                     view.viewport.height());
+  return fmt::format("It lies {} the picture of {} x {} px.", list_in_words(sides),
+                     view.viewport.width(), view.viewport.height());
 }
 
-std::string between_text(const Miss& miss) {
+std::string between_text(const CentreMiss& miss) {
   if (miss.value == 0) {
     return fmt::format(
         "It owns no pixel's centre in the picture. That of pixel ({}, {}) lies exactly on one of "
@@ -252,24 +252,24 @@ std::string between_text(const Miss& miss) {
 }  // namespace
 
 std::vector<std::string> explain_geometry(const View& view, const TriangleVerdict& verdict) {
-  switch (verdict.end) {
-    case End::kNoArea:
+  switch (verdict.result) {
+    case TriangleResult::kNoArea:
       return {no_area_text(*verdict.no_area)};
-    case End::kNotFinite:
+    case TriangleResult::kNotFinite:
       return {not_finite_text(*verdict.traced)};
-    case End::kBehindEye:
+    case TriangleResult::kBehindEye:
       return {behind_eye_text(*verdict.clipping)};
-    case End::kOutsidePlane:
+    case TriangleResult::kOutsidePlane:
       return outside_plane_texts(*verdict.clipping, view);
-    case End::kClippedAway:
+    case TriangleResult::kClippedAway:
       return {clipped_away_text(*verdict.clipping)};
-    case End::kNoScreenArea:
+    case TriangleResult::kNoScreenArea:
       return {no_screen_area_text(*verdict.no_screen_area)};
-    case End::kTurnedAway:
+    case TriangleResult::kTurnedAway:
       return cull_texts(*verdict.cull);
-    case End::kOutsidePicture:
+    case TriangleResult::kOutsidePicture:
       return {outside_text(*verdict.outside, view)};
-    case End::kBetweenCentres:
+    case TriangleResult::kBetweenCentres:
       return {between_text(*verdict.nearest_centre)};
     default:
       return {};

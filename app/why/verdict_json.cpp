@@ -67,7 +67,7 @@ Json json_of(const CullVerdict& found) {
   return json;
 }
 
-Json json_of(const Outside& o) {
+Json json_of(const OutsideDistances& o) {
   Json json{{"left_px", double(o.left) / kSubpixels},
             {"top_px", double(o.top) / kSubpixels},
             {"right_px", double(o.right) / kSubpixels},
@@ -76,15 +76,15 @@ Json json_of(const Outside& o) {
   return json;
 }
 
-Json json_of(const std::vector<Rival>& rivals) {
+Json json_of(const std::vector<Occluder>& occluders) {
   Json json = Json::array();
-  for (const Rival& rival : rivals) {
-    json.push_back({{"triangle", optional_number(rival.number)}, {"pixels", rival.pixels}});
+  for (const Occluder& occluder : occluders) {
+    json.push_back({{"triangle", optional_number(occluder.number)}, {"pixels", occluder.pixels}});
   }
   return json;
 }
 
-Json json_of(const FragmentTally& t, const FragmentDetails& d) {
+Json json_of(const TriangleFragmentCounts& t, const FragmentDetails& d) {
   Json json{{"covered", t.covered},
             {"hidden", t.hidden},
             {"discarded", t.discarded},
@@ -92,7 +92,7 @@ Json json_of(const FragmentTally& t, const FragmentDetails& d) {
             {"overwritten", t.overwritten},
             {"visible", t.visible},
             {"unchanged", t.unchanged},
-            {"veiled", t.veiled},
+            {"veiled", t.under_translucent},
             {"hidden_by", json_of(d.hidden_by)},
             {"overwritten_by", json_of(d.overwritten_by)}};
   if (const auto& h = d.closest_hidden) {
@@ -123,7 +123,7 @@ Json json_of(const FragmentTally& t, const FragmentDetails& d) {
 
 }  // namespace
 
-Json to_json(const Miss& miss) {
+Json to_json(const CentreMiss& miss) {
   return {{"at", {miss.x, miss.y}},
           {"edge", miss.edge},
           {"value", miss.value},
@@ -134,9 +134,9 @@ Json to_json(const TriangleVerdict& verdict) {
   Json json{{"triangle", verdict.triangle.number},
             {"instance", verdict.triangle.instance},
             {"face", verdict.triangle.face},
-            {"end", name_of(verdict.end)},
-            {"stage", stage_of(verdict.end)},
-            {"seen", is_seen(verdict.end)},
+            {"end", name_of(verdict.result)},
+            {"stage", stage_of(verdict.result)},
+            {"seen", is_seen(verdict.result)},
             {"view", json_of(verdict.conventions)},
             {"pieces",
              {{"without_area", verdict.pieces_without_area},
@@ -148,7 +148,7 @@ Json to_json(const TriangleVerdict& verdict) {
   if (verdict.cull) json["cull"] = json_of(*verdict.cull);
   if (verdict.outside) json["outside"] = json_of(*verdict.outside);
   if (verdict.nearest_centre) json["nearest_centre"] = to_json(*verdict.nearest_centre);
-  if (verdict.end == End::kLines) json["line_pixels"] = verdict.line_pixels;
+  if (verdict.result == TriangleResult::kLines) json["line_pixels"] = verdict.line_pixels;
   if (verdict.fragments.covered > 0) {
     json["fragments"] = json_of(verdict.fragments, verdict.details);
   }
@@ -158,11 +158,11 @@ Json to_json(const TriangleVerdict& verdict) {
 Json to_json(const SceneVerdict& verdict) {
   Json json{{"triangles", verdict.triangles}, {"view", json_of(verdict.conventions)}};
   json["ends"] = Json::array();
-  for (std::size_t i = 0; i < kEnds; ++i) {
+  for (std::size_t i = 0; i < kTriangleResults; ++i) {
     const SceneVerdict::Group& group = verdict.groups[i];
     if (group.triangles == 0) continue;
-    json["ends"].push_back({{"end", name_of(End(i))},
-                            {"stage", stage_of(End(i))},
+    json["ends"].push_back({{"end", name_of(TriangleResult(i))},
+                            {"stage", stage_of(TriangleResult(i))},
                             {"triangles", group.triangles},
                             {"example", group.example}});
   }

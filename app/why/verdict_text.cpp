@@ -6,16 +6,16 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
-#include <glassbox/matrices/slips.h>
+#include <glassbox/matrices/convention_mistakes.h>
 
 namespace glassbox {
 
 namespace {
 
-struct EndText {
+struct ResultText {
   const char *words, *meaning;
 };
-constexpr EndText kEndTexts[kEnds] = {
+constexpr ResultText kResultTexts[kTriangleResults] = {
     {"no area as modelled", "their corners lie on a line or in a point, so they are never drawn"},
     {"not finite", "a corner overflows float on the way to clip space"},
     {"behind the eye",
@@ -36,9 +36,10 @@ constexpr EndText kEndTexts[kEnds] = {
     {"drawn as lines", "only their edges are drawn"},
 };
 
-const char* slip_remedy(Change change) {
-  const auto all = slips();
-  return std::find_if(all.begin(), all.end(), [&](const Slip& s) { return s.change == change; })
+const char* mistake_remedy(SetupChange change) {
+  const auto all = convention_mistakes();
+  return std::find_if(all.begin(), all.end(),
+                      [&](const ConventionMistake& s) { return s.change == change; })
       ->remedy;
 }
 
@@ -62,28 +63,30 @@ std::string pieces_text(const TriangleVerdict& verdict) {
   }
   const int pieces =
       verdict.pieces_set_up + verdict.pieces_turned_away + verdict.pieces_without_area;
-  return fmt::format("Clipping cut it into {} pieces: {}.", pieces, listed(parts));
+  return fmt::format("Clipping cut it into {} pieces: {}.", pieces, list_in_words(parts));
 }
 
 // ---- fragments ----
 
-std::string rival_text(std::optional<std::uint32_t> number) {
+std::string occluder_text(std::optional<std::uint32_t> number) {
   return number ? fmt::format("triangle {}", *number) : std::string("lines or points");
 }
 
-std::string rivals_text(const std::vector<Rival>& rivals) {
+std::string occluders_text(const std::vector<Occluder>& occluders) {
   constexpr std::size_t kShown = 4;
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(rivals.size(), kShown); ++i) {
-    texts.push_back(fmt::format("{} ({})", rival_text(rivals[i].number), rivals[i].pixels));
+  for (std::size_t i = 0; i < std::min(occluders.size(), kShown); ++i) {
+    texts.push_back(
+        fmt::format("{} ({})", occluder_text(occluders[i].number), occluders[i].pixels));
   }
-  if (rivals.size() > kShown) texts.push_back(fmt::format("{} others", rivals.size() - kShown));
-  return listed(texts);
+  if (occluders.size() > kShown)
+    texts.push_back(fmt::format("{} others", occluders.size() - kShown));
+  return list_in_words(texts);
 }
 
 std::string closest_text(const FragmentDetails::Hidden& h) {
   const std::string where = fmt::format("The closest call is at pixel ({}, {}), against {}: ", h.x,
-                                        h.y, rival_text(h.by));
+                                        h.y, occluder_text(h.by));
   if (h.code == h.stored) {
     return where + fmt::format(
                        "both have depth code 0x{:08x} (distances {:.9g} and {:.9g}), and at equal "
@@ -102,7 +105,7 @@ std::string share_text(std::uint32_t part, std::uint32_t all) {
   return all == 1 ? "its only fragment" : fmt::format("all {} fragments", all);
 }
 
-std::string unchanged_text(const FragmentTally& t, const FragmentDetails::Unchanged& u) {
+std::string unchanged_text(const TriangleFragmentCounts& t, const FragmentDetails::Unchanged& u) {
   return fmt::format(
       "Of these, {} left the bytes of their pixel as they were, at ({}, {}) for one: ({}, {}, {}, "
       "{}){}.",
@@ -114,21 +117,22 @@ std::string unchanged_text(const FragmentTally& t, const FragmentDetails::Unchan
 // One paragraph for each fate that some of the fragments had.
 std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
   std::vector<std::string> text;
-  const FragmentTally& t = verdict.fragments;
+  const TriangleFragmentCounts& t = verdict.fragments;
   const FragmentDetails& d = verdict.details;
   const auto share = [&](std::uint32_t part) { return share_text(part, t.covered); };
   if (t.visible > 0) {
     const PixelRect& box = d.visible_box;
     text.push_back(fmt::format("In the picture: {}, in columns {} .. {} and rows {} .. {}.",
                                share(t.visible), box.x0, box.x1 - 1, box.y0, box.y1 - 1));
-    if (t.veiled > 0) {
-      text.push_back(fmt::format("Translucent surfaces are drawn over {} of these.", t.veiled));
+    if (t.under_translucent > 0) {
+      text.push_back(
+          fmt::format("Translucent surfaces are drawn over {} of these.", t.under_translucent));
     }
     if (t.unchanged > 0) text.push_back(unchanged_text(t, *d.unchanged));
   }
   if (t.hidden > 0) {
     text.push_back(fmt::format("Failed the depth test: {}, behind {}.", share(t.hidden),
-                               rivals_text(d.hidden_by)));
+                               occluders_text(d.hidden_by)));
     text.push_back(closest_text(*d.closest_hidden));
   }
   if (t.discarded > 0) {
@@ -144,19 +148,19 @@ std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
   }
   if (t.overwritten > 0) {
     text.push_back(fmt::format("Written, and then written over: {}, by {}.", share(t.overwritten),
-                               rivals_text(d.overwritten_by)));
+                               occluders_text(d.overwritten_by)));
   }
   return text;
 }
 
 }  // namespace
 
-const char* words_for(End end) {
-  return kEndTexts[std::size_t(end)].words;
+const char* result_words(TriangleResult result) {
+  return kResultTexts[std::size_t(result)].words;
 }
 
-const char* meaning_of(End end) {
-  return kEndTexts[std::size_t(end)].meaning;
+const char* result_meaning(TriangleResult result) {
+  return kResultTexts[std::size_t(result)].meaning;
 }
 
 std::string mesh_text(const Scene& scene, std::uint32_t instance) {
@@ -165,7 +169,7 @@ std::string mesh_text(const Scene& scene, std::uint32_t instance) {
   return "mesh " + (name.empty() ? std::to_string(mesh) : in_quotes(name));
 }
 
-std::string place_of(const Scene& scene, std::uint32_t instance, std::uint32_t face) {
+std::string face_text(const Scene& scene, std::uint32_t instance, std::uint32_t face) {
   return fmt::format("face {} of {} (instance {})", face, mesh_text(scene, instance), instance);
 }
 
@@ -174,7 +178,7 @@ std::string subpixels_text(double subpixels) {
   return fmt::format("{:.6g} px", subpixels / kSubpixels);
 }
 
-std::string listed(const std::vector<std::string>& parts) {
+std::string list_in_words(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
@@ -191,22 +195,22 @@ std::vector<std::string> explain(const ViewConventions& conventions) {
         "clip_from_eye takes {}z for the gaze. Points in front of the camera get w < 0, and points "
         "behind it are drawn. Remedy: {}.",
         conventions.right_handed_eye ? "right" : "left", conventions.right_handed_eye ? "-" : "+",
-        conventions.gaze_is_minus_z ? "-" : "+", slip_remedy(Change::kEyeHand)));
+        conventions.gaze_is_minus_z ? "-" : "+", mistake_remedy(SetupChange::kEyeHand)));
   }
   if (conventions.opengl_range) {
     text.push_back(fmt::format(
         "The projection maps the near plane to depth {:.9g}, as for OpenGL's -w <= z <= w; but "
         "here only 0 <= z <= w is kept, so the nearest part of the scene is cut off. Remedy: {}.",
-        conventions.near_depth, slip_remedy(Change::kDepthRange)));
+        conventions.near_depth, mistake_remedy(SetupChange::kDepthRange)));
   }
   return text;
 }
 
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict) {
   std::vector<std::string> text;
-  if (verdict.end == End::kLines) {
+  if (verdict.result == TriangleResult::kLines) {
     text.push_back(lines_text(verdict.line_pixels));
-  } else if (verdict.end < End::kHidden) {
+  } else if (verdict.result < TriangleResult::kHidden) {
     text = explain_geometry(view, verdict);
   } else {
     text = explain_fragments(verdict);

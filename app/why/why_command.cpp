@@ -59,9 +59,11 @@ std::uint64_t parse_number(const std::string& text) {
 std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) {
   const FragmentDetails& d = verdict.details;
   if (d.example) return d.example;
-  if (verdict.end == End::kHidden) return {{d.closest_hidden->x, d.closest_hidden->y}};
-  if (verdict.end == End::kDiscarded) return {{d.closest_discarded->x, d.closest_discarded->y}};
-  if (verdict.end == End::kOverwritten) return d.overwritten_at;
+  if (verdict.result == TriangleResult::kHidden)
+    return {{d.closest_hidden->x, d.closest_hidden->y}};
+  if (verdict.result == TriangleResult::kDiscarded)
+    return {{d.closest_discarded->x, d.closest_discarded->y}};
+  if (verdict.result == TriangleResult::kOverwritten) return d.overwritten_at;
   if (verdict.nearest_centre) return {{verdict.nearest_centre->x, verdict.nearest_centre->y}};
   return std::nullopt;
 }
@@ -70,17 +72,18 @@ std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) 
 
 std::string WhyCommand::command(const char* subcommand, const std::string& option,
                                 const std::string& value) const {
-  return shell_line(
-      {{subcommand, question_.scene_name()}, words_given(question_.picture()), {option, value}});
+  return shell_line({{subcommand, question_.scene_name()},
+                     given_option_words(question_.picture()),
+                     {option, value}});
 }
 
 std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
                                       const TriangleVerdict& verdict) const {
   const NumberedTriangle& triangle = verdict.triangle;
   std::string text = fmt::format("triangle {} of {}: {}\n", triangle.number, question_.title(),
-                                 words_for(verdict.end));
-  text += fmt::format("  what   {}\n", place_of(scene, triangle.instance, triangle.face));
-  text += fmt::format("  stage  {}\n", stage_of(verdict.end));
+                                 result_words(verdict.result));
+  text += fmt::format("  what   {}\n", face_text(scene, triangle.instance, triangle.face));
+  text += fmt::format("  stage  {}\n", stage_of(verdict.result));
   const char* label = "  why    ";
   for (const std::string& paragraph : explain(view, verdict)) {
     text += wrapped(label, paragraph);
@@ -109,21 +112,22 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
     return text + "  Nothing here is a triangle; glassbox pixel follows lines and points, too.\n";
   }
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
-  for (std::size_t i = 0; i < kEnds; ++i) {
+  for (std::size_t i = 0; i < kTriangleResults; ++i) {
     const SceneVerdict::Group& group = found.groups[i];
     if (group.triangles == 0) continue;
-    text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", group.triangles, words_for(End(i)),
-                        stage_of(End(i)), group.example);
+    text +=
+        fmt::format("  {:>10}  {:<23}{:<13}{}\n", group.triangles, result_words(TriangleResult(i)),
+                    stage_of(TriangleResult(i)), group.example);
   }
-  const std::optional<End> loss = found.commonest_loss();
+  const std::optional<TriangleResult> loss = found.most_frequent_loss();
   if (!loss) return text;
   const SceneVerdict::Group& lost = found.at(*loss);
-  text +=
-      wrapped("  ", fmt::format("{}: {}.",
-                                lost.triangles == found.triangles
-                                    ? std::string("All of them end there")
-                                    : fmt::format("Most that are lost end as {}", words_for(*loss)),
-                                meaning_of(*loss)));
+  text += wrapped(
+      "  ", fmt::format("{}: {}.",
+                        lost.triangles == found.triangles
+                            ? std::string("All of them end there")
+                            : fmt::format("Most that are lost end as {}", result_words(*loss)),
+                        result_meaning(*loss)));
   const std::string line = command("why", "--triangle", std::to_string(lost.example));
   if (!found.all_lost() && !line.empty()) text += "  look   " + line + "\n";
   return text;
@@ -147,7 +151,7 @@ void WhyCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("N");
   question_.add_to(command);
   command.callback([this, &exit_code] {
-    tell_of_centres(question_.picture());
+    print_pixel_centres_note(question_.picture());
     exit_code = question_.answer(
         [this](const Scene& scene, const View& view) { return answer(scene, view); });
   });
@@ -171,7 +175,7 @@ Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
 Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
   const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
   Answer answer{to_json(found), scene_text(found)};
-  const std::optional<End> loss = found.commonest_loss();
+  const std::optional<TriangleResult> loss = found.most_frequent_loss();
   if (!loss || !found.all_lost()) return answer;
   const Result<Answer> example = about_triangle(scene, view, found.at(*loss).example);
   if (!example) return tl::unexpected(example.error());

@@ -16,13 +16,13 @@ public:
 
   double operator()(double time) const {
     const std::vector<Keyframe>& keys = path_.keyframes;
-    const auto after = std::ranges::upper_bound(keys, time, {}, &Keyframe::at);
+    const auto after = std::ranges::upper_bound(keys, time, {}, &Keyframe::time);
     if (after == keys.begin()) return value_of_(0);
     if (after == keys.end()) return value_of_(keys.size() - 1);
     const std::size_t i = std::size_t(after - keys.begin()) - 1;
     const double a = value_of_(i), b = value_of_(i + 1);
-    const double h = keys[i + 1].at - keys[i].at;
-    const double u = (time - keys[i].at) / h;
+    const double h = keys[i + 1].time - keys[i].time;
+    const double u = (time - keys[i].time) / h;
     // Rounding could put the result outside the two values by a few ulps, so it is clamped.
     return std::clamp(between(i, a, b, h, u), std::min(a, b), std::max(a, b));
   }
@@ -38,7 +38,7 @@ private:
   double slope_at(std::size_t i) const {
     const std::vector<Keyframe>& keys = path_.keyframes;
     if (i == 0 || i + 1 == keys.size()) return 0;
-    const double h = keys[i].at - keys[i - 1].at, g = keys[i + 1].at - keys[i].at;
+    const double h = keys[i].time - keys[i - 1].time, g = keys[i + 1].time - keys[i].time;
     const double before = (value_of_(i) - value_of_(i - 1)) / h;
     const double after = (value_of_(i + 1) - value_of_(i)) / g;
     const bool goes_on = (before > 0 && after > 0) || (before < 0 && after < 0);
@@ -66,17 +66,17 @@ std::array<double, 3> triple_at(const CameraPath& path, TripleOf member, double 
 
 double time_of_frame(const CameraPath& path, int number, int count) {
   if (path.clock == PathClock::kFrames) return number;
-  const double first = path.keyframes.front().at, last = path.keyframes.back().at;
+  const double first = path.keyframes.front().time, last = path.keyframes.back().time;
   if (number == 1) return first;
   if (number == count) return last;
   return first + (last - first) * (double(number - 1) / double(count - 1));
 }
 
-CameraAt camera_at(const CameraPath& path, double time) {
-  CameraAt camera{triple_at(path, &Keyframe::eye, time),
-                  triple_at(path, &Keyframe::look_at, time),
-                  triple_at(path, &Keyframe::up, time),
-                  {}};
+CameraPose camera_at(const CameraPath& path, double time) {
+  CameraPose camera{triple_at(path, &Keyframe::eye, time),
+                    triple_at(path, &Keyframe::look_at, time),
+                    triple_at(path, &Keyframe::up, time),
+                    {}};
   if (path.has_fov) {
     const auto value_of = [&](std::size_t i) { return path.keyframes[i].fov_degrees; };
     camera.fov_degrees = Curve(path, value_of)(time);

@@ -8,7 +8,7 @@
 namespace glassbox {
 
 struct Keyframe {
-  double at = 0;  // a time, or a frame's number from 1
+  double time = 0;  // a time, or a frame's number from 1
   std::array<double, 3> eye{0, 0, 0}, look_at{0, 0, -1}, up{0, 1, 0};
   double fov_degrees = 0;        // used where the path has angles
   std::optional<double> window;  // used where the path has windows; absent: at the point looked at
@@ -48,11 +48,11 @@ double time_of_frame(const CameraPath& path, int number, int count);
 //
 // Between two keyframes a number stays between their two values: nothing overshoots. Only sums,
 // products and quotients are used, so that the same path gives the same bytes everywhere.
-struct CameraAt {
+struct CameraPose {
   std::array<double, 3> eye, look_at, up;
   std::optional<double> fov_degrees;
 };
-CameraAt camera_at(const CameraPath& path, double time);
+CameraPose camera_at(const CameraPath& path, double time);
 
 // The window of a path that has windows. 1/window is interpolated, because parallax is linear in
 // it. `looked_at` is the window's distance at keyframes that leave it to the camera.

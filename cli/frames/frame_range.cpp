@@ -67,7 +67,8 @@ tl::unexpected<Error> bad_pattern(const std::string& output, const std::string& 
 
 }  // namespace
 
-Result<FrameNames> FrameNames::of(const std::string& output, const std::string& usual, int count) {
+Result<FrameNames> FrameNames::from_output(const std::string& output, const std::string& usual,
+                                           int count) {
   std::string whole = output.empty() ? usual : output;
   std::error_code ignored;
   if (whole.ends_with('/') || fs::is_directory(whole, ignored)) {

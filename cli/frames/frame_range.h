@@ -25,7 +25,8 @@ public:
   // with %% for a per cent sign; a directory (one that exists, or with a slash at the end) gives
   // pictures in it named after `usual`. If it is empty, `usual` is used instead. Numbers have four
   // digits, or more if `count` needs more.
-  static Result<FrameNames> of(const std::string& output, const std::string& usual, int count);
+  static Result<FrameNames> from_output(const std::string& output, const std::string& usual,
+                                        int count);
 
   std::string name(int number) const;
 

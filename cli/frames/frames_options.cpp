@@ -146,7 +146,7 @@ Result<void> check_frames_options(const PictureOptions& picture, bool for_two_ey
     return fail(name, "it is an option for pictures of two eyes",
                 "give --stereo too, or leave it out");
   }
-  if (!frames.wanted()) return {};
+  if (!frames.requests_sequence()) return {};
   if (const auto legal = check_plot(frames); !legal) return legal;
   if (const auto legal = check_pose(picture.camera, frames); !legal) return legal;
   if (picture.eyes.seen_by) {

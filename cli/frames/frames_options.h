@@ -28,7 +28,7 @@ struct FramesOptions {
   std::optional<std::string> plot;
   std::vector<const CLI::Option*> options;  // the options that add_frames_options has added
 
-  bool wanted() const { return range || path || turntable; }
+  bool requests_sequence() const { return range || path || turntable; }
 };
 
 void add_frames_options(CLI::App& command, FramesOptions& frames);

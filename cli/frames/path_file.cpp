@@ -164,7 +164,7 @@ private:
         return fail(place_of(key), "is " + number_text(at),
                     fmt::format("write a whole number from 1 to {}", kMaxFrames));
       }
-      keyframe.at = at;
+      keyframe.time = at;
       return {};
     });
   }
@@ -257,7 +257,7 @@ Result<bool> is_in_all(const nlohmann::json& keyframes, const char* key) {
 
 Result<void> check_order(const CameraPath& path, std::size_t i) {
   if (i == 0) return {};
-  const double before = path.keyframes[i - 1].at, at = path.keyframes[i].at;
+  const double before = path.keyframes[i - 1].time, at = path.keyframes[i].time;
   if (at - before >= kMinKeyframeGap) return {};
   const std::string_view key = path.clock == PathClock::kFrames ? "frame" : "time";
   return fail(

@@ -10,9 +10,9 @@ namespace glassbox {
 class StopRequest {
 public:
   StopRequest() {
-    asked_ = 0;
+    requested_ = 0;
     struct sigaction note = {};
-    note.sa_handler = [](int) { asked_ = 1; };
+    note.sa_handler = [](int) { requested_ = 1; };
     note.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(SIGINT, &note, &interrupt_before_);
     ::sigaction(SIGTERM, &note, &terminate_before_);
@@ -24,10 +24,10 @@ public:
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
-  bool asked() const { return asked_ != 0; }
+  bool is_requested() const { return requested_ != 0; }
 
 private:
-  static inline volatile std::sig_atomic_t asked_ = 0;
+  static inline volatile std::sig_atomic_t requested_ = 0;
   struct sigaction interrupt_before_ = {}, terminate_before_ = {};
 };
 

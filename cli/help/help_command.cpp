@@ -9,7 +9,7 @@
 #include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 
-#include <glassbox/base/near_word.h>
+#include <glassbox/base/closest_word.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox {
@@ -44,7 +44,7 @@ int refuse_word(const CLI::App& app, const std::string& word) {
     return refuse({"", "help", in_quotes(app.get_name()) + " has no subcommands",
                    "glassbox help " + app.get_name() + " shows its options"});
   }
-  const auto near = near_word(word, names);
+  const auto near = closest_word(word, names);
   return refuse({"", "help", "there is no subcommand " + in_quotes(word),
                  near ? "did you mean " + *near + "?" : "glassbox help lists them"});
 }

@@ -248,7 +248,7 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
                 "give one of them");
   }
   const Box<World> box = bounds(scene);
-  const Result<Camera> automatic = frame(scene, aspect, asked_framing(options));
+  const Result<Camera> automatic = framing_camera(scene, aspect, asked_framing(options));
   if (!automatic) return automatic;
 
   Result<Camera> camera = automatic;

@@ -89,7 +89,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
              "the engine that draws: tile is the fast one, staged the reference; both give the "
              "same bytes [tile]")
       ->group(kGroup);
-  options.of_tiles = {
+  options.tile_only_options = {
       command
           .add_option_function<std::string>(
               "--threads", [&options](const std::string& text) { set_threads(text, options); },
@@ -106,7 +106,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
 
 Result<void> check_engine_options(const EngineOptions& options) {
   if (options.engine == EngineKind::kTile) return {};
-  for (const CLI::Option* option : options.of_tiles) {
+  for (const CLI::Option* option : options.tile_only_options) {
     if (option->count() == 0) continue;
     return fail(option->get_name(),
                 "it is an option of the tile engine, but --engine staged is given",

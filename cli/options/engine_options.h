@@ -22,7 +22,7 @@ inline constexpr int kMostThreads = 1024;
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;
   TileOptions tile;
-  std::vector<const CLI::Option*> of_tiles;  // options that only the tile engine has
+  std::vector<const CLI::Option*> tile_only_options;  // options that only the tile engine has
 };
 
 void add_engine_options(CLI::App& command, EngineOptions& options);

@@ -9,8 +9,8 @@
 #include "cli/options/choices.h"
 
 #include <glassbox/mesh/bounds.h>
-#include <glassbox/pipeline/stereo/comfort.h>
-#include <glassbox/render/depth_seen.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
+#include <glassbox/render/visible_depth_span.h>
 
 namespace glassbox {
 
@@ -37,7 +37,7 @@ void choose_separation(const Scene& scene, const View& centre, const RenderSetti
   chosen.pair.half_separation = rule / 2;
   chosen.separation_is_from = "a thirtieth of the window's distance";
   Renderer renderer(scene, settings.transfer);
-  const std::optional<DepthSpan> seen = depth_seen(renderer, centre, settings);
+  const std::optional<DepthSpan> seen = visible_depth_span(renderer, centre, settings);
   if (!seen) return;
   const double budget = kComfortablePercent / 100 * double(centre.viewport.width());
   const double bearable =

@@ -11,7 +11,7 @@ namespace glassbox {
 
 // Prints a note on standard error for each such option. They are no errors, because the same
 // options may be useful for another picture.
-void tell_of_ignored(const PictureOptions& picture);
+void print_ignored_options(const PictureOptions& picture);
 
 // Options of a command that have no effect, for the reason `why`.
 struct IgnoredOptions {
@@ -20,6 +20,6 @@ struct IgnoredOptions {
   std::string why;
 };
 // Prints the same note for those of the options that were given.
-void tell_of_ignored(const CLI::App& command, const std::vector<IgnoredOptions>& all);
+void print_ignored_options(const CLI::App& command, const std::vector<IgnoredOptions>& all);
 
 }  // namespace glassbox

@@ -6,7 +6,7 @@
 #include "cli/options/choices.h"
 #include "cli/options/scene_input.h"
 
-#include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/setting_names.h>
 
 namespace glassbox {
 
@@ -94,18 +94,18 @@ void add_picture_options(CLI::App& command, PictureOptions& picture) {
   picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
 }
 
-Scene as_asked(Scene scene, const PictureOptions& picture) {
+Scene with_texture_filter(Scene scene, const PictureOptions& picture) {
   return picture.filter ? with_filter(std::move(scene), *picture.filter) : scene;
 }
 
-Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
-                               Progress& progress, const LoadLimits& limits) {
-  return load_asked_scene(word, progress, limits).map([&](Scene scene) {
-    return as_asked(std::move(scene), picture);
+Result<Scene> load_scene_argument(const std::string& word, const PictureOptions& picture,
+                                  Progress& progress, const LoadLimits& limits) {
+  return load_scene_argument(word, progress, limits).map([&](Scene scene) {
+    return with_texture_filter(std::move(scene), picture);
   });
 }
 
-void tell_of_centres(const PictureOptions& picture) {
+void print_pixel_centres_note(const PictureOptions& picture) {
   if (picture.settings.samples == 1) return;
   fmt::print(stderr,
              "glassbox: note: --samples {} is ignored: this command looks at pixel centres, as "
@@ -113,7 +113,7 @@ void tell_of_centres(const PictureOptions& picture) {
              picture.settings.samples);
 }
 
-std::vector<std::string> words_of(std::span<const CLI::Option* const> options) {
+std::vector<std::string> option_words(std::span<const CLI::Option* const> options) {
   std::vector<std::string> words;
   for (const CLI::Option* option : options) {
     if (option->count() == 0) continue;
@@ -124,8 +124,8 @@ std::vector<std::string> words_of(std::span<const CLI::Option* const> options) {
   return words;
 }
 
-std::vector<std::string> words_given(const PictureOptions& picture) {
-  return words_of(picture.options);
+std::vector<std::string> given_option_words(const PictureOptions& picture) {
+  return option_words(picture.options);
 }
 
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture) {

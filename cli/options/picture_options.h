@@ -35,19 +35,19 @@ struct PictureOptions {
 void add_picture_options(CLI::App& command, PictureOptions& picture);
 
 // The scene as it is drawn, with the texture filter of the options.
-Scene as_asked(Scene scene, const PictureOptions& picture);
-Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
-                               Progress& progress, const LoadLimits& limits = {});
+Scene with_texture_filter(Scene scene, const PictureOptions& picture);
+Result<Scene> load_scene_argument(const std::string& word, const PictureOptions& picture,
+                                  Progress& progress, const LoadLimits& limits = {});
 
 // For commands that examine pixel centres only: prints a note if the picture has several samples
 // per pixel.
-void tell_of_centres(const PictureOptions& picture);
+void print_pixel_centres_note(const PictureOptions& picture);
 
 // Those of the options that the user gave, as words: "--size", "640x480".
-std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
+std::vector<std::string> option_words(std::span<const CLI::Option* const> options);
 
 // The words that draw this picture again.
-std::vector<std::string> words_given(const PictureOptions& picture);
+std::vector<std::string> given_option_words(const PictureOptions& picture);
 
 // The view of the scene that the options give, and the camera that it is computed from. With
 // --seen-by it is that eye's view.

@@ -25,7 +25,7 @@ std::string PictureQuestion::title() const {
                      picture_.size.height);
 }
 
-int PictureQuestion::answer(const Ask& ask) const {
+int PictureQuestion::answer(const AnswerFunction& ask) const {
   return answer_of_scene([&](const Scene& scene) -> Result<Answer> {
     const Result<ChosenView> chosen = choose_view(scene, picture_);
     if (!chosen) return tl::unexpected(chosen.error());
@@ -33,11 +33,11 @@ int PictureQuestion::answer(const Ask& ask) const {
   });
 }
 
-int PictureQuestion::answer_of_scene(const AskScene& ask) const {
+int PictureQuestion::answer_of_scene(const SceneAnswerFunction& ask) const {
   if (const auto legal = check_report_outputs({}, json_output_); !legal)
     return refuse(legal.error());
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   const Result<Answer> found = ask(*scene);

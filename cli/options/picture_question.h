@@ -24,8 +24,8 @@ struct Answer {
 
 class PictureQuestion {
 public:
-  using Ask = std::function<Result<Answer>(const Scene&, const View&)>;
-  using AskScene = std::function<Result<Answer>(const Scene&)>;
+  using AnswerFunction = std::function<Result<Answer>(const Scene&, const View&)>;
+  using SceneAnswerFunction = std::function<Result<Answer>(const Scene&)>;
 
   // Adds SCENE, the picture options, and --json.
   void add_to(CLI::App& command);
@@ -38,9 +38,9 @@ public:
 
   // Loads the scene, chooses the view, calls `ask`, and prints the answer as text, writes it as
   // JSON (after the scene's name and the picture's size), or both. Returns the exit code.
-  int answer(const Ask& ask) const;
+  int answer(const AnswerFunction& ask) const;
   // The same for an `ask` that chooses the view, or the eyes, by itself.
-  int answer_of_scene(const AskScene& ask) const;
+  int answer_of_scene(const SceneAnswerFunction& ask) const;
 
 private:
   std::string scene_;

@@ -60,17 +60,17 @@ Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLi
       });
 }
 
-Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits) {
+Result<Scene> load_scene_argument(const std::string& word, const LoadLimits& limits) {
   return load_scene_and_bytes(word, limits).map([](SceneAndBytes loaded) {
     return std::move(loaded.scene);
   });
 }
 
-Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
-                               const LoadLimits& limits) {
+Result<Scene> load_scene_argument(const std::string& word, Progress& progress,
+                                  const LoadLimits& limits) {
   progress.phase("loading " + scene_title(word));
-  return load_asked_scene(word, limits).map([&](Scene scene) {
-    for (const std::string& warning : scene.warnings) progress.say("warning: " + warning);
+  return load_scene_argument(word, limits).map([&](Scene scene) {
+    for (const std::string& warning : scene.warnings) progress.print_line("warning: " + warning);
     return scene;
   });
 }

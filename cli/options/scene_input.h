@@ -19,7 +19,7 @@ inline constexpr const char* kSceneHelp =
 
 // Loads the scene. Standard input has the same limits as a file and is read once, to its end. It is
 // an error if it is a terminal.
-Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
+Result<Scene> load_scene_argument(const std::string& word, const LoadLimits& limits = {});
 
 // The same, with the bytes that came from standard input; no bytes for files and built-in scenes.
 struct SceneAndBytes {
@@ -29,8 +29,8 @@ struct SceneAndBytes {
 Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits = {});
 
 // Loads the scene as the phase "loading" of a command's progress, and prints its warnings there.
-Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
-                               const LoadLimits& limits = {});
+Result<Scene> load_scene_argument(const std::string& word, Progress& progress,
+                                  const LoadLimits& limits = {});
 
 // The scene's name in a report: "standard input" for "-", else the word itself.
 std::string scene_title(const std::string& word);

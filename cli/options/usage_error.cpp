@@ -12,7 +12,7 @@
 
 #include "cli/options/command_tree.h"
 
-#include <glassbox/base/near_word.h>
+#include <glassbox/base/closest_word.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/builtin/scenes.h>
 
@@ -25,13 +25,13 @@ bool is_option(std::string_view word) {
 }
 
 // The innermost subcommand on the command line, and its full name as typed.
-struct Reached {
+struct ReachedCommand {
   const CLI::App* app;
   std::string name;
 };
 
-Reached reached_by(const CLI::App& program) {
-  Reached reached{&program, program.get_name()};
+ReachedCommand reached_command(const CLI::App& program) {
+  ReachedCommand reached{&program, program.get_name()};
   while (true) {
     const std::vector<CLI::App*> chosen = reached.app->get_subcommands();
     // After a word that a command does not know, the next words are not its subcommand's.
@@ -77,7 +77,7 @@ std::string unknown_option(const CommandFacts& command, const std::string& typed
   }
   const std::string word = typed.substr(0, typed.find('='));
   const std::string what = "there is no option " + in_quotes(word);
-  if (const auto near = near_word(without_dashes(word), names)) {
+  if (const auto near = closest_word(without_dashes(word), names)) {
     return what + ", did you mean --" + *near + "?";
   }
   const auto other = command_with(command, word);
@@ -99,19 +99,19 @@ std::string list_of(const std::vector<CommandFacts>& commands) {
   return list;
 }
 
-std::string unknown_command(const CommandFacts& command, const Reached& reached,
+std::string unknown_command(const CommandFacts& command, const ReachedCommand& reached,
                             const std::string& typed) {
   std::vector<std::string> names;
   for (const CommandFacts& one : command.commands) names.push_back(one.name);
   const std::string what = "there is no subcommand " + in_quotes(typed);
-  if (const auto near = near_word(typed, names)) return what + ", did you mean " + *near + "?";
+  if (const auto near = closest_word(typed, names)) return what + ", did you mean " + *near + "?";
   if (reached.app->get_parent() == nullptr && is_scene(typed)) {
     return what + ", did you mean " + reached.name + " render " + printable(typed) + "?";
   }
   return what + "; " + list_of(command.commands);
 }
 
-std::string problem_with(const CommandFacts& command, const Reached& reached,
+std::string problem_with(const CommandFacts& command, const ReachedCommand& reached,
                          const std::string& word) {
   if (is_option(word)) return unknown_option(command, word);
   if (!command.commands.empty()) return unknown_command(command, reached, word);
@@ -146,8 +146,8 @@ std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& e
 
 }  // namespace
 
-std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
-  const Reached reached = reached_by(program);
+std::string usage_error_message(const CLI::App& program, const CLI::ParseError& error) {
+  const ReachedCommand reached = reached_command(program);
   // If a required word is missing, the reason may be an unknown word.
   const bool of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;

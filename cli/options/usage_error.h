@@ -12,6 +12,6 @@ namespace glassbox {
 
 // One line: what is wrong, the word that was probably meant if there is a similar one, and the
 // command for help.
-std::string usage_problem(const CLI::App& program, const CLI::ParseError& error);
+std::string usage_error_message(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace glassbox

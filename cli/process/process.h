@@ -11,7 +11,7 @@ namespace glassbox {
 struct ProcessLimits {
   double seconds = 60;
   std::size_t answers_bytes = 0;
-  std::size_t said_bytes = std::size_t(1) << 20;
+  std::size_t printed_bytes = std::size_t(1) << 20;
 };
 
 struct ProcessOutcome {
@@ -21,7 +21,7 @@ struct ProcessOutcome {
   int status = 0;         // as waitpid gives it
   std::string why_not_started;
   std::string answers;  // from descriptor kAnswersFd
-  std::string said;     // standard output and standard error
+  std::string printed;  // standard output and standard error
   double seconds = 0;
 };
 

@@ -32,13 +32,13 @@ nlohmann::ordered_json numbers_json(const glm::vec<N, T>& v) {
 }
 
 template <class T>
-concept HasPlace = requires(const T& place) {
+concept HasCoordinates = requires(const T& point) {
   typename T;
-  to_glm(place);
+  to_glm(point);
 };
-template <HasPlace Place>
-nlohmann::ordered_json numbers_json(const Place& place) {
-  return numbers_json(to_glm(place));
+template <HasCoordinates Coordinates>
+nlohmann::ordered_json numbers_json(const Coordinates& point) {
+  return numbers_json(to_glm(point));
 }
 
 template <class T>

@@ -38,7 +38,7 @@ Result<void> write_json(const std::string& target, const nlohmann::ordered_json&
       target, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-Result<void> write_made(const std::string& path, const Result<std::string>& text) {
+Result<void> write_text_result(const std::string& path, const Result<std::string>& text) {
   return text ? write_text(path, *text) : tl::unexpected(text.error());
 }
 

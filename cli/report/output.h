@@ -20,7 +20,7 @@ Result<void> write_json(const std::string& target, const nlohmann::ordered_json&
 Result<void> write_text(const std::string& target, const std::string& text);
 
 // Writes what could be made, and otherwise says why it could not.
-Result<void> write_made(const std::string& path, const Result<std::string>& text);
+Result<void> write_text_result(const std::string& path, const Result<std::string>& text);
 
 // An error if `path` does not end in `extension` (".pfm"), in upper or lower case.
 Result<void> check_extension(const std::string& path, const std::string& extension);

@@ -33,7 +33,7 @@ void Progress::phase(const std::string& what) {
   what_ = printable(what, kLongestPhase);
 }
 
-void Progress::say(const std::string& message) {
+void Progress::print_line(const std::string& message) {
   const std::lock_guard lock(mutex_);
   fmt::print(stderr, "{}glassbox: {}\n", shown_ ? kWipe : "", printable(message, kLongestMessage));
   shown_ = false;

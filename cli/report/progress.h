@@ -20,7 +20,7 @@ public:
   // Sets the text that says what is being done.
   void phase(const std::string& what);
   // Prints a line of its own on standard error, terminal or not.
-  void say(const std::string& message);
+  void print_line(const std::string& message);
   // Stops and erases the line. Nothing is shown afterwards.
   void done();
 

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-std::string grouped(std::uint64_t n) {
+std::string with_separators(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
   return digits;
@@ -17,7 +17,8 @@ namespace {
 
 std::string row(const std::string& stage, std::uint64_t in, std::uint64_t out,
                 const std::string& notes) {
-  return fmt::format("  {:<26}{:>12} {:>12}   {}\n", stage, grouped(in), grouped(out), notes);
+  return fmt::format("  {:<26}{:>12} {:>12}   {}\n", stage, with_separators(in),
+                     with_separators(out), notes);
 }
 
 std::string time_row(const std::string& stage, double ms) {
@@ -32,44 +33,45 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   const std::uint64_t drawable = modelled - s.left_out;
   std::string text = fmt::format("  {:<26}{:>12} {:>12}\n", "stage", "in", "out");
   text += row("triangles of the mesh", s.triangles, modelled,
-              s.degenerate ? grouped(s.degenerate) + " without area" : "");
+              s.degenerate ? with_separators(s.degenerate) + " without area" : "");
   const std::uint64_t in_draws = s.left_out - s.left_out_in_clusters;
   if (in_draws > 0) {
     text += row("whole draws", modelled, modelled - in_draws,
-                grouped(in_draws) + " left out by the plan");
+                with_separators(in_draws) + " left out by the plan");
   }
   if (s.clusters > 0) {
-    text +=
-        row("clusters", modelled - in_draws, drawable,
-            fmt::format("{} tested: {} outside the view and {} turned away", grouped(s.clusters),
-                        grouped(s.clusters_outside), grouped(s.clusters_turned_away)));
+    text += row("clusters", modelled - in_draws, drawable,
+                fmt::format("{} tested: {} outside the view and {} turned away",
+                            with_separators(s.clusters), with_separators(s.clusters_outside),
+                            with_separators(s.clusters_turned_away)));
   }
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text += row("object -> clip space", vertices, vertices,
               s.moved_in_x > 0 ? "vertices, all but x from the left eye" : "vertices");
   if (s.culled_early > 0) {
     text += row("cull in object space", drawable, drawable - s.culled_early,
-                grouped(s.culled_early) + " turned away for certain");
+                with_separators(s.culled_early) + " turned away for certain");
   }
-  std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
-  if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
+  std::string clipping = with_separators(s.rejected + s.clipped_away) + " outside";
+  if (s.clipped > 0) clipping += ", " + with_separators(s.clipped) + " cut";
   if (tile) clipping += "; those outside the picture are removed after the cull";
   text += row("clip", drawable - s.culled_early, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
-              grouped(s.zero_area) + " without area on the screen");
+              with_separators(s.zero_area) + " without area on the screen");
   text += row("back-face cull", s.after_clipping - s.zero_area, s.set_up,
-              grouped(s.culled) + " turned away");
+              with_separators(s.culled) + " turned away");
   if (s.lines + s.points > 0) {
     text += row("lines and points", s.lines + s.points, s.lines + s.points, "");
   }
   text += row(
       "coverage", s.set_up, s.covered,
       tile ? "triangles in, fragments out, without hidden blocks" : "triangles in, fragments out");
-  text +=
-      row("depth test", s.covered, s.covered - s.depth_failed, grouped(s.depth_failed) + " behind");
+  text += row("depth test", s.covered, s.covered - s.depth_failed,
+              with_separators(s.depth_failed) + " behind");
   text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,
-              s.written, s.discarded ? grouped(s.discarded) + " transparent" : "");
-  text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
+              s.written, s.discarded ? with_separators(s.discarded) + " transparent" : "");
+  text +=
+      row("write", s.written, s.written, s.blended ? with_separators(s.blended) + " blended" : "");
   if (tile) {
     text += wrapped("  texture, light: ",
                     "computed once for each visible pixel (with several samples, once for each "

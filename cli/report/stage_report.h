@@ -18,7 +18,7 @@ std::string stage_table(const Statistics& statistics, EngineKind engine);
 std::string time_table(const Statistics& statistics);
 
 // The number with separators: 1234567 -> "1,234,567".
-std::string grouped(std::uint64_t n);
+std::string with_separators(std::uint64_t n);
 
 nlohmann::ordered_json to_json(const Statistics& statistics);
 

@@ -94,7 +94,7 @@ Image<std::uint8_t> flip_heat_map(const PicturePair& pair) {
         const bool compared = pair.selection.compares(box.x + x, box.y + y);
         levels.at(box.x + x, box.y + y) =
             compared ? std::uint8_t(std::ceil(tile.error().row(y)[x] * float(kHeatHottest)))
-                     : kHeatLeftOut;
+                     : kHeatNotCompared;
       }
     }
   });

@@ -33,8 +33,10 @@ struct FlipErrors {
 // number of threads do not change the result.
 FlipErrors flip(const PicturePair& pair, TileSize tiles = kLargestFlipTile);
 
-// The errors as levels of heat_map.h: 0 for none, 1 to 254 in proportion, rounded up, kHeatLeftOut
-// where not compared.
+// The errors as levels of heat_map.h: 0 for none,
+// 1 to 254 in proportion, rounded up,
+// kHeatNotCompared where not compared.
+// One level per pixel.
 Image<std::uint8_t> flip_heat_map(const PicturePair& pair);
 
 }  // namespace glassbox

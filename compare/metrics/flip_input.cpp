@@ -73,7 +73,7 @@ bool load(const PicturePair& pair, const std::vector<Sample>& reference,
           const std::vector<Sample>& own, const PixelBox& tile, float background,
           OpponentPlanes& planes) {
   const int channels = pair.reference.channels;
-  const bool masked = !pair.selection.everything();
+  const bool masked = !pair.selection.includes_all();
   bool opaque = true;
   LinearRow row;
   for (int y = -kFlipHalo; y < tile.height + kFlipHalo; ++y) {

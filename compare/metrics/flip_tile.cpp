@@ -57,7 +57,7 @@ void to_hunt_lab(float* lightness, float* a, float* b, int count) {
   }
 }
 
-void compare_row(const SeenPlanes& reference, const SeenPlanes& test, int y, int count,
+void compare_row(const PerceivedPlanes& reference, const PerceivedPlanes& test, int y, int count,
                  float* error) {
   static const flip_colour::ColourError colour_error;
   const float *l1 = reference.lightness.row(y), *l2 = test.lightness.row(y);
@@ -76,19 +76,19 @@ void compare_row(const SeenPlanes& reference, const SeenPlanes& test, int y, int
 
 }  // namespace
 
-void FlipTile::see_colours(const PixelBox& tile, SeenPlanes& seen) {
+void FlipTile::compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& perceived) {
   const FlipFilters& filters = flip_filters();
-  blur(opponent_.lightness, tile, filters.lightness, across_[0], seen.lightness);
-  blur(opponent_.red_green, tile, filters.red_green, across_[0], seen.a);
+  blur(opponent_.lightness, tile, filters.lightness, across_[0], perceived.lightness);
+  blur(opponent_.red_green, tile, filters.red_green, across_[0], perceived.a);
   blur(opponent_.blue_yellow, tile, filters.wide_blue_yellow, across_[0], across_[1]);
-  blur(opponent_.blue_yellow, tile, filters.narrow_blue_yellow, across_[0], seen.b);
-  mix(across_[1], tile, filters.wide_share, filters.narrow_share, seen.b);
+  blur(opponent_.blue_yellow, tile, filters.narrow_blue_yellow, across_[0], perceived.b);
+  mix(across_[1], tile, filters.wide_share, filters.narrow_share, perceived.b);
   for (int y = 0; y < tile.height; ++y) {
-    to_hunt_lab(seen.lightness.row(y), seen.a.row(y), seen.b.row(y), tile.width);
+    to_hunt_lab(perceived.lightness.row(y), perceived.a.row(y), perceived.b.row(y), tile.width);
   }
 }
 
-void FlipTile::see_features(const PixelBox& tile, SeenPlanes& seen) {
+void FlipTile::compute_features(const PixelBox& tile, PerceivedPlanes& perceived) {
   const FlipFilters& filters = flip_filters();
   auto& [smooth, slope, bend] = across_;
   const FlipPlane& lightness = opponent_.lightness;
@@ -101,25 +101,25 @@ void FlipTile::see_features(const PixelBox& tile, SeenPlanes& seen) {
   for (int y = 0; y < tile.height; ++y) {
     filter_even<kDown>(slope.row(y), tile.width, filters.smooth, 1.0f, along_x.data());
     filter_odd<kDown>(smooth.row(y), tile.width, filters.slope, along_y.data());
-    length(along_x.data(), along_y.data(), tile.width, seen.edges.row(y));
+    length(along_x.data(), along_y.data(), tile.width, perceived.edges.row(y));
     filter_even<kDown>(bend.row(y), tile.width, filters.smooth, 1.0f, along_x.data());
     filter_even<kDown>(smooth.row(y), tile.width, filters.bend, 0.0f, along_y.data());
-    length(along_x.data(), along_y.data(), tile.width, seen.points.row(y));
+    length(along_x.data(), along_y.data(), tile.width, perceived.points.row(y));
   }
 }
 
-void FlipTile::see(const PixelBox& tile, SeenPlanes& seen) {
-  see_colours(tile, seen);
-  see_features(tile, seen);
+void FlipTile::compute_perceived(const PixelBox& tile, PerceivedPlanes& perceived) {
+  compute_perceived_colours(tile, perceived);
+  compute_features(tile, perceived);
 }
 
 void FlipTile::compute(const PicturePair& pair, const PixelBox& tile) {
   bool opaque = true;
   for (const float background : {0.0f, 1.0f}) {
     opaque &= load_opponent(pair, PairSide::kReference, tile, background, opponent_);
-    see(tile, reference_);
+    compute_perceived(tile, reference_);
     opaque &= load_opponent(pair, PairSide::kTest, tile, background, opponent_);
-    see(tile, test_);
+    compute_perceived(tile, test_);
     std::array<float, std::size_t(FlipPlane::kStride)> errors;
     for (int y = 0; y < tile.height; ++y) {
       compare_row(reference_, test_, y, tile.width, errors.data());

@@ -38,7 +38,7 @@ struct OpponentPlanes {
 
 // The tile as the eye sees it: colours in CIELab with Hunt's adjustment after filtering, and the
 // strengths of edges and points.
-struct SeenPlanes {
+struct PerceivedPlanes {
   FlipPlane lightness, a, b, edges, points;
 };
 
@@ -51,13 +51,13 @@ public:
   const FlipPlane& error() const { return error_; }
 
 private:
-  void see(const PixelBox& tile, SeenPlanes& seen);
-  void see_colours(const PixelBox& tile, SeenPlanes& seen);
-  void see_features(const PixelBox& tile, SeenPlanes& seen);
+  void compute_perceived(const PixelBox& tile, PerceivedPlanes& perceived);
+  void compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& perceived);
+  void compute_features(const PixelBox& tile, PerceivedPlanes& perceived);
 
   OpponentPlanes opponent_;
   FlipPlane across_[3];  // filtered along x
-  SeenPlanes reference_, test_;
+  PerceivedPlanes reference_, test_;
   FlipPlane error_;
 };
 

@@ -44,7 +44,7 @@ class Measurement {
 public:
   explicit Measurement(const PicturePair& pair) : pair_(pair) {}
 
-  MetricValue of(const std::string& name) {
+  MetricValue value_of(const std::string& name) {
     if (name.starts_with("ssim.")) return of_ssim(name);
     if (name.starts_with("flip.")) return of_flip(name);
     return of_errors(name);
@@ -98,12 +98,12 @@ private:
 
 }  // namespace
 
-std::vector<MetricValue> measure(const PicturePair& pair,
-                                 const std::vector<MetricRequest>& requests) {
+std::vector<MetricValue> measure_metrics(const PicturePair& pair,
+                                         const std::vector<MetricRequest>& requests) {
   Measurement measurement(pair);
   std::vector<MetricValue> values;
   for (const MetricRequest& request : requests) {
-    MetricValue value = measurement.of(request.name);
+    MetricValue value = measurement.value_of(request.name);
     value.limit = request.limit;
     if (value.limit) value.passes = value.value && holds(*value.limit, *value.value);
     values.push_back(std::move(value));

@@ -42,7 +42,7 @@ struct MetricValue {
 
 // The requested values. Pixels that the selection leaves out are not counted; where a metric uses
 // neighbourhoods, the test picture has the reference's samples at these pixels.
-std::vector<MetricValue> measure(const PicturePair& pair,
-                                 const std::vector<MetricRequest>& requests);
+std::vector<MetricValue> measure_metrics(const PicturePair& pair,
+                                         const std::vector<MetricRequest>& requests);
 
 }  // namespace glassbox

@@ -25,7 +25,7 @@ bool on_ci_server() {
   return value != nullptr && *value != '\0';
 }
 
-Result<void> approve(const std::string& reference, const std::string& test) {
+Result<void> approve_picture(const std::string& reference, const std::string& test) {
   if (on_ci_server()) {
     return fail("", "the environment variable CI is set, and a server cannot approve pictures",
                 "look at the picture and approve it on your own machine");

@@ -14,6 +14,6 @@ bool on_ci_server();
 // Copies the file `test` over `reference`, completely or not at all, and makes its folder if there
 // is none. Refused on a CI server, for a test that cannot be decoded, and where the two names have
 // different extensions.
-Result<void> approve(const std::string& reference, const std::string& test);
+Result<void> approve_picture(const std::string& reference, const std::string& test);
 
 }  // namespace glassbox

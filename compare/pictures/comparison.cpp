@@ -7,8 +7,8 @@
 #include <glassbox/base/printable.h>
 #include <glassbox/compare/pictures/rules.h>
 #include <glassbox/compare/pictures/sidecar.h>
+#include <glassbox/compare/pixels/difference_text.h>
 #include <glassbox/compare/pixels/explanation.h>
-#include <glassbox/compare/pixels/words.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
 
@@ -31,7 +31,7 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   const auto& [fuzzy, max_ulp] = options.tolerance;
   if (fuzzy && !allows(*fuzzy, found)) {
     const std::string needed = found.largest == kUnbounded ? steps_text(kUnbounded, pair.reference)
-                                                           : to_string(tightest(found));
+                                                           : to_string(tightest_fuzzy(found));
     broken.push_back(fmt::format("{} is not within {}", needed, to_string(*fuzzy)));
   }
   if (max_ulp && found.largest > *max_ulp) {
@@ -52,7 +52,8 @@ bool gates(const CompareOptions& options) {
   return !options.tolerance.empty() || has_limit(options.metrics);
 }
 
-void judge(Comparison& comparison, const CompareOptions& options, const PicturePair& pair) {
+void decide_verdict(Comparison& comparison, const CompareOptions& options,
+                    const PicturePair& pair) {
   const Differences& found = *comparison.differences;
   const bool same = found.differing == 0;
   comparison.verdict = same ? Verdict::kSame : Verdict::kDifferent;
@@ -111,12 +112,12 @@ Result<Selection> selection_of(const StoredImage& reference, const std::vector<P
                                const std::string& mask) {
   Selection selection(reference.width, reference.height);
   for (const PixelBox& box : ignore) {
-    if (const auto done = selection.leave_out(box); !done) return tl::unexpected(done.error());
+    if (const auto done = selection.exclude(box); !done) return tl::unexpected(done.error());
   }
   if (!mask.empty()) {
     const auto image = read_stored(mask);
     if (!image) return tl::unexpected(image.error());
-    if (auto done = selection.leave_out_black(*image); !done) {
+    if (auto done = selection.exclude_black(*image); !done) {
       done.error().file = mask;
       return tl::unexpected(done.error());
     }
@@ -144,13 +145,13 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   if (!test) return uncompared(std::move(comparison), test.error());
   comparison.test = facts(test_path, *test);
 
-  comparison.reasons = explain_shapes(*reference, *test);
+  comparison.reasons = explain_format_mismatch(*reference, *test);
   if (!comparison.reasons.empty()) {
     comparison.verdict = Verdict::kDifferent;
     consult_recipes(comparison, options);
     return comparison;
   }
-  Rules rules = combine(options, *sidecar, comparison.notes);
+  ComparisonRules rules = combine_rules(options, *sidecar, comparison.notes);
   // max_ulp applies to floats only.
   if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();
   comparison.tolerance = tolerance_text(rules.options);
@@ -163,13 +164,13 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
 
   const PicturePair pair{*reference, *test, *selection, options.nan_equals_nan};
   comparison.differences = find_differences(pair);
-  comparison.metrics = measure(pair, rules.options.metrics);
-  judge(comparison, rules.options, pair);
+  comparison.metrics = measure_metrics(pair, rules.options.metrics);
+  decide_verdict(comparison, rules.options, pair);
   if (comparison.differences->differing > 0) {
     comparison.hints = explain_differences(pair, *comparison.differences);
   }
   if (rules.tolerance_of_sidecar && passes(comparison.verdict)) {
-    const std::string note = stale_text(rules, *comparison.differences);
+    const std::string note = stale_tolerance_text(rules, *comparison.differences);
     if (!note.empty()) comparison.notes.push_back(note);
   }
   if (!passes(comparison.verdict)) consult_recipes(comparison, options);

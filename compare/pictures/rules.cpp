@@ -20,9 +20,9 @@ bool has_limit(const std::vector<MetricRequest>& metrics) {
                      [](const MetricRequest& metric) { return metric.limit.has_value(); });
 }
 
-Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
-              std::vector<std::string>& notes) {
-  Rules rules;
+ComparisonRules combine_rules(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
+                              std::vector<std::string>& notes) {
+  ComparisonRules rules;
   rules.options = options;
   if (!sidecar) return rules;
   rules.sidecar_path = sidecar->path;
@@ -55,7 +55,7 @@ std::string tolerance_text(const CompareOptions& options) {
   return text;
 }
 
-std::string stale_text(const Rules& rules, const Differences& found) {
+std::string stale_tolerance_text(const ComparisonRules& rules, const Differences& found) {
   if (!rules.tolerance_of_sidecar) return {};
   const auto& [fuzzy, max_ulp] = rules.options.tolerance;
   if (found.differing == 0) {

@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-struct Rules {
+struct ComparisonRules {
   CompareOptions options;
   bool tolerance_of_sidecar = false;
   std::string sidecar_path;  // empty: none
@@ -20,8 +20,8 @@ struct Rules {
 
 // Adds the sidecar's boxes, and its mask if there is no mask yet. Its tolerance applies unless the
 // options have one; then a note is added.
-Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
-              std::vector<std::string>& notes);
+ComparisonRules combine_rules(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
+                              std::vector<std::string>& notes);
 
 bool has_limit(const std::vector<MetricRequest>& metrics);
 
@@ -30,6 +30,6 @@ std::string tolerance_text(const CompareOptions& options);
 
 // A sentence that says that the sidecar's tolerance allows more than these differences need; empty
 // if it does not.
-std::string stale_text(const Rules& rules, const Differences& found);
+std::string stale_tolerance_text(const ComparisonRules& rules, const Differences& found);
 
 }  // namespace glassbox

@@ -43,8 +43,8 @@ bool has_nan(const float* samples, std::size_t count) {
   return std::any_of(samples, samples + count, [](float sample) { return std::isnan(sample); });
 }
 
-void leave_out_row(const Selection& selection, int y, std::span<std::uint32_t> steps) {
-  if (selection.everything()) return;
+void exclude_row(const Selection& selection, int y, std::span<std::uint32_t> steps) {
+  if (selection.includes_all()) return;
   for (std::size_t x = 0; x < steps.size(); ++x) {
     if (!selection.compares(int(x), y)) steps[x] = 0;
   }
@@ -91,7 +91,7 @@ bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> st
           return false;
         }
         compare_row(reference, test, pair.reference.channels, pair.nan_equals_nan, steps);
-        leave_out_row(pair.selection, y, steps);
+        exclude_row(pair.selection, y, steps);
         return true;
       },
       pair.reference.samples);

@@ -70,8 +70,8 @@ bool same_pixel(const PicturePair& pair, const Sample* from, const Sample* to) {
 }
 
 template <class Sample>
-bool foretells(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
-               const Sample* to) {
+bool predicts(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
+              const Sample* to) {
   for (int channel = 0; channel < pair.reference.channels; ++channel) {
     const Sample sample = from[hypothesis.source[std::size_t(channel)]];
     const bool fits = hypothesis.fits ? hypothesis.fits(channel, sample, to[channel])
@@ -108,7 +108,7 @@ void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
     const Sample* from = from_row && is_within(from_x, width)
                              ? from_row + std::ptrdiff_t(from_x) * channels
                              : nullptr;
-    if (from) score.misses += foretells(pair, hypothesis, from, test) ? 0u : 1u;
+    if (from) score.misses += predicts(pair, hypothesis, from, test) ? 0u : 1u;
     if (!from || !is_within(to_x, width) || !is_within(to_y, height)) {
       score.open += same_pixel(pair, reference, test) ? 0u : 1u;
     }
@@ -138,7 +138,7 @@ bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, 
     if (sample == from[channel]) continue;
     if (sample == 0 || sample == std::numeric_limits<Sample>::max()) return false;
   }
-  return !same_pixel(pair, from, to) && foretells(pair, hypothesis, from, to);
+  return !same_pixel(pair, from, to) && predicts(pair, hypothesis, from, to);
 }
 
 // A change of values that explains all pixels must be visible in two colours. If only one colour
@@ -214,7 +214,7 @@ void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt firs
 
 // Applies `fits` to the colours; alpha must be unchanged.
 template <class Sample, class Fits>
-Hypothesis<Sample> of_colours(std::string words, int channels, Fits fits) {
+Hypothesis<Sample> colour_hypothesis(std::string words, int channels, Fits fits) {
   Hypothesis<Sample> hypothesis{std::move(words)};
   hypothesis.fits = [channels, fits](int channel, Sample from, Sample to) {
     return is_alpha(channel, channels) ? from == to : fits(from, to);
@@ -230,10 +230,10 @@ bool is_encoding(std::uint8_t linear, std::uint8_t encoded) {
 }
 
 void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
-  all.push_back(of_colours<std::uint8_t>(
+  all.push_back(colour_hypothesis<std::uint8_t>(
       "the test's colours are sRGB-encoded once more than the reference's", channels,
       [](std::uint8_t from, std::uint8_t to) { return is_encoding(from, to); }));
-  all.push_back(of_colours<std::uint8_t>(
+  all.push_back(colour_hypothesis<std::uint8_t>(
       "the test's colours are sRGB-encoded once less than the reference's", channels,
       [](std::uint8_t from, std::uint8_t to) { return is_encoding(to, from); }));
 }
@@ -244,7 +244,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
   const int channels = pair.reference.channels;
   if constexpr (std::is_integral_v<Sample>) {
     add_constant(all, pair, first);
-    all.push_back(of_colours<Sample>(
+    all.push_back(colour_hypothesis<Sample>(
         "the test's colours are the reference's colours, inverted", channels,
         [](Sample from, Sample to) { return to == std::numeric_limits<Sample>::max() - from; }));
   }
@@ -255,7 +255,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
   return all;
 }
 
-std::string but_for(std::uint64_t misses) {
+std::string exceptions_text(std::uint64_t misses) {
   if (misses == 0) return {};
   return " (except for " + counted(misses, "pixel") + ")";
 }
@@ -272,7 +272,7 @@ std::optional<std::string> best_explanation(const PicturePair& pair,
     const auto [misses, open] = score_of(pair, hypothesis, differences.first.y, limit);
     if (misses > limit || (best && misses == limit) || open > differences.differing / 2) continue;
     if (hypothesis.fits && !is_seen_in_two_colours(pair, hypothesis, differences)) continue;
-    best = hypothesis.words + but_for(misses);
+    best = hypothesis.words + exceptions_text(misses);
     limit = misses;
   }
   return best;
@@ -335,7 +335,8 @@ std::vector<std::string> explain_differences(const PicturePair& pair,
       pair.reference.samples);
 }
 
-std::vector<std::string> explain_shapes(const StoredImage& reference, const StoredImage& test) {
+std::vector<std::string> explain_format_mismatch(const StoredImage& reference,
+                                                 const StoredImage& test) {
   std::vector<std::string> sentences;
   if (reference.width != test.width || reference.height != test.height) {
     sentences.push_back(

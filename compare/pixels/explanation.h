@@ -18,6 +18,7 @@ std::vector<std::string> explain_differences(const PicturePair& pair,
 
 // Why two pictures of different sizes, channels or formats cannot be compared, and possible causes;
 // the first sentence says what differs. Empty where they can be compared.
-std::vector<std::string> explain_shapes(const StoredImage& reference, const StoredImage& test);
+std::vector<std::string> explain_format_mismatch(const StoredImage& reference,
+                                                 const StoredImage& test);
 
 }  // namespace glassbox

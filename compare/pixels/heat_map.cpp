@@ -16,7 +16,7 @@ constexpr Stop kStops[] = {{1, 104, 48, 200},
                            {128, 240, 84, 36},
                            {192, 255, 190, 40},
                            {254, 255, 255, 255}};
-constexpr Rgba8 kLeftOut{62, 76, 96, 255};
+constexpr Rgba8 kNotComparedColour{62, 76, 96, 255};
 
 std::uint8_t between(int a, int b, int numerator, int denominator) {
   return std::uint8_t(a + (b - a) * numerator / denominator);
@@ -56,7 +56,7 @@ const std::array<Rgba8, 256>& heat_colours() {
                                      between(from.b, to.b, done, all), 255};
       }
     }
-    table[kHeatLeftOut] = kLeftOut;
+    table[kHeatNotCompared] = kNotComparedColour;
     return table;
   }();
   return colours;
@@ -86,7 +86,7 @@ Image<std::uint8_t> heat_map(const PicturePair& pair) {
     for (int x = 0; x < levels.width; ++x) {
       levels.at(x, y) = pair.selection.compares(x, y)
                             ? heat_level(steps[std::size_t(x)], pair.reference)
-                            : kHeatLeftOut;
+                            : kHeatNotCompared;
     }
   }
   return levels;

@@ -10,9 +10,9 @@
 
 namespace glassbox {
 
-inline constexpr std::uint8_t kHeatSame = 0;       // compared and equal
-inline constexpr std::uint8_t kHeatLeftOut = 255;  // not compared
-inline constexpr std::uint8_t kHeatHottest = 254;  // 1 to 254: the size of the difference
+inline constexpr std::uint8_t kHeatSame = 0;           // compared and equal
+inline constexpr std::uint8_t kHeatNotCompared = 255;  // not compared
+inline constexpr std::uint8_t kHeatHottest = 254;      // 1 to 254: the size of the difference
 
 // The colour of each level: a single step is clearly visible, pixels that are left out are
 // blue-grey.

@@ -13,13 +13,13 @@ bool worse(const Region& a, const Region& b) {
   return rank(a) < rank(b);
 }
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
+PixelBox bounding_box(const PixelBox& a, const PixelBox& b) {
   const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
   return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
           std::max(a.y + a.height, b.y + b.height) - top};
 }
 
-void take_in(Region& into, const Region& other) {
+void merge_region(Region& into, const Region& other) {
   const auto earlier = [](PixelAt a, PixelAt b) {
     return std::tuple(a.y, a.x) < std::tuple(b.y, b.x);
   };
@@ -29,7 +29,7 @@ void take_in(Region& into, const Region& other) {
     into.largest = other.largest;
   }
   into.pixels += other.pixels;
-  into.box = around(into.box, other.box);
+  into.box = bounding_box(into.box, other.box);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void RegionFinder::join(std::size_t a, std::size_t b) {
   a = root(a);
   b = root(b);
   if (a == b) return;
-  take_in(open_[a], open_[b]);
+  merge_region(open_[a], open_[b]);
   into_[b] = a;
 }
 

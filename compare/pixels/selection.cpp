@@ -57,14 +57,14 @@ std::string to_string(const PixelBox& box) {
 Selection::Selection(int width, int height)
     : width_(width), height_(height), compared_(std::uint64_t(width) * std::uint64_t(height)) {}
 
-void Selection::leave_out(std::size_t pixel) {
-  if (left_out_.empty()) left_out_.resize(std::size_t(width_) * std::size_t(height_));
-  if (left_out_[pixel]) return;
-  left_out_[pixel] = true;
+void Selection::exclude(std::size_t pixel) {
+  if (excluded_.empty()) excluded_.resize(std::size_t(width_) * std::size_t(height_));
+  if (excluded_[pixel]) return;
+  excluded_[pixel] = true;
   --compared_;
 }
 
-Result<void> Selection::leave_out(const PixelBox& box) {
+Result<void> Selection::exclude(const PixelBox& box) {
   // In 64 bits, because x + width may overflow an int.
   const auto clamp = [](std::int64_t value, int size) {
     return int(std::clamp<std::int64_t>(value, 0, size));
@@ -80,12 +80,12 @@ Result<void> Selection::leave_out(const PixelBox& box) {
                 "count from the top left corner");
   }
   for (int y = top; y < bottom; ++y) {
-    for (int x = left; x < right; ++x) leave_out(index(x, y));
+    for (int x = left; x < right; ++x) exclude(index(x, y));
   }
   return {};
 }
 
-Result<void> Selection::leave_out_black(const StoredImage& mask) {
+Result<void> Selection::exclude_black(const StoredImage& mask) {
   if (mask.width != width_ || mask.height != height_) {
     return fail("--mask",
                 "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) +
@@ -94,7 +94,7 @@ Result<void> Selection::leave_out_black(const StoredImage& mask) {
                 "make it as large as the picture");
   }
   for (std::size_t pixel = 0; pixel < mask.pixels(); ++pixel) {
-    if (is_black(mask, pixel)) leave_out(pixel);
+    if (is_black(mask, pixel)) exclude(pixel);
   }
   return {};
 }

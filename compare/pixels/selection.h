@@ -30,24 +30,24 @@ public:
 
   // Leaves out the pixels of the box. An error where the box is wholly outside the picture, because
   // that must be a mistake.
-  Result<void> leave_out(const PixelBox& box);
+  Result<void> exclude(const PixelBox& box);
   // Leaves out the pixels that are black in `mask`: every colour sample is 0 (alpha is ignored). An
   // error where its size is not the picture's.
-  Result<void> leave_out_black(const StoredImage& mask);
+  Result<void> exclude_black(const StoredImage& mask);
 
-  bool everything() const { return left_out_.empty(); }
-  bool compares(int x, int y) const { return left_out_.empty() || !left_out_[index(x, y)]; }
+  bool includes_all() const { return excluded_.empty(); }
+  bool compares(int x, int y) const { return excluded_.empty() || !excluded_[index(x, y)]; }
   std::uint64_t compared_pixels() const { return compared_; }
 
 private:
   std::size_t index(int x, int y) const {
     return std::size_t(y) * std::size_t(width_) + std::size_t(x);
   }
-  void leave_out(std::size_t pixel);
+  void exclude(std::size_t pixel);
 
   int width_, height_;
   std::uint64_t compared_;
-  std::vector<bool> left_out_;  // empty: none
+  std::vector<bool> excluded_;  // empty: none
 };
 
 }  // namespace glassbox

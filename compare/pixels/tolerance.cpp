@@ -93,7 +93,7 @@ bool allows(const Fuzzy& fuzzy, const Differences& differences) {
          fuzzy.total_pixels.has(differences.differing);
 }
 
-Fuzzy tightest(const Differences& differences) {
+Fuzzy tightest_fuzzy(const Differences& differences) {
   return {{differences.largest, differences.largest},
           {differences.differing, differences.differing}};
 }

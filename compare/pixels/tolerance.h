@@ -39,7 +39,7 @@ std::string to_string(const Fuzzy& fuzzy);
 bool allows(const Fuzzy& fuzzy, const Differences& differences);
 
 // The annotation that allows these differences and no others.
-Fuzzy tightest(const Differences& differences);
+Fuzzy tightest_fuzzy(const Differences& differences);
 
 struct Tolerance {
   std::optional<Fuzzy> fuzzy;

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/compare/report/text.h>
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 
 namespace glassbox {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // XML attributes can contain tab, line feed and carriage return only as character references.
 std::string in_xml(const std::string& text) {
   std::string out;
-  for (const char c : escaped(text)) {
+  for (const char c : escaped_html(text)) {
     const bool space = c == '\t' || c == '\n' || c == '\r';
     out += space ? fmt::format("&#{};", int(c)) : std::string(1, c);
   }
@@ -26,7 +26,8 @@ std::string test_case(const std::string& suite, const Comparison& comparison) {
   if (passes(comparison.verdict)) return start + "/>\n";
   const char* kind = comparison.verdict == Verdict::kUncompared ? "error" : "failure";
   return fmt::format("{}>\n      <{} message=\"{}\">{}</{}>\n    </testcase>\n", start, kind,
-                     in_xml(one_line(comparison)), in_xml(details(comparison)), kind);
+                     in_xml(comparison_line(comparison)), in_xml(comparison_details(comparison)),
+                     kind);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Result<std::string> encode_blob(const StoredImage& image, std::span<const PixelB
   Bytes bytes;
   bytes.reserve(pixels * std::size_t(image.channels) * sample_bytes(image));
   for (const PixelBox& box : boxes) append_row_differences(bytes, image, box);
-  return packed_text(bytes);
+  return compressed_base64(bytes);
 }
 
 }  // namespace glassbox

@@ -35,7 +35,7 @@ std::string verdict_name(Verdict verdict) {
   return verdict == Verdict::kWithinTolerance ? "within tolerance" : verdict_word(verdict);
 }
 
-std::string one_line(const Comparison& comparison) {
+std::string comparison_line(const Comparison& comparison) {
   std::string text =
       printable(comparison.name, kLongestName) + ": " + verdict_name(comparison.verdict);
   const std::string why = reason(comparison);
@@ -43,7 +43,7 @@ std::string one_line(const Comparison& comparison) {
   return text;
 }
 
-std::string details(const Comparison& comparison) {
+std::string comparison_details(const Comparison& comparison) {
   std::string text;
   for (std::size_t i = 1; i < comparison.reasons.size(); ++i) {
     text += line("and", comparison.reasons[i]);

@@ -12,11 +12,11 @@ namespace glassbox {
 std::string verdict_name(Verdict verdict);
 
 // One line: the picture, the verdict, and the reason if it does not pass.
-std::string one_line(const Comparison& comparison);
+std::string comparison_line(const Comparison& comparison);
 
 // Further information, one indented line each: further reasons, hints, notes, metrics, the command
 // that inspects the first differing pixel. Empty for pictures that pass without any of these.
-std::string details(const Comparison& comparison);
+std::string comparison_details(const Comparison& comparison);
 
 // A line such as "57 pictures: 55 same, 1 within tolerance, 1 different".
 std::string summary_line(std::span<const Comparison> comparisons);

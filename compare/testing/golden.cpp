@@ -8,7 +8,7 @@
 #include <glassbox/compare/pictures/approve.h>
 #include <glassbox/compare/pictures/comparison.h>
 #include <glassbox/compare/pictures/sidecar.h>
-#include <glassbox/compare/report/heat.h>
+#include <glassbox/compare/report/heat_map_file.h>
 #include <glassbox/compare/report/page.h>
 #include <glassbox/compare/report/text.h>
 #include <glassbox/images/atomic_file.h>
@@ -25,7 +25,7 @@ const char* environment(const char* name) {
   return value != nullptr && *value != '\0' ? value : nullptr;
 }
 
-bool approval_asked() {
+bool approval_requested() {
   const char* value = environment("GLASSBOX_APPROVE");
   return value != nullptr && std::string(value) != "0";
 }
@@ -61,18 +61,18 @@ Result<void> make_folder_of(const fs::path& file) {
                               "cannot be created: " + error.message(), "check the permissions"});
 }
 
-Result<void> keep(const Result<std::vector<std::byte>>& bytes, const fs::path& file) {
+Result<void> save_picture(const Result<std::vector<std::byte>>& bytes, const fs::path& file) {
   if (!bytes) return tl::unexpected(bytes.error());
   if (const auto made = make_folder_of(file); !made) return made;
   return write_file(file.string(), *bytes);
 }
 
-Result<void> keep(const StoredImage& image, const fs::path& file) {
-  return keep(encode(image, file), file);
+Result<void> save_picture(const StoredImage& image, const fs::path& file) {
+  return save_picture(encode(image, file), file);
 }
 
-Result<void> keep(const PictureFile& picture, const fs::path& file) {
-  return keep(read_file(picture.path), file);
+Result<void> save_picture(const PictureFile& picture, const fs::path& file) {
+  return save_picture(read_file(picture.path), file);
 }
 
 // The fast check for equal pictures, which writes no file.
@@ -95,43 +95,43 @@ Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
   return comparison;
 }
 
-struct Traces {
+struct FailureFiles {
   fs::path picture, heat, page;
 };
 
-Traces traces_of(const fs::path& test) {
+FailureFiles failure_files(const fs::path& test) {
   return {test, fs::path(test).replace_extension(".heat.png"),
           fs::path(test).replace_extension(".html")};
 }
 
 // A test that passes removes the files of an earlier failure.
-void remove(const Traces& traces) {
+void remove(const FailureFiles& files) {
   std::error_code ignored;
-  for (const fs::path& file : {traces.picture, traces.heat, traces.page}) fs::remove(file, ignored);
+  for (const fs::path& file : {files.picture, files.heat, files.page}) fs::remove(file, ignored);
 }
 
 // Writes the heat map and the page beside the test's picture, and returns text that says where they
 // are.
-std::string leave(const Traces& traces, const Comparison& comparison) {
-  std::string text = "  picture: " + traces.picture.string() + "\n";
+std::string write_failure_files(const FailureFiles& files, const Comparison& comparison) {
+  std::string text = "  picture: " + files.picture.string() + "\n";
   const auto tell = [&text](const std::string& what, const fs::path& file,
                             const Result<void>& written) {
     text += "  " + what + ": " + (written ? file.string() : written.error().message()) + "\n";
   };
   if (comparison.differences) {
-    tell("heat map", traces.heat, write_heat(traces.heat.string(), comparison));
+    tell("heat map", files.heat, write_heat_map(files.heat.string(), comparison));
   }
   PageOptions options;
   options.title = comparison.name;
-  tell("page", traces.page, write_page(traces.page.string(), std::span(&comparison, 1), options));
+  tell("page", files.page, write_page(files.page.string(), std::span(&comparison, 1), options));
   return text;
 }
 
-GoldenOutcome approved(const fs::path& golden, const Traces& traces) {
-  if (const auto done = approve(golden.string(), traces.picture.string()); !done) {
+GoldenOutcome approve_golden(const fs::path& golden, const FailureFiles& files) {
+  if (const auto done = approve_picture(golden.string(), files.picture.string()); !done) {
     return {false, "not approved: " + done.error().message()};
   }
-  remove(traces);
+  remove(files);
   return {true, "approved as the golden image " + golden.string()};
 }
 
@@ -139,22 +139,24 @@ template <class Picture>
 GoldenOutcome check(const Picture& picture, const std::string& golden_name,
                     const std::string& source_file) {
   const fs::path golden = golden_path(golden_name, source_file);
-  const Traces traces = traces_of(failure_path(golden_name));
+  const FailureFiles files = failure_files(failure_path(golden_name));
   if (is_same(picture, golden)) {
-    remove(traces);
+    remove(files);
     return {true, "equals the golden image " + golden.string()};
   }
-  if (const auto kept = keep(picture, traces.picture); !kept) {
+  if (const auto kept = save_picture(picture, files.picture); !kept) {
     return {false, kept.error().message()};
   }
-  const Comparison comparison = compare_with_golden(golden, traces.picture);
+  const Comparison comparison = compare_with_golden(golden, files.picture);
   if (passes(comparison.verdict)) {
-    remove(traces);
-    return {true, "matches the golden image " + golden.string() + "\n" + details(comparison)};
+    remove(files);
+    return {true,
+            "matches the golden image " + golden.string() + "\n" + comparison_details(comparison)};
   }
-  if (approval_asked()) return approved(golden, traces);
+  if (approval_requested()) return approve_golden(golden, files);
   return {false, "does not match the golden image " + golden.string() + "\n  " +
-                     one_line(comparison) + "\n" + details(comparison) + leave(traces, comparison) +
+                     comparison_line(comparison) + "\n" + comparison_details(comparison) +
+                     write_failure_files(files, comparison) +
                      "  If the picture is right, run the test again with GLASSBOX_APPROVE=1."};
 }
 

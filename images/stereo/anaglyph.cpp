@@ -10,13 +10,13 @@
 namespace glassbox {
 namespace {
 
-constexpr Named<Glasses> kGlasses[] = {
+constexpr NamedChoice<Glasses> kGlasses[] = {
     {Glasses::kRedCyan, "red-cyan", "left eye red, right eye green and blue"},
     {Glasses::kGreenMagenta, "green-magenta", "left eye green, right eye red and blue"},
     {Glasses::kAmberBlue, "amber-blue", "left eye red and green, right eye blue"},
 };
 
-constexpr Named<AnaglyphMethod> kMethods[] = {
+constexpr NamedChoice<AnaglyphMethod> kMethods[] = {
     {AnaglyphMethod::kMask, "mask", "each channel from the eye it belongs to, full colour"},
     {AnaglyphMethod::kTrue, "true", "luma, one channel an eye: dark, no colour"},
     {AnaglyphMethod::kGrey, "grey", "luma in all channels: no colour, no rivalry"},
@@ -147,11 +147,11 @@ Image<Rgba8> mix(const Image<Rgba8>& left, const Image<Rgba8>& right,
 
 }  // namespace
 
-std::span<const Named<Glasses>> all_glasses() {
+std::span<const NamedChoice<Glasses>> all_glasses() {
   return kGlasses;
 }
 
-std::span<const Named<AnaglyphMethod>> all_anaglyph_methods() {
+std::span<const NamedChoice<AnaglyphMethod>> all_anaglyph_methods() {
   return kMethods;
 }
 

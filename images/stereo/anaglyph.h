@@ -9,7 +9,7 @@
 #include <glassbox/images/image.h>
 #include <glassbox/images/stereo/eyes.h>
 #include <glassbox/images/stereo/linear.h>
-#include <glassbox/images/stereo/named.h>
+#include <glassbox/images/stereo/named_choice.h>
 
 namespace glassbox {
 
@@ -18,8 +18,8 @@ enum class Glasses { kRedCyan, kGreenMagenta, kAmberBlue };
 
 enum class AnaglyphMethod { kMask, kTrue, kGrey, kHalf, kOptimised, kDubois, kDubois2001 };
 
-std::span<const Named<Glasses>> all_glasses();
-std::span<const Named<AnaglyphMethod>> all_anaglyph_methods();
+std::span<const NamedChoice<Glasses>> all_glasses();
+std::span<const NamedChoice<AnaglyphMethod>> all_anaglyph_methods();
 std::string_view name_of(Glasses glasses);
 std::string_view name_of(AnaglyphMethod method);
 

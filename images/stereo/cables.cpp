@@ -14,7 +14,7 @@
 namespace glassbox {
 namespace {
 
-constexpr Named<Cable> kCables[] = {
+constexpr NamedChoice<Cable> kCables[] = {
     {Cable::kComponent, "component", "luma and chroma apart, chroma a little soft"},
     {Cable::kSVideo, "s-video", "luma and chroma apart, chroma blurred"},
     {Cable::kComposite, "composite", "luma and chroma in one signal, each leaking into the other"},
@@ -195,7 +195,7 @@ Image<Rgba8> only(const EyeChannels& eye, const Image<Rgba8>& picture) {
 
 }  // namespace
 
-std::span<const Named<Cable>> all_cables() {
+std::span<const NamedChoice<Cable>> all_cables() {
   return kCables;
 }
 
@@ -203,7 +203,7 @@ std::string_view name_of(Cable cable) {
   return kCables[std::size_t(cable)].name;
 }
 
-Result<Image<Rgba8>> send(const Image<Rgba8>& sent, Cable cable) {
+Result<Image<Rgba8>> send_through_cable(const Image<Rgba8>& sent, Cable cable) {
   return unless_out_of_memory([&]() -> Result<Image<Rgba8>> { return through(sent, cable); });
 }
 
@@ -211,7 +211,7 @@ Result<EyeErrors> channel_errors(const Image<Rgba8>& sent, const Image<Rgba8>& a
                                  Glasses glasses) {
   if (sent.width != arrived.width || sent.height != arrived.height) {
     return fail("cable", "the picture that arrived has another size than the one that was sent",
-                "give what send() made of it");
+                "compare with what send_through_cable() returned");
   }
   const EyeMasks masks = eye_masks(glasses);
   return EyeErrors{rms_in(masks.left, sent, arrived), rms_in(masks.right, sent, arrived)};

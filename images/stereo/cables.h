@@ -8,7 +8,7 @@
 #include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
 #include <glassbox/images/stereo/anaglyph.h>
-#include <glassbox/images/stereo/named.h>
+#include <glassbox/images/stereo/named_choice.h>
 
 namespace glassbox {
 
@@ -19,7 +19,7 @@ namespace glassbox {
 //   colour, edges of colour become dots.
 enum class Cable { kComponent, kSVideo, kComposite };
 
-std::span<const Named<Cable>> all_cables();
+std::span<const NamedChoice<Cable>> all_cables();
 std::string_view name_of(Cable cable);
 
 // The picture as it arrives. Bytes are the gamma-encoded R'G'B' that a video signal carries. One
@@ -32,7 +32,7 @@ std::string_view name_of(Cable cable);
 // / frequency to either side. On composite, the part that the receiver takes for chroma is
 // subtracted from its luma, and the phase of the subcarrier changes by half a period from line to
 // line.
-Result<Image<Rgba8>> send(const Image<Rgba8>& sent, Cable cable);
+Result<Image<Rgba8>> send_through_cable(const Image<Rgba8>& sent, Cable cable);
 
 // Root mean squares over the pixels, in bytes (1/255 of full scale).
 struct EyeErrors {

@@ -11,7 +11,7 @@
 namespace glassbox {
 namespace {
 
-constexpr Named<StereoLayout> kLayouts[] = {
+constexpr NamedChoice<StereoLayout> kLayouts[] = {
     {StereoLayout::kPair, "pair", "side by side at full size, left eye on the left"},
     {StereoLayout::kOverUnder, "over-under", "one over the other at full size, left eye above"},
     {StereoLayout::kCrossEyed, "cross-eyed", "side by side at full size, right eye on the left"},
@@ -49,7 +49,7 @@ Image<Rgba8> row_by_row(const Image<Rgba8>& even, const Image<Rgba8>& odd) {
 
 }  // namespace
 
-std::span<const Named<StereoLayout>> all_stereo_layouts() {
+std::span<const NamedChoice<StereoLayout>> all_stereo_layouts() {
   return kLayouts;
 }
 
@@ -57,8 +57,8 @@ std::string_view name_of(StereoLayout layout) {
   return kLayouts[std::size_t(layout)].name;
 }
 
-Result<Image<Rgba8>> lay_out(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                             StereoLayout layout) {
+Result<Image<Rgba8>> make_stereo_layout(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                        StereoLayout layout) {
   const Result<void> same_size = check_eyes(std::string(name_of(layout)), left, right);
   if (!same_size) return tl::unexpected(same_size.error());
   constexpr int kLargest = std::numeric_limits<int>::max() / 2;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <glassbox/images/stereo/eyes.h>
-#include <glassbox/images/stereo/named.h>
+#include <glassbox/images/stereo/named_choice.h>
 
 namespace glassbox {
 
@@ -18,12 +18,12 @@ namespace glassbox {
 //   picture are not shown.
 enum class StereoLayout { kPair, kOverUnder, kCrossEyed, kInterlaced };
 
-std::span<const Named<StereoLayout>> all_stereo_layouts();
+std::span<const NamedChoice<StereoLayout>> all_stereo_layouts();
 std::string_view name_of(StereoLayout layout);
 
 // Pixels are copied with their alpha. Refuses eyes of different sizes, and sizes for which twice
 // the size is too large for an int.
-Result<Image<Rgba8>> lay_out(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                             StereoLayout layout);
+Result<Image<Rgba8>> make_stereo_layout(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                        StereoLayout layout);
 
 }  // namespace glassbox

@@ -63,7 +63,7 @@ struct Planes {
   bool sign_counts = true;  // false: light in one picture may be dark in the other
 };
 
-OrderEvidence judge(const Planes& eyes, const Image<float>& disparity) {
+OrderEvidence collect_order_evidence(const Planes& eyes, const Image<float>& disparity) {
   OrderEvidence evidence;
   const auto inside = [&](int x) { return x >= kRadius && x < disparity.width - kRadius; };
   for (int y = kRadius; y < disparity.height - kRadius; y += kStep) {
@@ -110,7 +110,7 @@ Result<OrderEvidence> pair_order(const Image<Rgba8>& left, const Image<Rgba8>& r
   }
   return unless_out_of_memory([&]() -> Result<OrderEvidence> {
     constexpr EyeChannels kAll{true, true, true};
-    return judge({plane_of(left, kAll), plane_of(right, kAll), true}, disparity);
+    return collect_order_evidence({plane_of(left, kAll), plane_of(right, kAll), true}, disparity);
   });
 }
 
@@ -121,8 +121,8 @@ Result<OrderEvidence> anaglyph_order(const Image<Rgba8>& anaglyph, Glasses glass
   }
   return unless_out_of_memory([&]() -> Result<OrderEvidence> {
     const EyeMasks masks = eye_masks(glasses);
-    return judge({plane_of(anaglyph, masks.left), plane_of(anaglyph, masks.right), false},
-                 disparity);
+    return collect_order_evidence(
+        {plane_of(anaglyph, masks.left), plane_of(anaglyph, masks.right), false}, disparity);
   });
 }
 

@@ -53,7 +53,7 @@ Palette palette_of(const Image<Rgba8>& left, const Image<Rgba8>& right) {
 }
 
 // Merges similar colours into one, their mean in linear light.
-Palette grouped(const Palette& palette) {
+Palette grouped_colours(const Palette& palette) {
   if (palette.size() <= kSearchedColours) return palette;
   struct Sum {
     double at[3] = {}, share = 0;
@@ -183,7 +183,7 @@ Result<Image<Rgba8>> recoloured(const Image<Rgba8>& picture, const Recolour& rec
 }
 
 Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                    const Viewing& viewing, const Recolour& recolour) {
+                                    const AnaglyphViewing& viewing, const Recolour& recolour) {
   if (const auto checked = check_eyes("recolour", left, right); !checked) {
     return tl::unexpected(checked.error());
   }
@@ -196,7 +196,8 @@ Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>
 }
 
 Result<Suggestion> suggest_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                    const Viewing& viewing, double target, int curve_points) {
+                                    const AnaglyphViewing& viewing, double target,
+                                    int curve_points) {
   if (const auto checked = check_eyes("recolour", left, right); !checked) {
     return tl::unexpected(checked.error());
   }
@@ -207,7 +208,7 @@ Result<Suggestion> suggest_recolour(const Image<Rgba8>& left, const Image<Rgba8>
   return unless_out_of_memory([&]() -> Result<Suggestion> {
     const Rivalry rivalry(viewing);
     const Palette palette = palette_of(left, right);
-    const Palette searched = grouped(palette);
+    const Palette searched = grouped_colours(palette);
     Suggestion suggestion;
 
     const double unchanged = mean_rivalry(searched, rivalry, {});

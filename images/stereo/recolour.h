@@ -39,7 +39,7 @@ struct Compromise {
 
 // Measured over all pixels of both pictures, without rounding the recoloured colours to bytes.
 Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                    const Viewing& viewing, const Recolour& recolour);
+                                    const AnaglyphViewing& viewing, const Recolour& recolour);
 
 struct Suggestion {
   Compromise chosen;
@@ -58,6 +58,7 @@ struct Suggestion {
 // Refuses eyes of different sizes, and targets that are negative or NaN. Cost: about 0.03 s for
 // each of the `curve_points` (at least 2), and a sort of the pixels.
 Result<Suggestion> suggest_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                    const Viewing& viewing, double target, int curve_points = 17);
+                                    const AnaglyphViewing& viewing, double target,
+                                    int curve_points = 17);
 
 }  // namespace glassbox

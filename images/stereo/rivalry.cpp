@@ -16,7 +16,7 @@ constexpr Linear kWhite{1, 1, 1};
 // Computes the ghosts of pairs of colours.
 class Leak {
 public:
-  explicit Leak(const Viewing& viewing)
+  explicit Leak(const AnaglyphViewing& viewing)
       : viewing_(viewing),
         left_white_(luminance(viewing.lenses.left, mix_eyes(viewing.matrix, kWhite, kBlack))),
         right_white_(luminance(viewing.lenses.right, mix_eyes(viewing.matrix, kBlack, kWhite))) {}
@@ -31,7 +31,7 @@ public:
   }
 
 private:
-  Viewing viewing_;
+  AnaglyphViewing viewing_;
   double left_white_, right_white_;
 };
 
@@ -49,13 +49,13 @@ double content_measure(const Linear& colour, Glasses glasses) {
   return most > 0 ? double(std::min(left_most, right_most)) / double(most) : 1;
 }
 
-Result<Viewing> viewing(AnaglyphMethod method, Glasses glasses) {
+Result<AnaglyphViewing> anaglyph_viewing(AnaglyphMethod method, Glasses glasses) {
   const Result<AnaglyphMatrix> matrix = anaglyph_matrix(method, glasses);
   if (!matrix) return tl::unexpected(matrix.error());
-  return Viewing{*matrix, lenses_of(glasses)};
+  return AnaglyphViewing{*matrix, lenses_of(glasses)};
 }
 
-Rivalry::Rivalry(const Viewing& viewing) : viewing_(viewing) {
+Rivalry::Rivalry(const AnaglyphViewing& viewing) : viewing_(viewing) {
   const Linear white = mix_eyes(viewing_.matrix, kWhite, kWhite);
   left_white_ = luminance(viewing_.lenses.left, white);
   right_white_ = luminance(viewing_.lenses.right, white);
@@ -67,7 +67,7 @@ double Rivalry::operator()(const Linear& colour) const {
                   luminance(viewing_.lenses.right, shown) / right_white_);
 }
 
-Image<float> rivalry_map(const Image<Rgba8>& picture, const Viewing& viewing) {
+Image<float> rivalry_map(const Image<Rgba8>& picture, const AnaglyphViewing& viewing) {
   const Rivalry rivalry(viewing);
   Image<float> map(picture.width, picture.height);
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {
@@ -76,13 +76,13 @@ Image<float> rivalry_map(const Image<Rgba8>& picture, const Viewing& viewing) {
   return map;
 }
 
-Ghosts white_leak(const Viewing& viewing) {
+Ghosts white_leak(const AnaglyphViewing& viewing) {
   const Leak leak(viewing);
   return {leak(kBlack, kWhite).left, leak(kWhite, kBlack).right};
 }
 
 Result<GhostMaps> ghost_maps(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                             const Viewing& viewing) {
+                             const AnaglyphViewing& viewing) {
   const Result<void> same_size = check_eyes("ghosts", left, right);
   if (!same_size) return tl::unexpected(same_size.error());
   return unless_out_of_memory([&]() -> Result<GhostMaps> {

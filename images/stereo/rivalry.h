@@ -17,28 +17,29 @@ namespace glassbox {
 double content_measure(const Linear& colour, Glasses glasses = Glasses::kRedCyan);
 
 // One method of making an anaglyph and the glasses to see it with.
-struct Viewing {
+struct AnaglyphViewing {
   AnaglyphMatrix matrix;
   Lenses lenses;
 };
-Result<Viewing> viewing(AnaglyphMethod method, Glasses glasses = Glasses::kRedCyan);
+Result<AnaglyphViewing> anaglyph_viewing(AnaglyphMethod method,
+                                         Glasses glasses = Glasses::kRedCyan);
 
 // Luminance rivalry |Y_L / Y_Lw - Y_R / Y_Rw| of a colour that is the same in both eyes' pictures.
 // Each eye's luminance is relative to the luminance of white through its lens (S0-14, B.6): 0 is
 // equally bright to both eyes, 1 is white to one and black to the other.
 class Rivalry {
 public:
-  explicit Rivalry(const Viewing& viewing);
+  explicit Rivalry(const AnaglyphViewing& viewing);
   double operator()(const Linear& colour) const;
 
 private:
-  Viewing viewing_;
+  AnaglyphViewing viewing_;
   double left_white_ = 0, right_white_ = 0;
 };
 
 // Rivalry of the colours of one eye's picture, pixel by pixel, in [0, 1]. Parallax has no effect: a
 // colour has rivalry because of the glasses, wherever the point is in the other eye's picture.
-Image<float> rivalry_map(const Image<Rgba8>& picture, const Viewing& viewing);
+Image<float> rivalry_map(const Image<Rgba8>& picture, const AnaglyphViewing& viewing);
 
 // How much brighter or darker each lens makes a pixel because of the other eye's picture, relative
 // to the white of its own eye alone. This is visible as a ghost of the other picture.
@@ -47,14 +48,14 @@ struct Ghosts {
 };
 
 // The largest leak: the other eye's white where the own picture is black (B.6).
-Ghosts white_leak(const Viewing& viewing);
+Ghosts white_leak(const AnaglyphViewing& viewing);
 
 struct GhostMaps {
   Image<float> left, right;
 };
 // Refuses eyes of different sizes.
 Result<GhostMaps> ghost_maps(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                             const Viewing& viewing);
+                             const AnaglyphViewing& viewing);
 
 // The mean of a map whose values are in [-1, 1], with an error of 2^-33 at most (fixed_sum.h); 0
 // for an empty one.

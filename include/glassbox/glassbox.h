@@ -19,7 +19,7 @@
 // Pictures: drawn by the tile engine on all cores or by the staged reference, which give the same
 // bytes; for one eye or two.
 #include <glassbox/pipeline/stereo/stereo_pair.h>
-#include <glassbox/render/engine/show.h>
+#include <glassbox/render/engine/show_plane.h>
 #include <glassbox/render/renderer.h>
 
 // What happened: a class that observes each stage, records of the stages, the verdict on a

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 #include "student.h"
 
 namespace lab_01 {

@@ -22,7 +22,7 @@ namespace lab_01_drawing {
 
 void append_tables(Numbers& out, const Mesh& mesh) {
   out.push_back(double(mesh.positions.size()));
-  for (const auto& p : mesh.positions) append_place(out, p);
+  for (const auto& p : mesh.positions) append_point(out, p);
   for (const Face& face : mesh.faces) {
     out.push_back(double(face.count));
     for (std::uint32_t c = face.first; c < face.first + face.count; ++c)
@@ -37,8 +37,8 @@ Mesh tables(const Numbers& numbers) {
   RecordReader in(numbers.data(), numbers.size());
   const double count = std::clamp(in.number(), 0.0, double(numbers.size() / 3));
   for (double i = 0; i < count; ++i) {
-    const auto p = in.place<Point<Object>>();
-    mesh.positions.push_back({carried(p.x), carried(p.y), carried(p.z)});
+    const auto p = in.point<Point<Object>>();
+    mesh.positions.push_back({to_finite_float(p.x), to_finite_float(p.y), to_finite_float(p.z)});
   }
   while (in.more()) {
     const double corners = std::clamp(in.number(), 0.0, double(numbers.size()));
@@ -167,14 +167,14 @@ Numbers turns(RecordReader& in) {
 
 std::vector<Point<Object, double>> corners_in(RecordReader& in) {
   std::vector<Point<Object, double>> corners;
-  while (in.more()) corners.push_back(in.place<Point<Object, double>>());
+  while (in.more()) corners.push_back(in.point<Point<Object, double>>());
   return corners;
 }
 
 Numbers normal(RecordReader& in) {
   const auto face = corners_in(in);
   Numbers out;
-  append_place(out, newell_vector<double>(std::span(face)));
+  append_point(out, newell_vector<double>(std::span(face)));
   for (std::size_t i = 0; i < face.size(); ++i) {
     const auto& here = face[i];
     out.push_back(glassbox::angle_between(face[(i + 1) % face.size()] - here,
@@ -308,7 +308,7 @@ std::vector<Question> face_questions(const Mesh& mesh) {
   for (const Face& face : mesh.faces) {
     Question question;
     for (std::uint32_t c = face.first; c < face.first + face.count; ++c)
-      append_place(question.numbers, mesh.positions[mesh.corners[c].position]);
+      append_point(question.numbers, mesh.positions[mesh.corners[c].position]);
     questions.push_back(std::move(question));
   }
   return questions;
@@ -322,38 +322,38 @@ Question tables_question(const Mesh& mesh) {
 
 // The mesh as the student's functions make it; `closed` becomes their answer to whether it is
 // closed.
-Result<Mesh> made_mesh(const Mesh& given, bool smooth, Answering& answering, bool& closed) {
+Result<Mesh> made_mesh(const Mesh& given, bool smooth, AnswerSource& answer_source, bool& closed) {
   const std::string text = text_of(given);
   const Question written{Numbers(text.begin(), text.end())};
-  const auto answer = answering.ask(stages()[0], std::array{written});
+  const auto answer = answer_source.ask(stages()[0], std::array{written});
   if (!answer) return tl::unexpected(answer.error());
   Mesh mesh = tables(answer->front());
   mesh.name = given.name;
   mesh.material = given.material;
 
-  const auto found = answering.ask(stages()[1], std::array{tables_question(mesh)});
+  const auto found = answer_source.ask(stages()[1], std::array{tables_question(mesh)});
   if (!found) return tl::unexpected(found.error());
   closed = found->front().size() > 1 && found->front()[1] == 1;
   if (can_be_turned(mesh)) {
-    const auto turned = answering.ask(stages()[2], std::array{tables_question(mesh)});
+    const auto turned = answer_source.ask(stages()[2], std::array{tables_question(mesh)});
     if (!turned) return tl::unexpected(turned.error());
     turn_faces(mesh, turned->front());
   }
-  const auto normals = answering.ask(stages()[3], face_questions(mesh));
+  const auto normals = answer_source.ask(stages()[3], face_questions(mesh));
   if (!normals) return tl::unexpected(normals.error());
   give_normals(mesh, *normals, smooth);
   return mesh;
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   // Flat shading is done by giving each face its own normal.
-  const bool flat = drawn.settings.shading == Shading::kFlat;
+  const bool flat = input.settings.shading == Shading::kFlat;
   if (flat) made.settings.shading = Shading::kPhong;
   for (Mesh& mesh : made.scene.meshes) {
     if (mesh.faces.empty()) continue;
     bool closed = false;
-    auto read = made_mesh(mesh, !flat && !mesh.normals.empty(), answering, closed);
+    auto read = made_mesh(mesh, !flat && !mesh.normals.empty(), answer_source, closed);
     if (!read) return tl::unexpected(read.error());
     mesh = std::move(*read);
     Material material = made.scene.materials[mesh.material];

@@ -17,7 +17,7 @@ using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
 constexpr int kPolygons = 500, kTimed = 4096;  // as in a quick run
 
 void append_polygon(Numbers& numbers, const NormalCase& of) {
-  for (const Point<Object>& corner : of.corners) append_place(numbers, corner);
+  for (const Point<Object>& corner : of.corners) append_point(numbers, corner);
 }
 
 Result<double> rms_angle(const Ask& ask, MakeCase make, double parameter) {
@@ -45,8 +45,8 @@ Numbers timed_polygons() {
   return question;
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   const auto add = [&](const char* scene, MakeCase make, double parameter) {
     all.push_back({"yours", parameter, scene, "",
                    [=](const Ask& ask) { return rms_angle(ask, make, parameter); },
@@ -63,7 +63,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_01() {
   using namespace lab_01_measured;
-  return {"D-8", "newell_vector", places};
+  return {"D-8", "newell_vector", measured_points};
 }
 
 }  // namespace glassbox::labs

@@ -5,7 +5,7 @@
 namespace lab_01 {
 namespace {
 
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
@@ -13,7 +13,7 @@ using glassbox::labs::RecordReader;
 // number of its corners and their position indices.
 void append_tables(Numbers& out, const Mesh& mesh) {
   out.push_back(double(mesh.positions.size()));
-  for (const auto& p : mesh.positions) append_place(out, p);
+  for (const auto& p : mesh.positions) append_point(out, p);
   for (const glassbox::Face& face : mesh.faces) {
     out.push_back(double(face.count));
     for (std::uint32_t c = face.first; c < face.first + face.count; ++c)
@@ -24,7 +24,7 @@ void append_tables(Numbers& out, const Mesh& mesh) {
 Mesh tables(RecordReader& in) {
   Mesh mesh;
   for (int left = in.integer(); left > 0; --left)
-    mesh.positions.push_back(in.place<Point<Object>>());
+    mesh.positions.push_back(in.point<Point<Object>>());
   while (in.more()) {
     const auto count = std::uint32_t(in.integer());
     mesh.faces.push_back({std::uint32_t(mesh.corners.size()), count});
@@ -62,8 +62,8 @@ void turns(RecordReader& in, Numbers& out) {
 // Input: the corners of a face. Output: Newell's vector, and the angle at each corner.
 void normal(RecordReader& in, Numbers& out) {
   std::vector<Point<Object>> face;
-  while (in.more()) face.push_back(in.place<Point<Object>>());
-  append_place(out, newell_vector(face));
+  while (in.more()) face.push_back(in.point<Point<Object>>());
+  append_point(out, newell_vector(face));
   const auto side = [&](std::size_t from, std::size_t to) {
     const Point<Object>&a = face[from % face.size()], &b = face[to % face.size()];
     return Vector<Object, double>(double(b.x) - a.x, double(b.y) - a.y, double(b.z) - a.z);

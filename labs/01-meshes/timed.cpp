@@ -5,7 +5,7 @@
 namespace lab_01 {
 namespace {
 
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Polygon = std::vector<Point<Object>>;
@@ -16,13 +16,13 @@ std::vector<Polygon> polygons(RecordReader& in) {
   std::vector<Polygon> all;
   while (in.more()) {
     Polygon& polygon = all.emplace_back();
-    for (int i = 0; i < corners; ++i) polygon.push_back(in.place<Point<Object>>());
+    for (int i = 0; i < corners; ++i) polygon.push_back(in.point<Point<Object>>());
   }
   return all;
 }
 
 void answer(RecordReader& in, Numbers& out) {
-  for (const Polygon& polygon : polygons(in)) append_place(out, newell_vector(polygon));
+  for (const Polygon& polygon : polygons(in)) append_point(out, newell_vector(polygon));
 }
 
 std::function<void()> prepare(RecordReader& in) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 #include "student.h"
 
 namespace lab_02 {

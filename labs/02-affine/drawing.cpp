@@ -89,11 +89,11 @@ Numbers axis(RecordReader& in) {
   return {found.axis.x, found.axis.y, found.axis.z, found.radians};
 }
 
-Numbers place(RecordReader& in) {
+Numbers composed(RecordReader& in) {
   Map m;
   while (in.more()) {
     const double kind = in.number();
-    const auto v = in.place<Vector<World, double>>();
+    const auto v = in.point<Vector<World, double>>();
     const double amount = in.number();
     const int changed = in.integer(), by = in.integer();
     Transform<World, World> next;
@@ -146,12 +146,12 @@ std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
 }
 
 // The bound: 64 k u times the product of the steps' norms; the reference's error is as large.
-std::optional<WrongNumber> judge_place(const Numbers& in, const Numbers& yours,
-                                       const Numbers& reference) {
+std::optional<WrongNumber> judge_composed(const Numbers& in, const Numbers& yours,
+                                          const Numbers& reference) {
   double product = 1;
   for (std::size_t i = 0; i < in.size(); i += kStepNumbers) {
     RecordReader one(&in[i], kStepNumbers);
-    const Numbers matrix = place(one);
+    const Numbers matrix = composed(one);
     double norm = 0;
     for (std::size_t row = 0; row < 4; ++row) {
       double sum = 0;
@@ -170,7 +170,7 @@ const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
       {"repair", "world", "repaired", repaired, judge_repaired},
       {"axis", "world", "axis_angle_of", axis, judge_axis},
-      {"place", "world", "compose", place, judge_place}};
+      {"place", "world", "compose", composed, judge_composed}};
   return all;
 }
 
@@ -181,7 +181,7 @@ Question matrix_question(const Numbers& rows) {
   return question;
 }
 
-Question place_question(const Parts& parts, Numbers turn) {
+Question compose_question(const Parts& parts, Numbers turn) {
   turn.resize(4);
   for (double& each : turn) each = std::isfinite(each) ? each : 0;
   Question question{parts.before};
@@ -195,31 +195,31 @@ Question place_question(const Parts& parts, Numbers turn) {
   return question;
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   std::vector<std::uint32_t> nodes;
-  for (const Instance& instance : drawn.scene.instances) nodes.push_back(instance.node);
+  for (const Instance& instance : input.scene.instances) nodes.push_back(instance.node);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 
   std::vector<Parts> parts;
   std::vector<Question> questions;
   for (const std::uint32_t node : nodes) {
-    parts.push_back(parts_of(drawn.scene.nodes[node].world_from_node));
+    parts.push_back(parts_of(input.scene.nodes[node].world_from_node));
     questions.emplace_back();
     append_matrix(questions.back().numbers, Map(glm::dmat4(parts.back().turn)));
   }
-  const auto turns = answering.ask(stages()[0], questions);
+  const auto turns = answer_source.ask(stages()[0], questions);
   if (!turns) return tl::unexpected(turns.error());
   for (std::size_t i = 0; i < nodes.size(); ++i) questions[i] = matrix_question((*turns)[i]);
-  const auto axes = answering.ask(stages()[1], questions);
+  const auto axes = answer_source.ask(stages()[1], questions);
   if (!axes) return tl::unexpected(axes.error());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    questions[i] = place_question(parts[i], (*axes)[i]);
-  const auto places = answering.ask(stages()[2], questions);
-  if (!places) return tl::unexpected(places.error());
+    questions[i] = compose_question(parts[i], (*axes)[i]);
+  const auto composed_matrices = answer_source.ask(stages()[2], questions);
+  if (!composed_matrices) return tl::unexpected(composed_matrices.error());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Question finite = matrix_question((*places)[i]);
+    const Question finite = matrix_question((*composed_matrices)[i]);
     RecordReader reader(finite.numbers.data(), 16);
     made.scene.nodes[nodes[i]].world_from_node = reader.matrix<Map>();
   }

@@ -22,7 +22,7 @@ Numbers question(int steps, int every) {
 
 // The distance of a matrix from the rotation after this many steps. The product in double, with
 // which it is compared, drifts by only about 1e-11.
-double off_the_turn(const study::RotationMatrix<double>& m, int steps) {
+double distance_from_rotation(const study::RotationMatrix<double>& m, int steps) {
   const auto step = study::step_matrix<double>();
   study::RotationMatrix<double> turned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int k = 0; k < steps; ++k) turned = study::operator*(turned, step);
@@ -46,13 +46,14 @@ Result<double> largest_defect(const Ask& ask, int steps, int every) {
     const double defect = study::frobenius(study::defect(m));
     if (!(defect <= largest)) largest = defect;
     if (largest != largest) break;
-    if (at + 18 > entries.size() && !(off_the_turn(m, steps) < 0.5)) return number_of({}, 0);
+    if (at + 18 > entries.size() && !(distance_from_rotation(m, steps) < 0.5))
+      return number_of({}, 0);
   }
   return largest;
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const int every : {1, 10, 100, 1000}) {
     const std::string series =
         every == 1 ? "yours, every step" : fmt::format("yours, every {} steps", every);
@@ -69,7 +70,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_02() {
   using namespace lab_02_measured;
-  return {"D-13", "repaired", places};
+  return {"D-13", "repaired", measured_points};
 }
 
 }  // namespace glassbox::labs

@@ -6,7 +6,7 @@ namespace lab_02 {
 namespace {
 
 using glassbox::labs::append_matrix;
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
@@ -18,17 +18,17 @@ void repair(RecordReader& in, Numbers& out) {
 // Input: a rotation. Output: its axis and angle.
 void axis(RecordReader& in, Numbers& out) {
   const AxisAngle found = axis_angle_of(in.matrix<Transform<World, World>>());
-  append_place(out, found.axis);
+  append_point(out, found.axis);
   out.push_back(found.radians);
 }
 
 // Input: steps, each as its kind, v, amount, changed and by. Output: their matrix.
-void place(RecordReader& in, Numbers& out) {
+void compose_steps(RecordReader& in, Numbers& out) {
   std::vector<Step> steps;
   while (in.more()) {
     Step step;
     step.kind = Step::Kind(in.integer());
-    step.v = in.place<Vector<World, double>>();
+    step.v = in.point<Vector<World, double>>();
     step.amount = in.number();
     step.changed = in.integer();
     step.by = in.integer();
@@ -42,5 +42,5 @@ void place(RecordReader& in, Numbers& out) {
 
 std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
   using namespace lab_02;
-  return {{"repair", repair}, {"axis", axis}, {"place", place}};
+  return {{"repair", repair}, {"axis", axis}, {"place", compose_steps}};
 }

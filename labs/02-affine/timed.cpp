@@ -44,15 +44,15 @@ private:
   int every_, since_ = 0;
 };
 
-struct Asked {
+struct ParsedQuestion {
   int steps = 0, every = 1;
   Rotation step{};
 };
 
 // Reads the number of steps, the number of steps between repairs, and the rotation of one step, row
 // by row.
-Asked read(RecordReader& in) {
-  Asked asked;
+ParsedQuestion read(RecordReader& in) {
+  ParsedQuestion asked;
   asked.steps = in.integer();
   asked.every = in.integer();
   for (auto& row : asked.step) {
@@ -63,7 +63,7 @@ Asked read(RecordReader& in) {
 
 // Writes the matrix at a thousand moments on the way, and just before repairs.
 void answer(RecordReader& in, Numbers& out) {
-  const Asked asked = read(in);
+  const ParsedQuestion asked = read(in);
   Turning turning(asked.step, asked.every);
   const int looks = asked.steps < 1000 ? 1 : asked.steps / 1000;
   for (int i = 1, due = looks; i <= asked.steps; ++i) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 #include "student.h"
 
 namespace lab_03 {

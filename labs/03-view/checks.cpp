@@ -134,7 +134,7 @@ Case expect_axis_angle(const CameraCase& input) {
   Case c = expect_view(input, {bound, with_eye(bound, camera)});
   // In this task no U and V are computed, so there is no cross product whose factors could be
   // swapped.
-  std::erase_if(c.slipped, [](const Slipped& each) { return each.slip == "cross-order"; });
+  std::erase_if(c.slipped, [](const ExpectedWithSlip& each) { return each.slip == "cross-order"; });
   return c;
 }
 

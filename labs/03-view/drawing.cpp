@@ -20,17 +20,17 @@ namespace lab_03_drawing {
 constexpr double u = unit_roundoff<double>;
 constexpr double kRotation = 1, kMirror = 2;  // lab_03::Kind
 
-struct Asked {
+struct ParsedQuestion {
   bool by_rotations = false;
   Point<World, double> eye, target;
   Vector<World, double> up;
 
-  explicit Asked(const Numbers& question) {
+  explicit ParsedQuestion(const Numbers& question) {
     RecordReader in(question.data(), question.size());
     by_rotations = in.number() != 0;
-    eye = in.place<Point<World, double>>();
-    target = in.place<Point<World, double>>();
-    up = in.place<Vector<World, double>>();
+    eye = in.point<Point<World, double>>();
+    target = in.point<Point<World, double>>();
+    up = in.point<Vector<World, double>>();
   }
 };
 
@@ -47,7 +47,7 @@ Numbers numbers_left(RecordReader& in) {
 }
 
 Numbers view(RecordReader& in) {
-  const Asked asked(numbers_left(in));
+  const ParsedQuestion asked(numbers_left(in));
   const auto made = asked.by_rotations ? look_at_axis_angle(asked.eye, asked.target, asked.up)
                                        : look_at(asked.eye, asked.target, asked.up);
   Numbers out;
@@ -78,7 +78,7 @@ Numbers kind(RecordReader& in) {
 // times (1 + 2 D); the reference's error is as large.
 std::optional<WrongNumber> judge_view(const Numbers& in, const Numbers& yours,
                                       const Numbers& reference) {
-  const Asked asked(in);
+  const ParsedQuestion asked(in);
   const Vector<World, double> gaze = asked.target - asked.eye;
   const double s = length(cross(asked.up, gaze)) / (length(asked.up) * length(gaze));
   const double g = std::hypot(gaze.x, gaze.y) / length(gaze);
@@ -121,14 +121,14 @@ double from_rigid(const Transform<World, World>& m) {
 }
 
 // Culls faces according to the kinds of the models: a mirrored model has the opposite winding.
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
-  Stages(std::map<std::uint32_t, bool> mirrored, Cull cull)
+  StageObserver(std::map<std::uint32_t, bool> mirrored, Cull cull)
       : mirrored_(std::move(mirrored)), cull_(cull) {}
 
   void draw(const Draw& draw) override { draw_ = &draw; }
 
-  void faced(const TriangleSetup& setup, bool, bool& culled) override {
+  void facing_tested(const TriangleSetup& setup, bool, bool& culled) override {
     const auto found = mirrored_.find(draw_->instance);
     if (found != mirrored_.end())
       culled = is_culled(*draw_, cull_, setup.clockwise == found->second);
@@ -148,21 +148,22 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Question camera_question(const Drawn& drawn) {
-  const Transform<World, Eye>& m = drawn.camera.world_from_eye;
+Question camera_question(const DrawingInput& input) {
+  const Transform<World, Eye>& m = input.camera.world_from_eye;
   const auto column = [&](int k) {
     return Vector<World, double>(m.at(0, k), m.at(1, k), m.at(2, k));
   };
   const Vector<World, double> place = column(3);
   const Point<World, double> eye(place.x, place.y, place.z);
-  Question question{{drawn.formulation.view == ViewForm::kAxisAngle ? 1.0 : 0.0}};
-  append_place(question.numbers, eye);
-  append_place(question.numbers, eye + -column(2));
-  append_place(question.numbers, column(1));
+  Question question{{input.formulation.view == ViewForm::kAxisAngle ? 1.0 : 0.0}};
+  append_point(question.numbers, eye);
+  append_point(question.numbers, eye + -column(2));
+  append_point(question.numbers, column(1));
   return question;
 }
 
-Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answering& answering) {
+Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene,
+                                                    AnswerSource& answer_source) {
   // Matrices whose size is in the range that the contract leaves open are not asked about.
   constexpr double kRigid = 1e-6;
   std::vector<Question> questions;
@@ -174,7 +175,7 @@ Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answerin
     append_matrix(questions.back().numbers, m);
     instances.push_back(i);
   }
-  const auto answers = answering.ask(stages()[0], questions);
+  const auto answers = answer_source.ask(stages()[0], questions);
   if (!answers) return tl::unexpected(answers.error());
   std::map<std::uint32_t, bool> mirrored;
   for (std::size_t i = 0; i < instances.size(); ++i)
@@ -184,9 +185,9 @@ Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answerin
 
 // Asks for a matrix with one record. Without a valid answer the matrix becomes 0.
 template <class M>
-Result<void> ask_for_matrix(const DrawnStage& stage, Question question, Answering& answering,
+Result<void> ask_for_matrix(const DrawnStage& stage, Question question, AnswerSource& answer_source,
                             M& matrix) {
-  const auto answer = answering.ask(stage, std::array{std::move(question)});
+  const auto answer = answer_source.ask(stage, std::array{std::move(question)});
   if (!answer) return tl::unexpected(answer.error());
   if (answer->front().size() != 16) {
     matrix = M(glm::dmat4(0));  // no picture can be drawn without a matrix
@@ -197,20 +198,20 @@ Result<void> ask_for_matrix(const DrawnStage& stage, Question question, Answerin
   return {};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  const auto mirrored = ask_for_kinds(drawn.scene, answering);
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
+  const auto mirrored = ask_for_kinds(input.scene, answer_source);
   if (!mirrored) return tl::unexpected(mirrored.error());
   made.settings.cull_stage = CullStage::kScreen;
-  made.stages = std::make_shared<Stages>(*mirrored, drawn.settings.cull);
-  if (const auto asked =
-          ask_for_matrix(stages()[1], camera_question(drawn), answering, made.view.eye_from_world);
+  made.stages = std::make_shared<StageObserver>(*mirrored, input.settings.cull);
+  if (const auto asked = ask_for_matrix(stages()[1], camera_question(input), answer_source,
+                                        made.view.eye_from_world);
       !asked)
     return tl::unexpected(asked.error());
   Question projection;
-  append_matrix(projection.numbers, drawn.view.clip_from_eye * eye_from_eye_left());
+  append_matrix(projection.numbers, input.view.clip_from_eye * eye_from_eye_left());
   if (const auto asked =
-          ask_for_matrix(stages()[2], projection, answering, made.view.clip_from_eye);
+          ask_for_matrix(stages()[2], projection, answer_source, made.view.clip_from_eye);
       !asked)
     return tl::unexpected(asked.error());
   return made;

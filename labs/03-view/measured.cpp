@@ -15,11 +15,11 @@ constexpr int kTimed = 1 << 9;  // as in a quick run
 Numbers question(bool by_rotations, const Field& field, Depth depth) {
   const glm::dmat3 world_from_eye = glm::transpose(study::rounded(field.eye_from_world));
   Numbers numbers{by_rotations ? 1.0 : 0.0};
-  append_place(numbers, field.eye);
-  append_place(numbers, field.eye - Vector<World, double>(world_from_eye[2] * kDistance));
-  append_place(numbers, Vector<World, double>(world_from_eye[1]));
+  append_point(numbers, field.eye);
+  append_point(numbers, field.eye - Vector<World, double>(world_from_eye[2] * kDistance));
+  append_point(numbers, Vector<World, double>(world_from_eye[1]));
   append_matrix(numbers, projection(depth));
-  for (const Point<World>& p : field.points) append_place(numbers, p);
+  for (const Point<World>& p : field.points) append_point(numbers, p);
   return numbers;
 }
 
@@ -28,8 +28,8 @@ Result<double> rms_error(const Ask& ask, bool by_rotations, Depth depth, double 
       ask, [&](const Field& field) { return question(by_rotations, field, depth); }, depth, offset);
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const bool by_rotations : {false, true}) {
     for (const Depth depth : {Depth::kStandard, Depth::kReversedInfinite}) {
       for (const double offset : {1e2, 1e3, 1e4, 1e5, 1e6}) {
@@ -47,7 +47,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_03() {
   using namespace lab_03_measured;
-  return {"D-7", "uvn_view, axis_angle_view", places};
+  return {"D-7", "uvn_view, axis_angle_view", measured_points};
 }
 
 }  // namespace glassbox::labs

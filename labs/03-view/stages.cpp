@@ -14,9 +14,9 @@ using glassbox::labs::RecordReader;
 void view(RecordReader& in, Numbers& out) {
   const bool by_rotations = in.number() != 0;
   Camera camera;
-  camera.eye = in.place<Point<World, double>>();
-  camera.target = in.place<Point<World, double>>();
-  camera.up = in.place<Vector<World, double>>();
+  camera.eye = in.point<Point<World, double>>();
+  camera.target = in.point<Point<World, double>>();
+  camera.up = in.point<Vector<World, double>>();
   if (by_rotations) return append_matrix(out, axis_angle_view(camera));
   if (const auto made = uvn_view(camera)) append_matrix(out, *made);
 }

@@ -8,7 +8,7 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-struct Asked {
+struct ParsedQuestion {
   bool by_rotations = false;
   Camera camera;
   Transform<Clip, Eye> clip_from_eye;
@@ -17,19 +17,19 @@ struct Asked {
 
 // Reads 0 for U, V, N or 1 for two rotations; eye, target and up; a projection, row by row; then
 // vertices.
-Asked read(RecordReader& in) {
-  Asked asked;
+ParsedQuestion read(RecordReader& in) {
+  ParsedQuestion asked;
   asked.by_rotations = in.number() != 0;
-  asked.camera.eye = in.place<Point<World, double>>();
-  asked.camera.target = in.place<Point<World, double>>();
-  asked.camera.up = in.place<Vector<World, double>>();
+  asked.camera.eye = in.point<Point<World, double>>();
+  asked.camera.target = in.point<Point<World, double>>();
+  asked.camera.up = in.point<Vector<World, double>>();
   asked.clip_from_eye = in.matrix<Transform<Clip, Eye>>();
-  while (in.more()) asked.points.push_back(in.place<Point<World, double>>());
+  while (in.more()) asked.points.push_back(in.point<Point<World, double>>());
   return asked;
 }
 
 // Writes the depth of each vertex; nothing where there is no view matrix.
-void depths(const Asked& asked, Numbers& out) {
+void depths(const ParsedQuestion& asked, Numbers& out) {
   const auto view = asked.by_rotations ? axis_angle_view(asked.camera) : uvn_view(asked.camera);
   if (!view) return;
   for (const auto& p : asked.points) {

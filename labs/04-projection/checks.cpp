@@ -40,7 +40,7 @@ Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
 }
 
 // The slip of OpenGL's z from -w to w.
-Slipped opengl_slip(const Transform<Clip, Eye>& m) {
+ExpectedWithSlip opengl_slip(const Transform<Clip, Eye>& m) {
   const Transform<Clip, Eye> gl(clip_gl_from_clip().columns * m.columns);
   return {"opengl-depth", {projection(gl, 2 * kEntryRoundings)}};
 }

@@ -44,9 +44,9 @@ Numbers projection(RecordReader& in) {
 Numbers divided(RecordReader& in) {
   Numbers out;
   while (in.more()) {
-    const auto p = in.place<Point<Clip, double>>();
+    const auto p = in.point<Point<Clip, double>>();
     if (!(p.w > 0)) return {};
-    append_place(out, Point<Ndc, double>(p.x / p.w, p.y / p.w, p.z / p.w));
+    append_point(out, Point<Ndc, double>(p.x / p.w, p.y / p.w, p.z / p.w));
   }
   return out;
 }
@@ -56,8 +56,8 @@ Numbers placed(RecordReader& in) {
   const double width = in.number(), height = in.number();
   Numbers out;
   while (in.more()) {
-    const auto p = in.place<Point<Ndc, double>>();
-    append_place(out, Point<Screen, double>(left + (p.x + 1) / 2 * width,
+    const auto p = in.point<Point<Ndc, double>>();
+    append_point(out, Point<Screen, double>(left + (p.x + 1) / 2 * width,
                                             top + (1 - p.y) / 2 * height, p.z));
   }
   return out;
@@ -129,9 +129,9 @@ std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& you
 
 // ---- in the pipeline ----
 
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
-  explicit Stages(const Viewport& viewport) : viewport_(viewport) {}
+  explicit StageObserver(const Viewport& viewport) : viewport_(viewport) {}
 
   void draw(const Draw& draw) override { draw_ = &draw; }
 
@@ -144,7 +144,7 @@ public:
     Question question{{}, number_};
     for (std::size_t i = 0; i < count_; ++i) {
       const Point<Clip>& p = polygon.vertices[i].position;
-      append_place(question.numbers, p);
+      append_point(question.numbers, p);
     }
     divide_questions.push_back(std::move(question));
   }
@@ -153,7 +153,7 @@ public:
     if (!gathering_ && vertex_ < count_) place(ndcs_, ndc.position);
   }
 
-  void placed(const NdcVertex&, ScreenVertex& screen) override {
+  void mapped_to_screen(const NdcVertex&, ScreenVertex& screen) override {
     if (gathering_ || vertex_ >= count_) return;
     place(screens_, screen.position);
     screen.position.x = std::clamp(screen.position.x, -kMostPixels, kMostPixels);
@@ -194,7 +194,7 @@ private:
     const Numbers* given = number_ < places.size() ? &places[number_] : nullptr;
     const auto at = [&](std::size_t k) {
       const std::size_t i = 3 * vertex_ + k;
-      return given != nullptr && i < given->size() ? carried((*given)[i]) : 0.0f;
+      return given != nullptr && i < given->size() ? to_finite_float((*given)[i]) : 0.0f;
     };
     position = {at(0), at(1), at(2)};
   }
@@ -216,13 +216,13 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Result<Question> projection_question(const Drawn& drawn) {
-  const View& view = drawn.view;
+Result<Question> projection_question(const DrawingInput& input) {
+  const View& view = input.view;
   const double aspect = double(view.viewport.width()) / double(view.viewport.height());
   const double reversed = view.depth_range == DepthRange::kReversed ? 1 : 0;
-  if (const auto* lens = std::get_if<PerspectiveLens>(&drawn.camera.lens))
+  if (const auto* lens = std::get_if<PerspectiveLens>(&input.camera.lens))
     return Question{{reversed, 1, lens->fovy_radians, aspect, view.near, view.far}};
-  if (const auto* lens = std::get_if<OrthographicLens>(&drawn.camera.lens)) {
+  if (const auto* lens = std::get_if<OrthographicLens>(&input.camera.lens)) {
     const double h = lens->half_height, w = h * aspect;
     return Question{{reversed, 0, -w, w, -h, h, view.near, view.far}};
   }
@@ -232,7 +232,7 @@ Result<Question> projection_question(const Drawn& drawn) {
 }
 
 // Replaces the distances that the pipeline computes from 1/w.
-Result<void> ask_for_distances(StandIn& made, Answering& answering) {
+Result<void> ask_for_distances(PictureSetup& made, AnswerSource& answer_source) {
   RenderSettings settings = made.settings;
   settings.want_depth = true;
   const Framebuffer plane =
@@ -244,34 +244,34 @@ Result<void> ask_for_distances(StandIn& made, Answering& answering) {
     question.numbers.push_back(std::min(1.0, double(std::bit_cast<float>(plane.depth.pixels[i]))));
     pixels.push_back(i);
   }
-  const auto answer = answering.ask(stages()[3], std::array{question});
+  const auto answer = answer_source.ask(stages()[3], std::array{question});
   if (!answer) return tl::unexpected(answer.error());
   made.finish = show_distances(std::move(pixels), answer->front());
   return {};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  const auto question = projection_question(drawn);
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
+  const auto question = projection_question(input);
   if (!question) return tl::unexpected(question.error());
-  const auto matrix = answering.ask(stages()[0], std::array{*question});
+  const auto matrix = answer_source.ask(stages()[0], std::array{*question});
   if (!matrix) return tl::unexpected(matrix.error());
   if (matrix->front().size() == 16) {
     RecordReader reader(matrix->front().data(), 16);
     made.view.clip_from_eye = reader.matrix<Transform<Clip, Eye>>();
   }
-  auto seats = std::make_shared<Stages>(drawn.view.viewport);
-  watch_run(made, *seats);
-  auto ndcs = answering.ask(stages()[1], seats->divide_questions);
+  auto stage_observer = std::make_shared<StageObserver>(input.view.viewport);
+  observe_run(made, *stage_observer);
+  auto ndcs = answer_source.ask(stages()[1], stage_observer->divide_questions);
   if (!ndcs) return tl::unexpected(ndcs.error());
-  const std::vector<Question> placing = seats->take_ndcs(std::move(*ndcs));
-  auto screens = answering.ask(stages()[2], placing);
+  const std::vector<Question> placing = stage_observer->take_ndcs(std::move(*ndcs));
+  auto screens = answer_source.ask(stages()[2], placing);
   if (!screens) return tl::unexpected(screens.error());
-  seats->take_screens(placing, std::move(*screens));
-  made.stages = seats;
-  const bool float_depth = drawn.settings.depth == DepthFormat::kFloat32;
-  if (drawn.settings.show == Show::kDepth && drawn.view.perspective && float_depth) {
-    const auto asked = ask_for_distances(made, answering);
+  stage_observer->take_screens(placing, std::move(*screens));
+  made.stages = stage_observer;
+  const bool float_depth = input.settings.depth == DepthFormat::kFloat32;
+  if (input.settings.show == Show::kDepth && input.view.perspective && float_depth) {
+    const auto asked = ask_for_distances(made, answer_source);
     if (!asked) return tl::unexpected(asked.error());
   }
   return made;

@@ -18,7 +18,7 @@ Numbers question(const Field& field, Depth depth) {
   Numbers numbers{depth == Depth::kReversedInfinite ? 1.0 : 0.0, kPi / 2, 1, kNear,
                   planes(depth).far};
   append_matrix(numbers, view_of(field));
-  for (const Point<World>& p : field.points) append_place(numbers, p);
+  for (const Point<World>& p : field.points) append_point(numbers, p);
   return numbers;
 }
 
@@ -27,8 +27,8 @@ Result<double> rms_error(const Ask& ask, Depth depth, double offset) {
       ask, [&](const Field& field) { return question(field, depth); }, depth, offset);
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const Depth depth : {Depth::kStandard, Depth::kReversedInfinite}) {
     for (const double offset : {1e2, 1e3, 1e4, 1e5, 1e6})
       all.push_back({"yours", offset, name_of(depth), "",
@@ -42,7 +42,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_04() {
   using namespace lab_04_measured;
-  return {"D-7", "perspective, in_dialect, divide", places};
+  return {"D-7", "perspective, in_dialect, divide", measured_points};
 }
 
 }  // namespace glassbox::labs

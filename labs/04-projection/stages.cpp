@@ -8,7 +8,7 @@ namespace lab_04 {
 namespace {
 
 using glassbox::labs::append_matrix;
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
@@ -29,9 +29,9 @@ void projection(RecordReader& in, Numbers& out) {
 void divided(RecordReader& in, Numbers& out) {
   Numbers made;
   while (in.more()) {
-    const auto ndc = divide(in.place<Point<Clip, double>>());
+    const auto ndc = divide(in.point<Point<Clip, double>>());
     if (!ndc) return;
-    append_place(made, *ndc);
+    append_point(made, *ndc);
   }
   out.insert(out.end(), made.begin(), made.end());
 }
@@ -44,7 +44,7 @@ void placed(RecordReader& in, Numbers& out) {
   viewport.top = in.number();
   viewport.width = in.number();
   viewport.height = in.number();
-  while (in.more()) append_place(out, to_screen(in.place<Point<Ndc, double>>(), viewport));
+  while (in.more()) append_point(out, to_screen(in.point<Point<Ndc, double>>(), viewport));
 }
 
 // Input: near and far, then depths. Output: the distance of each.

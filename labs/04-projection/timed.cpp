@@ -11,7 +11,7 @@ using glassbox::World;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-struct Asked {
+struct ParsedQuestion {
   bool reversed = false;
   double fovy_radians = 1, aspect = 1, near = 1, far = 2;
   glassbox::Transform<Eye, World> eye_from_world;
@@ -20,20 +20,20 @@ struct Asked {
 
 // Reads 1 where depth is reversed; fovy, aspect, near, far; a view matrix, row by row; then
 // vertices.
-Asked read(RecordReader& in) {
-  Asked asked;
+ParsedQuestion read(RecordReader& in) {
+  ParsedQuestion asked;
   asked.reversed = in.number() != 0;
   asked.fovy_radians = in.number();
   asked.aspect = in.number();
   asked.near = in.number();
   asked.far = in.number();
   asked.eye_from_world = in.matrix<glassbox::Transform<Eye, World>>();
-  while (in.more()) asked.points.push_back(in.place<Point<World, double>>());
+  while (in.more()) asked.points.push_back(in.point<Point<World, double>>());
   return asked;
 }
 
 // Writes the depth of each vertex; stops at one that is not in front of the eye.
-void depths(const Asked& asked, Numbers& out) {
+void depths(const ParsedQuestion& asked, Numbers& out) {
   Projection m = perspective(asked.fovy_radians, asked.aspect, asked.near, asked.far);
   if (asked.reversed) m = in_dialect(m, Dialect::kReversed);
   for (const auto& p : asked.points) {

@@ -47,24 +47,25 @@ Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
 
 // Checks that a vertex which is not one of the polygon's own is exactly on the plane, as a crossing
 // is.
-std::optional<Divergence> off_plane(const lab_05::PlaneCase& input, const Answer& answer) {
+std::optional<Divergence> find_vertex_off_plane(const lab_05::PlaneCase& input,
+                                                const Answer& answer) {
   const auto* values = find_field(answer, "polygon");
   // a missing field was reported by the comparison before
   if (values == nullptr) return std::nullopt;
   for (std::size_t i = 0; i + 4 <= values->size(); i += 4) {
     const double* v = values->data() + i;
     const Point<Clip> p{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
-    const double off = signed_distance(pipeline_plane(input.plane), p);
+    const double plane_distance = signed_distance(pipeline_plane(input.plane), p);
     const bool kept =
         std::find(input.polygon.begin(), input.polygon.end(), p) != input.polygon.end();
-    if (kept || off == 0) continue;
+    if (kept || plane_distance == 0) continue;
     return Divergence{
         .kind = Divergence::Kind::kPosition,
         .field = "polygon",
         .index = i,
         .element = fmt::format("vertex {}, distance from the plane", i / 4),
-        .actual = off,
-        .distance = std::abs(off),
+        .actual = plane_distance,
+        .distance = std::abs(plane_distance),
         .unit = "clip units",
         .explanation =
             "this vertex is neither exactly a vertex of the polygon nor exactly on the plane"};
@@ -89,13 +90,13 @@ std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expecte
   if (found) return found;
   const auto& v = *find_field(answer, crossing.field);
   const Point<Clip> cut{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
-  const double off = signed_distance(pipeline_plane(edge.plane), cut);
-  if (off == 0) return found;
+  const double plane_distance = signed_distance(pipeline_plane(edge.plane), cut);
+  if (plane_distance == 0) return found;
   return Divergence{.kind = Divergence::Kind::kPosition,
                     .field = "crossing",
                     .element = "distance from the plane",
-                    .actual = off,
-                    .distance = std::abs(off),
+                    .actual = plane_distance,
+                    .distance = std::abs(plane_distance),
                     .unit = "clip units",
                     .explanation = "the crossing is near the plane, but not exactly on it"};
 }
@@ -153,7 +154,7 @@ Case expect_polygon(const lab_05::PlaneCase& input) {
       polygon, std::array{pipeline_plane(plane)});
   c.judge = [input, outline = c.judge](const Answer& answer) {
     auto found = outline(answer);
-    return found ? found : off_plane(input, answer);
+    return found ? found : find_vertex_off_plane(input, answer);
   };
   return c;
 }

@@ -13,7 +13,7 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox::labs {
 
@@ -27,7 +27,7 @@ constexpr std::size_t kVertices = 4;
 Numbers clipped(RecordReader& in) {
   static const std::vector<ClipPlane> planes = pipeline_frustum();
   std::array<ClipVertex, 3> corners;
-  for (ClipVertex& corner : corners) corner.position = in.place<Point<Clip>>();
+  for (ClipVertex& corner : corners) corner.position = in.point<Point<Clip>>();
   std::array<Outcode, 3> codes;
   for (std::size_t k = 0; k < 3; ++k) codes[k] = outcode(corners[k].position, planes);
   const ClipVerdict verdict = trivial_verdict(codes);
@@ -36,14 +36,14 @@ Numbers clipped(RecordReader& in) {
   if (verdict == ClipVerdict::kAccept) polygon = {{corners[0], corners[1], corners[2]}, 3};
   if (verdict == ClipVerdict::kClip) polygon = clip_triangle(corners, planes);
   for (int i = 0; i < polygon.count; ++i)
-    append_place(out, polygon.vertices[std::size_t(i)].position);
+    append_point(out, polygon.vertices[std::size_t(i)].position);
   return out;
 }
 
 std::vector<Point<Object>> corners_of(RecordReader& in, Point<Object>& eye) {
-  eye = in.place<Point<Object>>();
+  eye = in.point<Point<Object>>();
   std::vector<Point<Object>> corners;
-  while (in.more()) corners.push_back(in.place<Point<Object>>());
+  while (in.more()) corners.push_back(in.point<Point<Object>>());
   return corners;
 }
 
@@ -70,7 +70,7 @@ std::optional<WrongNumber> judge_clip(const Numbers& in, const Numbers& yours,
   if (wrong || yours == reference) return wrong;
   std::array<Point<Clip>, 3> corners;
   RecordReader reader(in.data(), in.size());
-  for (Point<Clip>& p : corners) p = reader.place<Point<Clip>>();
+  for (Point<Clip>& p : corners) p = reader.point<Point<Clip>>();
   const Expected expected = exact_clip(corners, pipeline_frustum());
   Answer answer;
   answer.emit(expected.field, Numbers(yours.begin() + std::ptrdiff_t(kVertices), yours.end()));
@@ -135,16 +135,16 @@ ClipPolygon polygon_of(const Numbers& answer, const std::array<ClipVertex, 3>& c
   if (count < 3 || count > std::size_t(kMaxClipVertices)) return {};
   RecordReader reader(answer.data() + kVertices, answer.size() - kVertices);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto p = reader.place<Point<Clip>>();
+    const auto p = reader.point<Point<Clip>>();
     if (!all_finite(p) || outcode(p, carried_by) != 0) return {};
     polygon.vertices[std::size_t(polygon.count++)] = {p, weights_of(corners, p)};
   }
   return polygon;
 }
 
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
-  Stages(const Scene& scene, const View& view)
+  StageObserver(const Scene& scene, const View& view)
       : scene_(scene), view_(view), planes_(render_planes(view)) {}
 
   void draw(const Draw& draw) override { draw_ = &draw; }
@@ -157,7 +157,7 @@ public:
         number_ < clips_.size() ? polygon_of(clips_[number_], corners, planes_) : ClipPolygon{};
   }
 
-  void faced(const TriangleSetup&, bool, bool& culled) override {
+  void facing_tested(const TriangleSetup&, bool, bool& culled) override {
     const bool may_be_culled = !draw_->material->double_sided;
     if (gathering_ || !may_be_culled || number_ >= faces_.size()) return;
     culled = !faces_[number_].empty() && faces_[number_][0] != 0;
@@ -165,8 +165,8 @@ public:
 
   // Takes the answers to the questions, by the triangle's number.
   void take(std::vector<Numbers> clips, std::vector<Numbers> faces) {
-    clips_ = in_place(clip_questions, std::move(clips));
-    faces_ = in_place(face_questions, std::move(faces));
+    clips_ = by_triangle(clip_questions, std::move(clips));
+    faces_ = by_triangle(face_questions, std::move(faces));
     gathering_ = false;
   }
 
@@ -175,16 +175,16 @@ public:
 private:
   void gather(const Triangle& triangle, const std::array<ClipVertex, 3>& corners) {
     Question clip{{}, number_};
-    for (const ClipVertex& corner : corners) append_place(clip.numbers, corner.position);
+    for (const ClipVertex& corner : corners) append_point(clip.numbers, corner.position);
     clip_questions.push_back(std::move(clip));
     if (!view_.perspective) return;  // a parallel view has no eye point
     Question face{{}, number_};
-    append_place(face.numbers, eye());
+    append_point(face.numbers, eye());
     const Node& node = scene_.nodes[scene_.instances[draw_->instance].node];
     for (const std::uint32_t corner : triangle.corners) {
       const Point<Object>& p = draw_->mesh->positions[draw_->mesh->corners[corner].position];
       const auto world = node.world_from_node * Point<Object, double>(p.x, p.y, p.z);
-      append_place(face.numbers, Point<World>(float(world.x), float(world.y), float(world.z)));
+      append_point(face.numbers, Point<World>(float(world.x), float(world.y), float(world.z)));
     }
     // A mirror reverses the order of the corners.
     if (draw_->mirrored) std::swap_ranges(&face.numbers[3], &face.numbers[6], &face.numbers[6]);
@@ -200,8 +200,8 @@ private:
     return {at(0), at(1), at(2)};
   }
 
-  static std::vector<Numbers> in_place(const std::vector<Question>& questions,
-                                       std::vector<Numbers> answers) {
+  static std::vector<Numbers> by_triangle(const std::vector<Question>& questions,
+                                          std::vector<Numbers> answers) {
     std::vector<Numbers> placed;
     for (std::size_t i = 0; i < answers.size(); ++i) {
       placed.resize(std::max(placed.size(), std::size_t(questions[i].triangle) + 1));
@@ -226,17 +226,17 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   made.settings.cull_stage = CullStage::kScreen;
-  auto seats = std::make_shared<Stages>(drawn.scene, drawn.view);
-  watch_run(made, *seats);
-  auto clips = answering.ask(stages()[0], seats->clip_questions);
+  auto stage_observer = std::make_shared<StageObserver>(input.scene, input.view);
+  observe_run(made, *stage_observer);
+  auto clips = answer_source.ask(stages()[0], stage_observer->clip_questions);
   if (!clips) return tl::unexpected(clips.error());
-  auto faces = answering.ask(stages()[1], seats->face_questions);
+  auto faces = answer_source.ask(stages()[1], stage_observer->face_questions);
   if (!faces) return tl::unexpected(faces.error());
-  seats->take(std::move(*clips), std::move(*faces));
-  made.stages = seats;
+  stage_observer->take(std::move(*clips), std::move(*faces));
+  made.stages = stage_observer;
   return made;
 }
 

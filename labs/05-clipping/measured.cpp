@@ -18,7 +18,7 @@ Numbers question(double size, std::size_t count) {
   const study::d32::Lens lens = course_lens();
   Numbers numbers;
   for (const EyeTriangle& triangle : random_triangles(size, count)) {
-    for (const Point<Eye>& p : triangle) append_place(numbers, to_clip(lens, p));
+    for (const Point<Eye>& p : triangle) append_point(numbers, to_clip(lens, p));
   }
   return numbers;
 }
@@ -37,7 +37,7 @@ bool is_corner(const Point<Clip>& p, const double* triangle) {
 
 // The result of a clipper: how many triangles have a part in the picture, and the sum of the areas
 // of these parts.
-struct Left {
+struct ClippedParts {
   double triangles = 0, area = 0;  // the area is relative to that of the picture
 
   template <class VertexAt>
@@ -53,42 +53,42 @@ struct Left {
   }
 };
 
-Left right_left(double size) {
+ClippedParts expected_parts(double size) {
   const ClipSpace space{course_lens()};
-  Left left;
+  ClippedParts parts;
   Outline outline;
   for (const EyeTriangle& triangle : random_triangles(size, kTriangles)) {
     clip(space, triangle, outline);
-    left.add(int(outline.count), [&](int i) { return outline.vertices[std::size_t(i)]; });
+    parts.add(int(outline.count), [&](int i) { return outline.vertices[std::size_t(i)]; });
   }
-  return left;
+  return parts;
 }
 
 // Whether the student's result is near enough to the experiment's. Few triangles with random
 // corners are so thin at an edge that rounding decides whether anything of them is left: one in a
 // thousand is more than enough. The area would change by an eighth if vertices were off by a fifth
 // of a small triangle.
-bool is_clipped(const Left& mine, const Left& right) {
+bool is_clipped(const ClippedParts& mine, const ClippedParts& right) {
   return std::abs(mine.triangles - right.triangles) <= double(kTriangles) / 1000 &&
          std::abs(mine.area - right.area) <= right.area / 8;
 }
 
 // How far a vertex made by clipping is from where it should be: 0 on the near or the far plane,
 // otherwise the distance from the nearest edge of the picture.
-double off(const Point<Clip>& p) {
+double clip_vertex_error(const Point<Clip>& p) {
   if (p.z == 0 || p.z == p.w) return 0;
-  return std::min(off_the_edge(p, 0), off_the_edge(p, 2));
+  return std::min(distance_from_edge(p, 0), distance_from_edge(p, 2));
 }
 
 // NaN where the answer is too short, has polygons that no clipping gives, or leaves out parts that
 // are in the picture: otherwise a function that does not clip would be the fastest way of all.
-Result<double> farthest_off(const Ask& ask, double size) {
+Result<double> largest_clip_error(const Ask& ask, double size) {
   const Numbers asked = question(size, kTriangles);
   const auto answers = ask({asked});
   if (!answers) return tl::unexpected(answers.error());
   const Numbers& answer = answers->front();
   double farthest = 0;
-  Left left;
+  ClippedParts parts;
   std::size_t at = 0;
   for (std::size_t triangle = 0; triangle < kTriangles; ++triangle) {
     const double count = number_of(answer, at++);
@@ -99,23 +99,24 @@ Result<double> farthest_off(const Ask& ask, double size) {
       };
       return Point<Clip>{number(0), number(1), number(2), number(3)};
     };
-    left.add(int(count), vertex);
+    parts.add(int(count), vertex);
     for (int i = 0; i < int(count); ++i) {
       const Point<Clip> p = vertex(i);
       if (is_corner(p, asked.data() + 12 * triangle)) continue;
-      const double far = off(p);
+      const double far = clip_vertex_error(p);
       if (!(far <= farthest)) farthest = far;
       if (farthest != farthest) return farthest;
     }
     at += 4 * std::size_t(count);
   }
-  return is_clipped(left, right_left(size)) ? farthest : number_of({}, 0);
+  return is_clipped(parts, expected_parts(size)) ? farthest : number_of({}, 0);
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const double size : {1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0})
-    all.push_back({"yours", size, "", "", [=](const Ask& ask) { return farthest_off(ask, size); },
+    all.push_back({"yours", size, "", "",
+                   [=](const Ask& ask) { return largest_clip_error(ask, size); },
                    question(size, kTimed), double(kTimed)});
   return all;
 }
@@ -124,7 +125,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_05() {
   using namespace lab_05_measured;
-  return {"D-32", "outcode, trivial_verdict, clip_to_frustum", places};
+  return {"D-32", "outcode, trivial_verdict, clip_to_frustum", measured_points};
 }
 
 }  // namespace glassbox::labs

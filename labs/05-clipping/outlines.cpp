@@ -81,7 +81,7 @@ std::vector<Point<Clip>> outline_of(const std::vector<double>& values) {
   return outline;
 }
 
-double apart(const Point<Clip>& a, const Point<Clip>& b) {
+double vertex_distance(const Point<Clip>& a, const Point<Clip>& b) {
   return std::max({std::abs(double(a.x) - b.x), std::abs(double(a.y) - b.y),
                    std::abs(double(a.z) - b.z), std::abs(double(a.w) - b.w)});
 }
@@ -91,7 +91,7 @@ std::optional<Point<Clip>> nearest(const std::vector<Point<Clip>>& outline,
                                    const Point<Clip>& place) {
   if (outline.empty()) return std::nullopt;
   return *std::min_element(outline.begin(), outline.end(), [&](const auto& a, const auto& b) {
-    return apart(a, place) < apart(b, place);
+    return vertex_distance(a, place) < vertex_distance(b, place);
   });
 }
 
@@ -172,7 +172,7 @@ Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPl
 namespace {
 
 // Reports what no polygon may have: equal neighbours, or only one or two vertices.
-std::optional<Divergence> improper(const std::vector<double>& values) {
+std::optional<Divergence> find_degenerate_outline(const std::vector<double>& values) {
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
   if (outline.size() == 1 || outline.size() == 2) {
@@ -190,14 +190,15 @@ std::optional<Divergence> improper(const std::vector<double>& values) {
   return std::nullopt;
 }
 
-// The outline without vertices that are nearer than `apart_by` to the one before them; empty if
+// The outline without vertices that are nearer than `min_distance` to the one before them; empty if
 // fewer than three are left.
-std::vector<double> merged(const std::vector<double>& values, double apart_by) {
+std::vector<double> without_near_vertices(const std::vector<double>& values, double min_distance) {
   std::vector<Point<Clip>> kept;
   for (const Point<Clip>& p : outline_of(values)) {
-    if (kept.empty() || apart(kept.back(), p) > apart_by) kept.push_back(p);
+    if (kept.empty() || vertex_distance(kept.back(), p) > min_distance) kept.push_back(p);
   }
-  while (kept.size() > 1 && apart(kept.back(), kept.front()) <= apart_by) kept.pop_back();
+  while (kept.size() > 1 && vertex_distance(kept.back(), kept.front()) <= min_distance)
+    kept.pop_back();
   std::vector<double> left;
   for (const Point<Clip>& p : kept) left.insert(left.end(), {p.x, p.y, p.z, p.w});
   if (kept.size() < 3) left.clear();
@@ -224,13 +225,13 @@ std::optional<Divergence> compare_from_any(const Expected& expected,
 std::optional<Divergence> compare_outlines(const Expected& expected, const Answer& answer) {
   const auto* actual = find_field(answer, expected.field);
   if (actual == nullptr) return compare(expected, answer).first;
-  if (auto found = improper(*actual)) return found;
+  if (auto found = find_degenerate_outline(*actual)) return found;
   const auto found = compare_from_any(expected, *actual);
   // Two vertices that differ by less than the bound may be one vertex in the answer.
   Expected fewer = expected;
-  fewer.values = merged(expected.values, 2 * expected.bound);
+  fewer.values = without_near_vertices(expected.values, 2 * expected.bound);
   if (!found || fewer.values.size() == expected.values.size()) return found;
-  return compare_from_any(fewer, merged(*actual, 2 * expected.bound));
+  return compare_from_any(fewer, without_near_vertices(*actual, 2 * expected.bound));
 }
 
 std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
@@ -254,8 +255,8 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
           .unit = "clip units",
           .explanation = fmt::format("the shared edge ends at ({}, {}, {}, {})", end.position.x,
                                      end.position.y, end.position.z, end.position.w)};
-      if (!at_one || !at_two || !(apart(*at_one, end.position) <= bound) ||
-          !(apart(*at_two, end.position) <= bound)) {
+      if (!at_one || !at_two || !(vertex_distance(*at_one, end.position) <= bound) ||
+          !(vertex_distance(*at_two, end.position) <= bound)) {
         found.kind = Divergence::Kind::kMissing;
         found.bound = bound;
         found.distance = std::numeric_limits<double>::infinity();

@@ -5,14 +5,14 @@
 namespace lab_05 {
 namespace {
 
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
 // Input: three corners in clip space. Output: their outcodes, the verdict, and the clipped polygon.
 void clip(RecordReader& in, Numbers& out) {
   std::array<Point<Clip>, 3> triangle;
-  for (Point<Clip>& p : triangle) p = in.place<Point<Clip>>();
+  for (Point<Clip>& p : triangle) p = in.point<Point<Clip>>();
   std::vector<std::uint32_t> codes;
   for (const Point<Clip>& p : triangle) codes.push_back(outcode(p));
   out.insert(out.end(), codes.begin(), codes.end());
@@ -21,14 +21,14 @@ void clip(RecordReader& in, Numbers& out) {
   if (verdict == Verdict::kReject) return;
   Polygon left(triangle.begin(), triangle.end());
   if (verdict == Verdict::kClip) left = clip_to_frustum(triangle);
-  for (const Point<Clip>& p : left) append_place(out, p);
+  for (const Point<Clip>& p : left) append_point(out, p);
 }
 
 // Input: the eye, then the corners of a face, in world space. Output: 1 for a back face, else 0.
 void facing(RecordReader& in, Numbers& out) {
-  const auto eye = in.place<Point<World>>();
+  const auto eye = in.point<Point<World>>();
   std::vector<Point<World>> face;
-  while (in.more()) face.push_back(in.place<Point<World>>());
+  while (in.more()) face.push_back(in.point<Point<World>>());
   out.push_back(is_back_face(face, eye) ? 1 : 0);
 }
 

@@ -5,7 +5,7 @@
 namespace lab_05 {
 namespace {
 
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Triangle = std::array<Point<Clip>, 3>;
@@ -14,14 +14,14 @@ using Triangle = std::array<Point<Clip>, 3>;
 std::vector<Triangle> triangles(RecordReader& in) {
   std::vector<Triangle> all;
   while (in.more()) {
-    for (Point<Clip>& p : all.emplace_back()) p = in.place<Point<Clip>>();
+    for (Point<Clip>& p : all.emplace_back()) p = in.point<Point<Clip>>();
   }
   return all;
 }
 
 // The clipped triangle. Outcodes come first: most triangles are inside all planes, or outside one
 // of them.
-Polygon left_of(const Triangle& triangle) {
+Polygon clipped_triangle(const Triangle& triangle) {
   std::vector<std::uint32_t> codes;
   for (const Point<Clip>& p : triangle) codes.push_back(outcode(p));
   const Verdict verdict = trivial_verdict(codes);
@@ -33,15 +33,15 @@ Polygon left_of(const Triangle& triangle) {
 // Writes for each triangle the number of vertices that are left, and these vertices.
 void answer(RecordReader& in, Numbers& out) {
   for (const Triangle& triangle : triangles(in)) {
-    const Polygon left = left_of(triangle);
+    const Polygon left = clipped_triangle(triangle);
     out.push_back(double(left.size()));
-    for (const Point<Clip>& p : left) append_place(out, p);
+    for (const Point<Clip>& p : left) append_point(out, p);
   }
 }
 
 std::function<void()> prepare(RecordReader& in) {
   return [all = triangles(in)] {
-    for (const Triangle& triangle : all) left_of(triangle);
+    for (const Triangle& triangle : all) clipped_triangle(triangle);
   };
 }
 

@@ -35,7 +35,8 @@ std::string text_of(const Triangle& t) {
 // coordinates of points.
 Case expect_numbers(const std::string& what, const std::string& restated, const std::string& field,
                     std::vector<double> values, const std::string& unit = "") {
-  return {what, restated + command_for(what), {numbers(field, std::move(values), 0, unit)}};
+  return {
+      what, restated + extreme_case_command(what), {numbers(field, std::move(values), 0, unit)}};
 }
 
 // ---- 6.1 ----
@@ -185,7 +186,7 @@ Case expect_coverage(const CoverageCase& input) {
   const Expected inside = numbers("outside the window", {0});
   // A student who accepts only one winding draws nothing of the other.
   Case c{.where = input.what,
-         .restated = text + command_for(input.what),
+         .restated = text + extreme_case_command(input.what),
          .expected = {coverage_of(input, true, true), inside},
          .slipped = {{"winding", {coverage_of(input, true, false), inside}},
                      {"winding", {coverage_of(input, false, true), inside}}}};

@@ -14,7 +14,7 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox::labs {
 
@@ -92,7 +92,7 @@ double class_of(const TriangleSetup& setup, const PixelRect& tile) {
 
 // Undoes the sorting of the set-up: order[k] is the number of the original vertex.
 template <class T>
-std::array<T, 3> as_they_came(const TriangleSetup& setup, const std::array<T, 3>& numbers) {
+std::array<T, 3> in_input_order(const TriangleSetup& setup, const std::array<T, 3>& numbers) {
   std::array<T, 3> came;
   for (std::size_t k = 0; k < 3; ++k) came[std::size_t(setup.order[k])] = numbers[k];
   return came;
@@ -103,7 +103,7 @@ Numbers covered(RecordReader& in) {
   const auto setup = setup_triangle({}, window.triangle);
   if (!setup) return {0, 0, 0, 0};
   Numbers out{double(setup->clockwise ? setup->double_area : -setup->double_area)};
-  for (const bool owns : as_they_came<bool>(
+  for (const bool owns : in_input_order<bool>(
            *setup,
            {setup->edges[0].owns_zero, setup->edges[1].owns_zero, setup->edges[2].owns_zero}))
     out.push_back(owns ? 1 : 0);
@@ -112,7 +112,7 @@ Numbers covered(RecordReader& in) {
   for (const PixelRect& tile : tiles) {
     for_each_covered(*setup, tile, [&](const Coverage& pixel) {
       out.insert(out.end(), {double(pixel.x), double(pixel.y)});
-      for (const std::int64_t e : as_they_came(*setup, pixel.edges)) out.push_back(double(e));
+      for (const std::int64_t e : in_input_order(*setup, pixel.edges)) out.push_back(double(e));
     });
   }
   return out;
@@ -205,9 +205,9 @@ std::optional<WrongNumber> judge_cover(const Numbers& in, const Numbers& yours,
 
 // ---- in the pipeline ----
 
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
-  explicit Stages(const View& view)
+  explicit StageObserver(const View& view)
       : picture_{0, 0, int(view.viewport.width()), int(view.viewport.height())} {}
 
   void draw(const Draw& draw) override { draw_ = &draw; }
@@ -216,18 +216,18 @@ public:
                ClipPolygon& polygon) override {
     number_ = draw_->first_number + triangle.number;
     count_ = std::size_t(polygon.count);
-    if (round_ == Round::kSnap && count_ > 0) snap_questions.push_back({{}, number_});
+    if (pass_ == Pass::kSnap && count_ > 0) snap_questions.push_back({{}, number_});
   }
 
-  void placed(const NdcVertex&, ScreenVertex& screen) override {
-    if (round_ != Round::kSnap || snap_questions.empty()) return;
+  void mapped_to_screen(const NdcVertex&, ScreenVertex& screen) override {
+    if (pass_ != Pass::kSnap || snap_questions.empty()) return;
     Numbers& numbers = snap_questions.back().numbers;
     if (numbers.size() < 2 * count_)
       numbers.insert(numbers.end(), {double(screen.position.x), double(screen.position.y)});
   }
 
   void fanned(std::span<SnappedVertex> polygon, int& apex) override {
-    if (round_ == Round::kSnap || number_ >= snaps_.size()) return;
+    if (pass_ == Pass::kSnap || number_ >= snaps_.size()) return;
     const Numbers& given = snaps_[number_];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       polygon[i] = {steps(given, 2 * i), steps(given, 2 * i + 1)};
@@ -238,8 +238,8 @@ public:
     apex_ = apex;
   }
 
-  void ready(const ReadyTriangle& triangle) override {
-    if (round_ == Round::kCover) {
+  void piece_ready(const ReadyTriangle& triangle) override {
+    if (pass_ == Pass::kCover) {
       Question question{{}, triangle.number};
       const std::array<SnappedVertex, 3>& corners = corners_.at({triangle.number, triangle.piece});
       const PixelRect window = intersect(triangle.setup.bounds, picture_);
@@ -255,13 +255,13 @@ public:
 
   void set_up(std::uint32_t piece, const std::array<ScreenVertex, 3>&,
               std::optional<TriangleSetup>& setup) override {
-    if (round_ != Round::kCover || !setup) return;
+    if (pass_ != Pass::kCover || !setup) return;
     const auto at = fan_vertices(apex_, int(polygon_.size()), int(piece));
     corners_[{number_, piece}] = {polygon_[at[0]], polygon_[at[1]], polygon_[at[2]]};
   }
 
   const std::vector<Coverage>* covered(const FragmentSource& source) override {
-    if (round_ != Round::kDraw || !source.is_triangle) return nullptr;
+    if (pass_ != Pass::kDraw || !source.is_triangle) return nullptr;
     pixels_.clear();
     const auto place = places_.find({source.number, source.piece});
     if (place == places_.end()) return &pixels_;
@@ -289,12 +289,12 @@ public:
   void take_fans(const std::vector<Numbers>& answers) {
     for (std::size_t i = 0; i < answers.size(); ++i)
       apexes_[fan_questions[i].triangle] =
-          answers[i].empty() ? 0 : int(carried(answers[i][0], 1000));
-    round_ = Round::kCover;
+          answers[i].empty() ? 0 : int(to_finite_float(answers[i][0], 1000));
+    pass_ = Pass::kCover;
   }
   void take_covers(std::vector<Numbers> answers) {
     covers_ = std::move(answers);
-    round_ = Round::kDraw;
+    pass_ = Pass::kDraw;
   }
 
   std::vector<Question> snap_questions, fan_questions, cover_questions;
@@ -316,11 +316,11 @@ private:
     pixels_.push_back(pixel);
   }
 
-  enum class Round { kSnap, kCover, kDraw };
+  enum class Pass { kSnap, kCover, kDraw };
   // the number of the triangle, and of the piece in it
   using Piece = std::pair<std::uint32_t, std::uint32_t>;
   const PixelRect picture_;
-  Round round_ = Round::kSnap;
+  Pass pass_ = Pass::kSnap;
   const Draw* draw_ = nullptr;
   std::uint32_t number_ = 0;
   std::size_t count_ = 0;
@@ -344,22 +344,22 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   made.settings.cull_stage = CullStage::kScreen;
-  auto seats = std::make_shared<Stages>(drawn.view);
-  watch_run(made, *seats);
-  const auto snaps = answering.ask(stages()[0], seats->snap_questions);
+  auto stage_observer = std::make_shared<StageObserver>(input.view);
+  observe_run(made, *stage_observer);
+  const auto snaps = answer_source.ask(stages()[0], stage_observer->snap_questions);
   if (!snaps) return tl::unexpected(snaps.error());
-  seats->take_snaps(*snaps);
-  const auto fans = answering.ask(stages()[1], seats->fan_questions);
+  stage_observer->take_snaps(*snaps);
+  const auto fans = answer_source.ask(stages()[1], stage_observer->fan_questions);
   if (!fans) return tl::unexpected(fans.error());
-  seats->take_fans(*fans);
-  watch_run(made, *seats);
-  auto covers = answering.ask(stages()[2], seats->cover_questions);
+  stage_observer->take_fans(*fans);
+  observe_run(made, *stage_observer);
+  auto covers = answer_source.ask(stages()[2], stage_observer->cover_questions);
   if (!covers) return tl::unexpected(covers.error());
-  seats->take_covers(std::move(*covers));
-  made.stages = seats;
+  stage_observer->take_covers(std::move(*covers));
+  made.stages = stage_observer;
   return made;
 }
 

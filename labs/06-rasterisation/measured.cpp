@@ -15,11 +15,11 @@ using study::EdgeSample;
 constexpr int kSamples = 2'000'000, kTimed = 500;  // as in a quick run
 constexpr int kAtOnce = 500'000;
 
-struct Rates {
+struct EdgeErrorRates {
   double wrong = 0, leaks = 0;
 };
 
-Result<Rates> rates(const Ask& ask, int width) {
+Result<EdgeErrorRates> measure_rates(const Ask& ask, int width) {
   Random random(3);
   double wrong = 0, leaks = 0;
   for (int done = 0; done < kSamples; done += kAtOnce) {
@@ -41,7 +41,7 @@ Result<Rates> rates(const Ask& ask, int width) {
       leaks += here == there;
     }
   }
-  return Rates{wrong / kSamples, leaks / kSamples};
+  return EdgeErrorRates{wrong / kSamples, leaks / kSamples};
 }
 
 Numbers timed_triangles(int width) {
@@ -88,28 +88,28 @@ Result<bool> covers_all(const Ask& ask, int width) {
   return std::abs(pixels - right) <= right / 100;
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const int width : {1920, 7680, 32768}) {
-    const auto kept = std::make_shared<std::optional<Rates>>();
-    using Rate = double Rates::*;
+    const auto kept = std::make_shared<std::optional<EdgeErrorRates>>();
+    using Rate = double EdgeErrorRates::*;
     const auto add = [&](const char* scene, Rate rate) {
       all.push_back({"yours", double(width), scene, "",
                      [=](const Ask& ask) -> Result<double> {
                        if (!*kept) {
-                         const auto found = rates(ask, width);
+                         const auto found = measure_rates(ask, width);
                          if (!found) return tl::unexpected(found.error());
                          const auto works = covers_all(ask, width);
                          if (!works) return tl::unexpected(works.error());
                          const double none = number_of({}, 0);
-                         *kept = *works ? *found : Rates{none, none};
+                         *kept = *works ? *found : EdgeErrorRates{none, none};
                        }
                        return (**kept).*rate;
                      },
                      timed_triangles(width), double(kTimed) * study::kEdgeTile* study::kEdgeTile});
     };
-    add("wrong decisions", &Rates::wrong);
-    add("gaps and doubles", &Rates::leaks);
+    add("wrong decisions", &EdgeErrorRates::wrong);
+    add("gaps and doubles", &EdgeErrorRates::leaks);
   }
   return all;
 }
@@ -118,7 +118,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_06() {
   using namespace lab_06_measured;
-  return {"D-3", "edge, owns_edge, covered_pixels", places};
+  return {"D-3", "edge, owns_edge, covered_pixels", measured_points};
 }
 
 }  // namespace glassbox::labs

@@ -68,13 +68,13 @@ Case expect_distance(const DistanceCase& input) {
     c.expected.push_back(number(fmt::format("distance {}", c.expected.size()), z,
                                 16 * unit_roundoff<double>, "world units"));
   }
-  c.restated += command_for(input.what);
+  c.restated += extreme_case_command(input.what);
   return c;
 }
 
 // ---- 7.3 ----
 
-DepthFormat ours(Format format) {
+DepthFormat glassbox_format(Format format) {
   switch (format) {
     case Format::kUnorm16:
       return DepthFormat::kUnorm16;
@@ -92,11 +92,11 @@ Case expect_code(const CodeCase& input) {
   std::vector<double> codes;
   std::string text = fmt::format("{}; depths", name_of(input.format));
   for (const float depth : input.depths) {
-    codes.push_back(glassbox::depth_code(ours(input.format), depth));
+    codes.push_back(glassbox::depth_code(glassbox_format(input.format), depth));
     if (codes.size() <= 8) text += fmt::format(" {}", depth);
   }
   if (codes.size() > 8) text += " ...";
-  return {input.what, text + command_for(input.what), {numbers("codes", codes)}};
+  return {input.what, text + extreme_case_command(input.what), {numbers("codes", codes)}};
 }
 
 // ---- 7.4 ----
@@ -108,7 +108,8 @@ Case expect_visible(const BufferCase& input) {
     double first = -1, last = -1;
     std::uint32_t nearest = kEmptyDepth;
     for (std::size_t i = 0; i < input.fragments.size(); ++i) {
-      const std::uint32_t code = glassbox::depth_code(ours(input.format), input.fragments[i].depth);
+      const std::uint32_t code =
+          glassbox::depth_code(glassbox_format(input.format), input.fragments[i].depth);
       if (input.fragments[i].pixel != pixel) continue;
       if (!in_front(nearest, code)) last = double(i);
       if (!in_front(code, nearest)) continue;
@@ -124,7 +125,7 @@ Case expect_visible(const BufferCase& input) {
     text += fmt::format(" {}: ({}, {})", i, input.fragments[i].pixel, input.fragments[i].depth);
   if (input.fragments.size() > 8) text += " ...";
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = {numbers("seen", seen)},
           .slipped = {{"depth-or-equal", {numbers("seen", seen_last)}}}};
 }
@@ -136,7 +137,7 @@ Decimal inverse_of(double x) {
   return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
 }
 
-double rung(const LadderCase& input, double d) {
+double ladder_rung_size(const LadderCase& input, double d) {
   const Decimal at_near = inverse_of(input.near), at_far = inverse_of(input.far),
                 here = inverse_of(d);
   const Decimal whole = at_near - at_far;
@@ -146,7 +147,7 @@ double rung(const LadderCase& input, double d) {
   // have the same exponent.
   Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
   if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
-    step = Decimal(1) / Decimal(double(glassbox::depth_code(ours(input.format), 1.0f)));
+    step = Decimal(1) / Decimal(double(glassbox::depth_code(glassbox_format(input.format), 1.0f)));
   const Decimal beyond = here - step * whole;  // 1/d'
   if (beyond.sign() <= 0 || (beyond - at_far).sign() < 0) return kInfinity;
   return double(here / beyond - Decimal(1));
@@ -162,10 +163,10 @@ Case expect_ladder(const LadderCase& input) {
     // 1/near - 1/far magnifies the roundings of its terms at most 3 times (far >= 2 near), so q has
     // an error of 7 u; q/(1 - q) magnifies that at most 4 times, since no q of the cases is between
     // 3/4 and 1.
-    c.expected.push_back(number(fmt::format("rung {}", c.expected.size()), rung(input, d),
-                                64 * unit_roundoff<double>, ""));
+    c.expected.push_back(number(fmt::format("rung {}", c.expected.size()),
+                                ladder_rung_size(input, d), 64 * unit_roundoff<double>, ""));
   }
-  c.restated += command_for(input.what);
+  c.restated += extreme_case_command(input.what);
   return c;
 }
 

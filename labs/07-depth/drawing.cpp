@@ -94,8 +94,8 @@ std::optional<WrongNumber> judge_codes(const Numbers& in, const Numbers& yours,
       });
 }
 
-std::optional<WrongNumber> judge_seen(const Numbers& in, const Numbers& yours,
-                                      const Numbers& reference) {
+std::optional<WrongNumber> judge_visible(const Numbers& in, const Numbers& yours,
+                                         const Numbers& reference) {
   const std::size_t width = std::size_t(in[1]) / kRows;
   return first_wrong(
       yours, reference, [](std::size_t) { return 0; }, "",
@@ -119,14 +119,14 @@ std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& you
 
 // ---- in the pipeline ----
 
-struct Compared {
+struct TestedFragment {
   int x = 0, y = 0;
   float depth = 0;
   std::uint32_t triangle = 0;
 };
 
 // Gathers the fragments that reach the depth test, and in a later run decides which of them pass.
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
   void draw(const Draw& draw) override {
     if (fragments.empty() && gathering_) first_instance_ = draw.instance;
@@ -158,11 +158,11 @@ public:
     gathering_ = false;
   }
 
-  static std::size_t pixel_of(const Compared& at, int width) {
+  static std::size_t pixel_of(const TestedFragment& at, int width) {
     return std::size_t(at.y) * std::size_t(width) + std::size_t(at.x);
   }
 
-  std::vector<Compared> fragments;  // in the order in which they reach the test
+  std::vector<TestedFragment> fragments;  // in the order in which they reach the test
 
 private:
   bool gathering_ = true;
@@ -171,9 +171,9 @@ private:
   std::vector<bool> passes_;
 };
 
-std::vector<Question> code_questions(const std::vector<Compared>& fragments, double format) {
+std::vector<Question> code_questions(const std::vector<TestedFragment>& fragments, double format) {
   std::vector<Question> questions;
-  for (const Compared& fragment : fragments) {
+  for (const TestedFragment& fragment : fragments) {
     if (questions.empty() || questions.back().triangle != fragment.triangle)
       questions.push_back({{format}, fragment.triangle});
     questions.back().numbers.push_back(double(fragment.depth));
@@ -182,14 +182,14 @@ std::vector<Question> code_questions(const std::vector<Compared>& fragments, dou
 }
 
 // One question for some rows of the picture each; `order` gets the fragments of each question.
-std::vector<Question> seen_questions(const std::vector<Compared>& fragments, double format,
-                                     int width, int height,
-                                     std::vector<std::vector<std::size_t>>& order) {
+std::vector<Question> visibility_questions(const std::vector<TestedFragment>& fragments,
+                                           double format, int width, int height,
+                                           std::vector<std::vector<std::size_t>>& order) {
   const auto bands = std::size_t((height + kRows - 1) / kRows);
   std::vector<Question> questions(bands, {{format, double(kRows * width)}, kNone});
   order.resize(bands);
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const Compared& at = fragments[i];
+    const TestedFragment& at = fragments[i];
     const auto band = std::size_t(at.y / kRows);
     questions[band].numbers.insert(questions[band].numbers.end(),
                                    {double(at.y % kRows * width + at.x), double(at.depth)});
@@ -202,7 +202,7 @@ const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
       {"row", "clip", "depth_row", row, judge_row},
       {"codes", "depth", "depth_code", codes, judge_codes},
-      {"seen", "depth", "visible", seen, judge_seen},
+      {"seen", "depth", "visible", seen, judge_visible},
       {"distances", "depth", "distance_of", distances, judge_distances}};
   return all;
 }
@@ -211,9 +211,9 @@ Numbers planes_of(const View& view) {
   return {view.near, view.far, view.depth_range == DepthRange::kStandard ? 0.0 : 1.0};
 }
 
-Result<void> ask_for_row(StandIn& made, Answering& answering) {
+Result<void> ask_for_row(PictureSetup& made, AnswerSource& answer_source) {
   const std::array question{Question{planes_of(made.view)}};
-  const auto answer = answering.ask(stages()[0], question);
+  const auto answer = answer_source.ask(stages()[0], question);
   if (!answer) return tl::unexpected(answer.error());
   const Numbers& row = answer->front();
   for (std::size_t i = 0; i < std::min<std::size_t>(2, row.size()); ++i)
@@ -222,8 +222,8 @@ Result<void> ask_for_row(StandIn& made, Answering& answering) {
 }
 
 // Replaces the distances that the pipeline computes from 1/w.
-Result<void> ask_for_distances(StandIn& made, const std::vector<Compared>& fragments,
-                               const std::vector<double>& winner, Answering& answering) {
+Result<void> ask_for_distances(PictureSetup& made, const std::vector<TestedFragment>& fragments,
+                               const std::vector<double>& winner, AnswerSource& answer_source) {
   Question question{planes_of(made.view), kNone};
   std::vector<std::size_t> pixels;
   for (std::size_t pixel = 0; pixel < winner.size(); ++pixel) {
@@ -232,34 +232,35 @@ Result<void> ask_for_distances(StandIn& made, const std::vector<Compared>& fragm
     question.numbers.push_back(double(std::clamp(depth, 0.0f, 1.0f)));
     pixels.push_back(pixel);
   }
-  const auto answer = answering.ask(stages()[3], std::array{question});
+  const auto answer = answer_source.ask(stages()[3], std::array{question});
   if (!answer) return tl::unexpected(answer.error());
   made.finish = show_distances(std::move(pixels), answer->front());
   return {};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (const auto opaque = check_opaque(drawn.scene, "lab 7"); !opaque)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (const auto opaque = check_opaque(input.scene, "lab 7"); !opaque)
     return tl::unexpected(opaque.error());
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  const View& view = drawn.view;
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
+  const View& view = input.view;
   if (view.perspective) {
-    if (const auto asked = ask_for_row(made, answering); !asked)
+    if (const auto asked = ask_for_row(made, answer_source); !asked)
       return tl::unexpected(asked.error());
   }
-  auto seats = std::make_shared<Stages>();
-  watch_run(made, *seats);
-  const double format = number_of(drawn.settings.depth);
-  const auto codes = answering.ask(stages()[1], code_questions(seats->fragments, format));
+  auto stage_observer = std::make_shared<StageObserver>();
+  observe_run(made, *stage_observer);
+  const double format = number_of(input.settings.depth);
+  const auto codes =
+      answer_source.ask(stages()[1], code_questions(stage_observer->fragments, format));
   if (!codes) return tl::unexpected(codes.error());
   std::vector<double> code;
   for (const Numbers& some : *codes) code.insert(code.end(), some.begin(), some.end());
-  code.resize(seats->fragments.size());
+  code.resize(stage_observer->fragments.size());
 
   const int width = int(view.viewport.width()), height = int(view.viewport.height());
   std::vector<std::vector<std::size_t>> order;
-  const auto bands =
-      answering.ask(stages()[2], seen_questions(seats->fragments, format, width, height, order));
+  const auto bands = answer_source.ask(
+      stages()[2], visibility_questions(stage_observer->fragments, format, width, height, order));
   if (!bands) return tl::unexpected(bands.error());
   const std::size_t of_band = std::size_t(kRows) * std::size_t(width);
   std::vector<double> winner(order.size() * of_band, -1);
@@ -271,16 +272,16 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
       // A fragment of another pixel is a wrong answer, and cannot be shown at this pixel.
       const std::size_t fragment = order[band][std::size_t(which)];
       const std::size_t here = band * of_band + pixel;
-      if (Stages::pixel_of(seats->fragments[fragment], width) == here)
+      if (StageObserver::pixel_of(stage_observer->fragments[fragment], width) == here)
         winner[here] = double(fragment);
     }
   }
-  if (drawn.settings.show == Show::kDepth && view.perspective) {
-    const auto asked = ask_for_distances(made, seats->fragments, winner, answering);
+  if (input.settings.show == Show::kDepth && view.perspective) {
+    const auto asked = ask_for_distances(made, stage_observer->fragments, winner, answer_source);
     if (!asked) return tl::unexpected(asked.error());
   }
-  seats->take(code, winner, width);
-  made.stages = seats;
+  stage_observer->take(code, winner, width);
+  made.stages = stage_observer;
   return made;
 }
 

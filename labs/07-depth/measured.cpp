@@ -33,7 +33,7 @@ std::vector<Numbers> questions(int format, double z) {
   }
 }
 
-Result<double> error_on_ladder(const Ask& ask, int format, double z) {
+Result<double> measure_ladder_error(const Ask& ask, int format, double z) {
   const auto answers = ask(questions(format, z));
   if (!answers) return tl::unexpected(answers.error());
   std::size_t window = 0;
@@ -59,7 +59,7 @@ Numbers timed_fragments(int format) {
 }
 
 // Whether the timed function keeps each pixel's only fragment.
-Result<bool> keeps_all(const Ask& ask, const Numbers& timed) {
+Result<bool> keeps_all_fragments(const Ask& ask, const Numbers& timed) {
   const auto answers = ask({timed});
   if (!answers) return tl::unexpected(answers.error());
   bool all = answers->front().size() == kFragments;
@@ -68,18 +68,19 @@ Result<bool> keeps_all(const Ask& ask, const Numbers& timed) {
   return all;
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const LabFormat& format : kLabFormats) {
     const Numbers timed = timed_fragments(format.number);
     const auto works = std::make_shared<std::optional<bool>>();
     const auto error = [=](const Ask& ask, double z) -> Result<double> {
       if (!*works) {
-        const auto found = keeps_all(ask, timed);
+        const auto found = keeps_all_fragments(ask, timed);
         if (!found) return tl::unexpected(found.error());
         *works = *found;
       }
-      return **works ? error_on_ladder(ask, format.number, z) : Result<double>(number_of({}, 0));
+      return **works ? measure_ladder_error(ask, format.number, z)
+                     : Result<double>(number_of({}, 0));
     };
     for (const double z : {0.2, 1.0, 10.0, 100.0, 1000.0, 9000.0})
       all.push_back({fmt::format("yours, {}", format.name), z, "ladder", "",
@@ -92,7 +93,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_07() {
   using namespace lab_07_measured;
-  return {"D-6", "depth_row, depth_code, visible", places};
+  return {"D-6", "depth_row, depth_code, visible", measured_points};
 }
 
 }  // namespace glassbox::labs

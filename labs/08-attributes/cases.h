@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 #include "student.h"
 
 namespace lab_08 {

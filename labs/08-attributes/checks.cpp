@@ -72,11 +72,11 @@ Case expect_pixel(const PixelCase& input) {
 
 // ---- rows of pixels ----
 
-struct ExactPlace {
+struct ExactSpanPoint {
   Rational q, u;
 };
 
-ExactPlace place_on(const Line& line, int x) {
+ExactSpanPoint exact_span_point(const Line& line, int x) {
   const Rational far = Rational(x) / Rational(line.pixels), near = Rational(1) - far;
   const Rational q0 = near * Rational(line.inverse_w0), q1 = far * Rational(line.inverse_w1);
   const Rational q = q0 + q1;
@@ -104,8 +104,8 @@ Case expect_span(const SpanCase& input) {
   std::vector<double> values, at_borders, even;
   for (int first = 0; first < line.pixels; first += input.every) {
     const int end = std::min(first + input.every, line.pixels);
-    const Rational start = place_on(line, first).u;
-    const Rational step = (place_on(line, end).u - start) / Rational(end - first);
+    const Rational start = exact_span_point(line, first).u;
+    const Rational step = (exact_span_point(line, end).u - start) / Rational(end - first);
     for (int x = first; x < end; ++x) {
       values.push_back(double(start + step * (Rational(2 * (x - first) + 1) / Rational(2))));
       at_borders.push_back(double(start + step * Rational(x - first)));
@@ -125,11 +125,11 @@ Case expect_span(const SpanCase& input) {
 }
 
 // The largest error over the spans, by the law of task 8.3.
-Decimal law(const Line& line, int every) {
+Decimal largest_span_error(const Line& line, int every) {
   Decimal largest;
   for (int first = 0; first < line.pixels; first += every) {
-    const ExactPlace a = place_on(line, first);
-    const ExactPlace b = place_on(line, std::min(first + every, line.pixels));
+    const ExactSpanPoint a = exact_span_point(line, first);
+    const ExactSpanPoint b = exact_span_point(line, std::min(first + every, line.pixels));
     const Rational r = a.q < b.q ? b.q / a.q : a.q / b.q;
     const Decimal root = sqrt(decimal_from(r));
     const Decimal error = decimal_from(abs(b.u - a.u)) * (root - Decimal(1)) / (root + Decimal(1));
@@ -147,7 +147,7 @@ Case expect_choice(const ChoiceCase& input) {
   std::string text =
       fmt::format("{}; at most {} texels\nthe law:", line_text(line), input.tolerance);
   for (int length = 2; length <= line.pixels; length *= 2) {
-    const Decimal of_length = law(line, length);
+    const Decimal of_length = largest_span_error(line, length);
     text += fmt::format(" {} pixels {:.4g}{}", length, double(of_length),
                         2 * length <= line.pixels ? "," : "");
     if (Decimal(input.tolerance) < of_length) continue;

@@ -22,10 +22,10 @@ using exact::Rational;
 
 // ---- positions ----
 
-using Place = std::array<Rational, 3>;
-using Rows = std::array<std::array<Place, 4>, 4>;
+using ExactPoint = std::array<Rational, 3>;
+using Rows = std::array<std::array<ExactPoint, 4>, 4>;
 
-Rows exactly(const Patch& patch) {
+Rows exact_rows(const Patch& patch) {
   Rows rows;
   for (std::size_t j = 0; j < 4; ++j) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -36,27 +36,28 @@ Rows exactly(const Patch& patch) {
   return rows;
 }
 
-Place between(const Place& a, const Place& b, const Rational& t) {
-  Place p;
+ExactPoint between(const ExactPoint& a, const ExactPoint& b, const Rational& t) {
+  ExactPoint p;
   for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
   return p;
 }
 
 // A point of a Bezier curve by De Casteljau's construction.
-Place on_curve(std::array<Place, 4> p, const Rational& t) {
+ExactPoint bezier_point(std::array<ExactPoint, 4> p, const Rational& t) {
   for (std::size_t left = 3; left > 0; --left) {
     for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
   }
   return p[0];
 }
 
-Place on_patch(const Rows& rows, int i, int j, int level) {
+ExactPoint patch_point(const Rows& rows, int i, int j, int level) {
   const Rational u = Rational(i) / Rational(level), v = Rational(j) / Rational(level);
-  return on_curve(
-      {on_curve(rows[0], u), on_curve(rows[1], u), on_curve(rows[2], u), on_curve(rows[3], u)}, v);
+  return bezier_point({bezier_point(rows[0], u), bezier_point(rows[1], u), bezier_point(rows[2], u),
+                       bezier_point(rows[3], u)},
+                      v);
 }
 
-void add(const Place& p, std::vector<double>& numbers) {
+void add(const ExactPoint& p, std::vector<double>& numbers) {
   for (const Rational& x : p) numbers.push_back(double(x));
 }
 
@@ -84,12 +85,12 @@ std::string patch_text(const Patch& patch) {
 
 Case expect_patch(const PatchCase& input) {
   const int n = input.level;
-  const Rows rows = exactly(input.patch);
+  const Rows rows = exact_rows(input.patch);
   std::vector<double> positions, exchanged, triangles;
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
-      add(on_patch(rows, i, j, n), positions);
-      add(on_patch(rows, j, i, n), exchanged);
+      add(patch_point(rows, i, j, n), positions);
+      add(patch_point(rows, j, i, n), exchanged);
     }
   }
   const bool pole =
@@ -116,9 +117,10 @@ Case expect_patch(const PatchCase& input) {
 
 // Checks that both borders are within the bound of the exact one, and equal to the last bit.
 std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer) {
-  const Rows rows = exactly(input.a);
+  const Rows rows = exact_rows(input.a);
   std::vector<double> border;
-  for (int i = 0; i <= input.level; ++i) add(on_patch(rows, i, input.level, input.level), border);
+  for (int i = 0; i <= input.level; ++i)
+    add(patch_point(rows, i, input.level, input.level), border);
   const std::string names[2] = {"border of the first patch", "border of the second patch"};
   for (const std::string& name : names) {
     const Expected expected = polygon(name, 3, border, position_bound(input.a));
@@ -166,7 +168,7 @@ Decimal longest(const Rows& rows, const std::vector<Term>& terms) {
 }
 
 Case expect_level(const LevelCase& input) {
-  const Rows rows = exactly(input.patch);
+  const Rows rows = exact_rows(input.patch);
   const Decimal uu = longest(rows, {{0, 0, 6}, {1, 0, -12}, {2, 0, 6}});
   const Decimal vv = longest(rows, {{0, 0, 6}, {0, 1, -12}, {0, 2, 6}});
   const Decimal uv = longest(rows, {{0, 0, 9}, {1, 0, -9}, {0, 1, -9}, {1, 1, 9}});

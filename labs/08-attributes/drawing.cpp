@@ -13,7 +13,7 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox::labs {
@@ -33,13 +33,13 @@ struct Corner {
   std::span<const double> attributes;
 };
 
-struct Asked {
+struct ParsedQuestion {
   std::size_t pairs = 0;
   int width = 0, height = 0;
   std::array<Corner, 3> corners;
   std::span<const double> pixels;
 
-  explicit Asked(const Numbers& in)
+  explicit ParsedQuestion(const Numbers& in)
       : pairs(std::size_t(in[0])), width(int(in[1])), height(int(in[2])) {
     const std::size_t of_corner = 3 + 2 * pairs;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -49,11 +49,11 @@ struct Asked {
     pixels = std::span(in).subspan(kHead + 3 * of_corner);
   }
   // How many numbers an answer has for each pixel.
-  std::size_t of_pixel() const { return 2 * pairs + (width > 0 ? 1 : 0); }
+  std::size_t numbers_per_pixel() const { return 2 * pairs + (width > 0 ? 1 : 0); }
 };
 
 // The perspective-correct weights of the corners, from the edge functions.
-std::array<double, 3> weights_at(const Asked& asked, std::span<const double> pixel) {
+std::array<double, 3> weights_at(const ParsedQuestion& asked, std::span<const double> pixel) {
   std::array<double, 3> share{};
   for (std::size_t k = 0; k < 3; ++k) share[k] = pixel[2 + k] * asked.corners[k].inverse_w;
   const double sum = share[0] + share[1] + share[2];
@@ -70,7 +70,7 @@ struct Edges {
   std::array<double, 3> at, along_x, along_y;
 };
 
-Edges edges_at(const Asked& asked, double x, double y) {
+Edges edges_at(const ParsedQuestion& asked, double x, double y) {
   Edges edges{};
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner &from = asked.corners[(k + 1) % 3], &to = asked.corners[(k + 2) % 3];
@@ -83,7 +83,7 @@ Edges edges_at(const Asked& asked, double x, double y) {
 
 // The derivative of N / D for N = sum E_k q_k a_k and D = sum E_k q_k, where E_k are the edge
 // functions: (N/D)' = (N' - (N/D) D')/D.
-Gradient gradient_of(const Asked& asked, const Edges& edges, std::size_t attribute) {
+Gradient gradient_of(const ParsedQuestion& asked, const Edges& edges, std::size_t attribute) {
   double n = 0, d = 0, nx = 0, ny = 0, dx = 0, dy = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double q = asked.corners[k].inverse_w, a = asked.corners[k].attributes[attribute];
@@ -96,7 +96,7 @@ Gradient gradient_of(const Asked& asked, const Edges& edges, std::size_t attribu
 
 // The bound of task 8.4: 2048 k^2 (U / e) u53 with k = (e^2 / twice the area) (largest 1/w / 1/w at
 // the pixel).
-double gradient_bound(const Asked& asked, const Edges& edges, std::size_t attribute) {
+double gradient_bound(const ParsedQuestion& asked, const Edges& edges, std::size_t attribute) {
   double left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
   double largest = 0, largest_w = 0, area = 0, here = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ struct Level {
   double level = 0, bound = 0;
 };
 
-Level level_at(const Asked& asked, std::span<const double> pixel) {
+Level level_at(const ParsedQuestion& asked, std::span<const double> pixel) {
   const Edges edges = edges_at(asked, pixel[0] + 0.5, pixel[1] + 0.5);
   const Gradient u = gradient_of(asked, edges, 0), v = gradient_of(asked, edges, 1);
   const double longer = std::max(std::hypot(asked.width * u.along_x, asked.height * v.along_x),
@@ -136,9 +136,9 @@ Level level_at(const Asked& asked, std::span<const double> pixel) {
 Numbers attributes(RecordReader& in) {
   Numbers question;
   while (in.more()) question.push_back(in.number());
-  const Asked asked(question);
+  const ParsedQuestion asked(question);
   Numbers out;
-  out.reserve(asked.pixels.size() / kPixelNumbers * asked.of_pixel());
+  out.reserve(asked.pixels.size() / kPixelNumbers * asked.numbers_per_pixel());
   for (std::size_t i = 0; i < asked.pixels.size(); i += kPixelNumbers) {
     const std::span<const double> pixel = asked.pixels.subspan(i, kPixelNumbers);
     const std::array<double, 3> b = weights_at(asked, pixel);
@@ -176,14 +176,14 @@ Numbers patch(RecordReader& in) {
   const int n = in.integer();
   Rows rows;
   for (auto& row : rows) {
-    for (Vec& p : row) p = in.place<Vec>();
+    for (Vec& p : row) p = in.point<Vec>();
   }
   Numbers positions, triangles;
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
       std::array<Vec, 4> across;
       for (std::size_t k = 0; k < 4; ++k) across[k] = weighted(bernstein(i, n), rows[k]);
-      append_place(positions, weighted(bernstein(j, n), across));
+      append_point(positions, weighted(bernstein(j, n), across));
     }
   }
   for (int j = 0; j < n; ++j) {
@@ -204,16 +204,17 @@ Numbers patch(RecordReader& in) {
 
 std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yours,
                                             const Numbers& reference) {
-  const Asked asked(in);
-  const std::size_t of_pixel = asked.of_pixel();
+  const ParsedQuestion asked(in);
+  const std::size_t numbers_per_pixel = asked.numbers_per_pixel();
   const auto pixel_of = [&](std::size_t i) {
     return asked.pixels.subspan(
-        std::min(i / of_pixel * kPixelNumbers, asked.pixels.size() - kPixelNumbers), kPixelNumbers);
+        std::min(i / numbers_per_pixel * kPixelNumbers, asked.pixels.size() - kPixelNumbers),
+        kPixelNumbers);
   };
   // The bound of the contract: 16 u24 (b1 |a1 - a0| + b2 |a2 - a0|) + u24 |a|.
   const auto bound = [&](std::size_t i) {
     const std::span<const double> pixel = pixel_of(i);
-    const std::size_t k = i % of_pixel;
+    const std::size_t k = i % numbers_per_pixel;
     if (k == 2 * asked.pairs) return level_at(asked, pixel).bound;
     const std::array<double, 3> b = weights_at(asked, pixel);
     const double a0 = asked.corners[0].attributes[k];
@@ -223,7 +224,7 @@ std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yo
   };
   return first_wrong(yours, reference, bound, "", [&](std::size_t i) {
     const std::span<const double> pixel = pixel_of(i);
-    const std::size_t k = i % of_pixel;
+    const std::size_t k = i % numbers_per_pixel;
     return fmt::format("pixel ({}, {}), {}", pixel[0], pixel[1],
                        k == 2 * asked.pairs ? "mip level" : fmt::format("attribute {}", k));
   });
@@ -267,7 +268,7 @@ std::vector<Question> patch_questions(int level) {
     question.numbers.push_back(level);
     for (const std::uint16_t index : indices) {
       const auto& p = kTeapotPoints[index];
-      append_place(question.numbers, Vec(p[0], p[2], 0 - p[1]));  // from z up to y up
+      append_point(question.numbers, Vec(p[0], p[2], 0 - p[1]));  // from z up to y up
     }
     questions.push_back(std::move(question));
   }
@@ -287,7 +288,8 @@ Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
     std::vector<std::uint32_t> index;
     for (std::size_t i = 0; i < count; ++i) {
       const double* at = &answer[2 + 3 * i];
-      const std::array<float, 3> place{carried(at[0]), carried(at[1]), carried(at[2])};
+      const std::array<float, 3> place{to_finite_float(at[0]), to_finite_float(at[1]),
+                                       to_finite_float(at[2])};
       const auto [entry, is_first] = shared.try_emplace(place, mesh.positions.size());
       if (is_first) mesh.positions.push_back({place[0], place[1], place[2]});
       index.push_back(entry->second);
@@ -312,27 +314,27 @@ Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
 constexpr std::size_t kPairs = 9;
 
 // The pairs of attributes: texture coordinates; normal and position; colour; light at the vertices.
-std::array<float*, 2 * kPairs> slots(Varyings& v) {
+std::array<float*, 2 * kPairs> varying_pointers(Varyings& v) {
   return {&v.texcoord[0], &v.texcoord[1], &v.normal[0],   &v.normal[1],  &v.normal[2],
           &v.position[0], &v.position[1], &v.position[2], &v.color[0],   &v.color[1],
           &v.color[2],    &v.color[3],    &v.diffuse[0],  &v.diffuse[1], &v.diffuse[2],
           &v.specular[0], &v.specular[1], &v.specular[2]};
 }
 
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
-  explicit Stages(const RenderSettings& settings) : settings_(settings) {}
+  explicit StageObserver(const RenderSettings& settings) : settings_(settings) {}
 
   void draw(const Draw& draw) override {
     draw_ = &draw;
     const bool textured = draw.texture != nullptr || draw.emission_texture != nullptr;
     const bool lit = needs_normals(draw, settings_);
     const bool at_vertices = lit && settings_.shading != Shading::kPhong;
-    wanted_.clear();
-    if (textured || settings_.show == Show::kUv) wanted_.push_back(0);
-    if (lit) wanted_.insert(wanted_.end(), {1, 2, 3});
-    if (!draw.mesh->colors.empty()) wanted_.insert(wanted_.end(), {4, 5});
-    if (at_vertices) wanted_.insert(wanted_.end(), {6, 7, 8});
+    requested_pairs_.clear();
+    if (textured || settings_.show == Show::kUv) requested_pairs_.push_back(0);
+    if (lit) requested_pairs_.insert(requested_pairs_.end(), {1, 2, 3});
+    if (!draw.mesh->colors.empty()) requested_pairs_.insert(requested_pairs_.end(), {4, 5});
+    if (at_vertices) requested_pairs_.insert(requested_pairs_.end(), {6, 7, 8});
   }
 
   void clipped(const PrimitiveStage&, const Triangle& triangle, const std::array<ClipVertex, 3>&,
@@ -346,10 +348,10 @@ public:
       corners_[{number_, piece}] = {snap(vertices[0]), snap(vertices[1]), snap(vertices[2])};
   }
 
-  void ready(const ReadyTriangle& triangle) override {
+  void piece_ready(const ReadyTriangle& triangle) override {
     ready_ = &triangle;
     answer_ = nullptr;
-    asked_here_ = false;
+    question_begun_ = false;
     if (gathering_) return;
     const auto place = places_.find({triangle.number, triangle.piece});
     if (place != places_.end()) answer_ = &answers_[place->second];
@@ -361,12 +363,12 @@ public:
     is_triangle_ = source.is_triangle;
   }
 
-  void varied(const Fragment&, Varyings& at) override {
-    if (!is_triangle_ || wanted_.empty()) return;
+  void attributes_interpolated(const Fragment&, Varyings& at) override {
+    if (!is_triangle_ || requested_pairs_.empty()) return;
     if (gathering_) return gather();
     level_.reset();
-    const auto all = slots(at);
-    for (const std::size_t pair : wanted_) {
+    const auto all = varying_pointers(at);
+    for (const std::size_t pair : requested_pairs_) {
       for (const std::size_t slot : {2 * pair, 2 * pair + 1}) *all[slot] = next();
     }
     if (draw_->texture != nullptr) level_ = std::clamp(next(), 0.0f, 32.0f);
@@ -375,7 +377,8 @@ public:
   void textured(const Varyings& at, Rgba& surface) override {
     if (gathering_ || !level_ || draw_->texture == nullptr) return;
     const Rgba& base = draw_->material->base_color;
-    const Rgba texel = sample(draw_->texture->get(), *draw_->sampler, at.texcoord, *level_);
+    const Rgba texel =
+        sample_mip_chain(draw_->texture->get(), *draw_->sampler, at.texcoord, *level_);
     surface = {base.r * at.color[0] * texel.r, base.g * at.color[1] * texel.g,
                base.b * at.color[2] * texel.b, base.a * at.color[3] * texel.a};
   }
@@ -389,8 +392,8 @@ public:
 
 private:
   void gather() {
-    if (!asked_here_) begin_question();
-    asked_here_ = true;
+    if (!question_begun_) begin_question();
+    question_begun_ = true;
     Numbers& numbers = questions.back().numbers;
     numbers.insert(numbers.end(), {double(coverage_.x), double(coverage_.y)});
     for (const std::int64_t e : coverage_.edges) numbers.push_back(double(e));
@@ -400,9 +403,10 @@ private:
     const FragmentSource source{ready_->number, ready_->piece, true};
     places_[{source.number, source.piece}] = questions.size();
     const MipChain* texture = draw_->texture != nullptr ? &draw_->texture->get() : nullptr;
-    Question question{{double(wanted_.size()), double(texture != nullptr ? texture->width : 0),
-                       double(texture != nullptr ? texture->height : 0)},
-                      source.number};
+    Question question{
+        {double(requested_pairs_.size()), double(texture != nullptr ? texture->width : 0),
+         double(texture != nullptr ? texture->height : 0)},
+        source.number};
     const auto& came = corners_.at({source.number, source.piece});
     for (std::size_t k = 0; k < 3; ++k) {
       const SnappedVertex& v = came[std::size_t(ready_->setup.order[k])];
@@ -410,8 +414,8 @@ private:
           question.numbers.end(),
           {double(v.x) / kSubpixels, double(v.y) / kSubpixels, double(ready_->setup.inverse_w[k])});
       Varyings carried_here = ready_->vertices[k];
-      const auto all = slots(carried_here);
-      for (const std::size_t pair : wanted_)
+      const auto all = varying_pointers(carried_here);
+      for (const std::size_t pair : requested_pairs_)
         question.numbers.insert(question.numbers.end(),
                                 {double(*all[2 * pair]), double(*all[2 * pair + 1])});
     }
@@ -419,17 +423,17 @@ private:
   }
 
   float next() {
-    return answer_ != nullptr && at_ < answer_->size() ? carried((*answer_)[at_++]) : 0.0f;
+    return answer_ != nullptr && at_ < answer_->size() ? to_finite_float((*answer_)[at_++]) : 0.0f;
   }
 
   using Piece = std::pair<std::uint32_t, std::uint32_t>;
   const RenderSettings settings_;
   bool gathering_ = true;
   const Draw* draw_ = nullptr;
-  std::vector<std::size_t> wanted_;  // indices of the pairs of slots()
+  std::vector<std::size_t> requested_pairs_;  // indices of the pairs of varying_pointers()
   std::uint32_t number_ = 0;
   const ReadyTriangle* ready_ = nullptr;
-  bool asked_here_ = false, is_triangle_ = false;
+  bool question_begun_ = false, is_triangle_ = false;
   Coverage coverage_;
   std::map<Piece, std::array<SnappedVertex, 3>> corners_;
   std::map<Piece, std::size_t> places_;
@@ -446,19 +450,19 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  if (const int level = teapot_level(drawn.scene); level > 0) {
-    const auto patches = answering.ask(stages()[0], patch_questions(level));
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
+  if (const int level = teapot_level(input.scene); level > 0) {
+    const auto patches = answer_source.ask(stages()[0], patch_questions(level));
     if (!patches) return tl::unexpected(patches.error());
-    made.scene.meshes[0] = teapot_of(*patches, level, drawn.scene.meshes[0]);
+    made.scene.meshes[0] = teapot_of(*patches, level, input.scene.meshes[0]);
   }
-  auto seats = std::make_shared<Stages>(drawn.settings);
-  watch_run(made, *seats);
-  auto answers = answering.ask(stages()[1], seats->questions);
+  auto stage_observer = std::make_shared<StageObserver>(input.settings);
+  observe_run(made, *stage_observer);
+  auto answers = answer_source.ask(stages()[1], stage_observer->questions);
   if (!answers) return tl::unexpected(answers.error());
-  seats->take(std::move(*answers));
-  made.stages = seats;
+  stage_observer->take(std::move(*answers));
+  made.stages = stage_observer;
   return made;
 }
 

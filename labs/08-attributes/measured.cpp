@@ -56,8 +56,8 @@ Result<Errors> errors_of(const Ask& ask, int every, const Lines& lines) {
 }
 
 void add_lines(const std::string& scene, const Lines& lines, double parameter,
-               std::vector<MeasuredPlace>& all) {
-  const Lines timed = some(lines, kTimed);
+               std::vector<MeasuredPoint>& all) {
+  const Lines timed = subsample_lines(lines, kTimed);
   for (const int every : {8, 16, 32}) {
     const auto kept = std::make_shared<std::optional<Errors>>();
     using ErrorOf = double Errors::*;
@@ -78,8 +78,8 @@ void add_lines(const std::string& scene, const Lines& lines, double parameter,
   }
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0})
     add_lines("wall", wall(ratio, kWallLines), ratio, all);
   const Lines floor = rolled_floor(), pot = teapot();
@@ -92,7 +92,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_08() {
   using namespace lab_08_measured;
-  return {"D-4", "span_coordinates", places};
+  return {"D-4", "span_coordinates", measured_points};
 }
 
 }  // namespace glassbox::labs

@@ -5,7 +5,7 @@
 namespace lab_08 {
 namespace {
 
-using glassbox::labs::append_place;
+using glassbox::labs::append_point;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
@@ -57,11 +57,11 @@ void patch(RecordReader& in, Numbers& out) {
   const int level = in.integer();
   Patch asked;
   for (auto& row : asked.rows) {
-    for (auto& p : row) p = in.place<Point<Object, double>>();
+    for (auto& p : row) p = in.point<Point<Object, double>>();
   }
   const Tessellation made = tessellate(asked, level);
   out.insert(out.end(), {double(made.positions.size()), double(made.triangles.size())});
-  for (const auto& p : made.positions) append_place(out, p);
+  for (const auto& p : made.positions) append_point(out, p);
   for (const auto& [a, b, c] : made.triangles)
     out.insert(out.end(), {double(a), double(b), double(c)});
 }

@@ -10,15 +10,15 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-struct Asked {
+struct ParsedQuestion {
   int every = 1;
   std::vector<Line> lines;
 };
 
 // Reads the number of pixels between divisions; then rows: u and 1/w at both ends, and the number
 // of pixels.
-Asked read(RecordReader& in) {
-  Asked asked;
+ParsedQuestion read(RecordReader& in) {
+  ParsedQuestion asked;
   asked.every = in.integer();
   while (in.more()) {
     Line& line = asked.lines.emplace_back();
@@ -34,7 +34,7 @@ Asked read(RecordReader& in) {
 // Writes the coordinates of all pixels, row after row; stops at a row that does not have the right
 // length.
 void answer(RecordReader& in, Numbers& out) {
-  const Asked asked = read(in);
+  const ParsedQuestion asked = read(in);
   for (const Line& line : asked.lines) {
     const std::vector<double> u = span_coordinates(line, std::min(asked.every, line.pixels));
     if (u.size() != std::size_t(line.pixels)) return;

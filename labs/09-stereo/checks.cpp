@@ -7,8 +7,8 @@
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/stereo/align_and_crop.h>
-#include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/culling.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 
 #include "exact/matrix.h"
 #include "exact/number.h"
@@ -182,7 +182,7 @@ Case expect_culled(const CullCase& input) {
       codes[k] = stereo_outcode(StereoClipPoint{p.left_x, p.right_x, p.y, p.z, p.w}, centre);
     }
     const auto verdict = [](bool unseen) { return int(unseen ? Verdict::kCull : Verdict::kDraw); };
-    verdicts.push_back(verdict(unseen_by_both(codes)));
+    verdicts.push_back(verdict(is_outside_both_views(codes)));
     opengl.push_back(verdict(unseen_with_opengl_near(input.triangles[i])));
     if (input.triangles.size() > 10) continue;
     text += fmt::format("\n{}: {}; left x, right x, y, z, w of its corners", i, input.names[i]);

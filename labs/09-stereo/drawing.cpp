@@ -13,7 +13,7 @@
 #include <glassbox/pipeline/stereo/culling.h>
 #include <glassbox/raster/blend.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox::labs {
 
@@ -41,10 +41,10 @@ struct Corner {
   double left_x = 0, right_x = 0, y = 0, z = 0, w = 0;
 };
 
-using AcrossOf = double Corner::*;
+using HorizontalCoordinate = double Corner::*;
 
 // Whether an eye has all corners outside one of its planes.
-bool misses(const std::array<Corner, 3>& corners, AcrossOf x) {
+bool is_outside_frustum(const std::array<Corner, 3>& corners, HorizontalCoordinate x) {
   const auto all = [&](auto outside) {
     return std::all_of(corners.begin(), corners.end(), outside);
   };
@@ -59,7 +59,8 @@ bool misses(const std::array<Corner, 3>& corners, AcrossOf x) {
 Numbers verdict(RecordReader& in) {
   std::array<Corner, 3> corners;
   for (Corner& c : corners) c = {in.number(), in.number(), in.number(), in.number(), in.number()};
-  const bool unseen = misses(corners, &Corner::left_x) && misses(corners, &Corner::right_x);
+  const bool unseen =
+      is_outside_frustum(corners, &Corner::left_x) && is_outside_frustum(corners, &Corner::right_x);
   return {unseen ? kCull : kDraw};
 }
 
@@ -129,7 +130,7 @@ std::optional<WrongNumber> judge_anaglyph(const Numbers& in, const Numbers& your
 
 // ---- in the pipeline ----
 
-struct Seen {
+struct EyeFragment {
   int x = 0, y = 0;
   float depth = 0;
   double colour = 0;
@@ -141,7 +142,7 @@ double packed(const Rgba8& c) {
 
 // Watches one eye: gathers its corners, leaves out the triangles that are culled, and gathers the
 // fragments that are written.
-class Stages : public Observer {
+class StageObserver : public Observer {
 public:
   void draw(const Draw& draw) override { draw_ = &draw; }
 
@@ -157,14 +158,15 @@ public:
   }
 
   void encoded(const Fragment& fragment, const Rgba8&, Rgba8& after) override {
-    if (seen_ != nullptr) seen_->push_back({fragment.x, fragment.y, fragment.depth, packed(after)});
+    if (fragments_ != nullptr)
+      fragments_->push_back({fragment.x, fragment.y, fragment.depth, packed(after)});
   }
 
   void take(std::vector<bool> culled) {
     culled_ = std::move(culled);
     gathering_ = false;
   }
-  void gather_fragments(std::vector<Seen>* seen) { seen_ = seen; }
+  void gather_fragments(std::vector<EyeFragment>* seen) { fragments_ = seen; }
 
   std::vector<std::uint32_t> numbers;  // of triangles, which have three corners each
   std::vector<Point<Clip>> clip;
@@ -173,7 +175,7 @@ private:
   const Draw* draw_ = nullptr;
   bool gathering_ = true;
   std::vector<bool> culled_;  // one for each triangle
-  std::vector<Seen>* seen_ = nullptr;
+  std::vector<EyeFragment>* fragments_ = nullptr;
 };
 
 const std::vector<DrawnStage>& stages() {
@@ -184,15 +186,15 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-Result<void> ask_for_eyes(const StereoPair& pair, std::array<StandIn, 2>& eyes,
-                          Answering& answering) {
+Result<void> ask_for_eyes(const StereoPair& pair, std::array<PictureSetup, 2>& eyes,
+                          AnswerSource& answer_source) {
   std::vector<Question> questions;
   for (const double side : {0.0, 1.0}) {
     Question question{{pair.half_separation, pair.window, side}};
     append_matrix(question.numbers, eyes[0].view.clip_from_eye);
     questions.push_back(std::move(question));
   }
-  const auto answers = answering.ask(stages()[0], questions);
+  const auto answers = answer_source.ask(stages()[0], questions);
   if (!answers) return tl::unexpected(answers.error());
   for (std::size_t k = 0; k < 2; ++k) {
     Numbers rows = (*answers)[k];
@@ -204,7 +206,7 @@ Result<void> ask_for_eyes(const StereoPair& pair, std::array<StandIn, 2>& eyes,
 }
 
 // The corners of both eyes; y, z and w are those of the left one.
-std::vector<Question> verdict_questions(const Stages& left, const Stages& right) {
+std::vector<Question> verdict_questions(const StageObserver& left, const StageObserver& right) {
   std::vector<Question> questions;
   for (std::size_t t = 0; t < left.numbers.size(); ++t) {
     Question question{{}, left.numbers[t]};
@@ -218,32 +220,33 @@ std::vector<Question> verdict_questions(const Stages& left, const Stages& right)
   return questions;
 }
 
-Result<void> ask_for_verdicts(std::array<StandIn, 2>& eyes,
-                              const std::array<std::shared_ptr<Stages>, 2>& seats,
-                              Answering& answering) {
-  for (std::size_t k = 0; k < 2; ++k) watch_run(eyes[k], *seats[k]);
-  const std::vector<Question> questions = verdict_questions(*seats[0], *seats[1]);
-  const auto answers = answering.ask(stages()[1], questions);
+Result<void> ask_for_verdicts(std::array<PictureSetup, 2>& eyes,
+                              const std::array<std::shared_ptr<StageObserver>, 2>& stage_observers,
+                              AnswerSource& answer_source) {
+  for (std::size_t k = 0; k < 2; ++k) observe_run(eyes[k], *stage_observers[k]);
+  const std::vector<Question> questions =
+      verdict_questions(*stage_observers[0], *stage_observers[1]);
+  const auto answers = answer_source.ask(stages()[1], questions);
   if (!answers) return tl::unexpected(answers.error());
   std::vector<bool> culled;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     culled.resize(std::max(culled.size(), std::size_t(questions[i].triangle) + 1));
     culled[questions[i].triangle] = !(*answers)[i].empty() && (*answers)[i][0] == kCull;
   }
-  for (const auto& seat : seats) seat->take(culled);
+  for (const auto& stage_observer : stage_observers) stage_observer->take(culled);
   return {};
 }
 
 // One question for some rows of the picture each.
-std::vector<Question> anaglyph_questions(const std::array<std::vector<Seen>, 2>& seen, int width,
-                                         int height, const Rgba8& background) {
+std::vector<Question> anaglyph_questions(const std::array<std::vector<EyeFragment>, 2>& seen,
+                                         int width, int height, const Rgba8& background) {
   std::vector<Question> questions;
   for (int top = 0; top < height; top += kRows) {
     const int rows = std::min(kRows, height - top);
     questions.push_back({{double(width), double(rows), packed(background), 0}});
   }
-  for (const std::vector<Seen>& eye : seen) {
-    for (const Seen& at : eye) {
+  for (const std::vector<EyeFragment>& eye : seen) {
+    for (const EyeFragment& at : eye) {
       Numbers& numbers = questions[std::size_t(at.y / kRows)].numbers;
       numbers.insert(numbers.end(), {double(at.x), double(at.y % kRows),
                                      double(std::clamp(at.depth, 0.0f, 1.0f)), at.colour});
@@ -258,30 +261,30 @@ Rgba8 unpacked(double colour) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (const auto opaque = check_opaque(drawn.scene, "lab 9"); !opaque)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (const auto opaque = check_opaque(input.scene, "lab 9"); !opaque)
     return tl::unexpected(opaque.error());
-  const StandIn centre{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
-  std::array<StandIn, 2> eyes{centre, centre};
-  if (const auto asked = ask_for_eyes(drawn.pair, eyes, answering); !asked)
+  const PictureSetup centre{input.scene, input.view, input.settings, nullptr, {}};
+  std::array<PictureSetup, 2> eyes{centre, centre};
+  if (const auto asked = ask_for_eyes(input.pair, eyes, answer_source); !asked)
     return tl::unexpected(asked.error());
-  const std::array<std::shared_ptr<Stages>, 2> seats{std::make_shared<Stages>(),
-                                                     std::make_shared<Stages>()};
-  if (const auto asked = ask_for_verdicts(eyes, seats, answering); !asked)
+  const std::array<std::shared_ptr<StageObserver>, 2> stage_observers{
+      std::make_shared<StageObserver>(), std::make_shared<StageObserver>()};
+  if (const auto asked = ask_for_verdicts(eyes, stage_observers, answer_source); !asked)
     return tl::unexpected(asked.error());
-  std::array<std::vector<Seen>, 2> seen;
+  std::array<std::vector<EyeFragment>, 2> seen;
   for (std::size_t k = 0; k < 2; ++k) {
-    seats[k]->gather_fragments(&seen[k]);
-    watch_run(eyes[k], *seats[k]);
-    seats[k]->gather_fragments(nullptr);
+    stage_observers[k]->gather_fragments(&seen[k]);
+    observe_run(eyes[k], *stage_observers[k]);
+    stage_observers[k]->gather_fragments(nullptr);
   }
-  const int width = int(drawn.view.viewport.width()), height = int(drawn.view.viewport.height());
-  const auto bands = answering.ask(
-      stages()[2], anaglyph_questions(seen, width, height, drawn.settings.background));
+  const int width = int(input.view.viewport.width()), height = int(input.view.viewport.height());
+  const auto bands = answer_source.ask(
+      stages()[2], anaglyph_questions(seen, width, height, input.settings.background));
   if (!bands) return tl::unexpected(bands.error());
 
-  StandIn made = eyes[0];
-  made.stages = seats[0];
+  PictureSetup made = eyes[0];
+  made.stages = stage_observers[0];
   made.finish = [bands = *bands, width](Framebuffer& picture) {
     const std::size_t of_band = std::size_t(kRows) * std::size_t(width);
     for (std::size_t p = 0; p < picture.color.pixels.size(); ++p) {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "labs/measuring/measuring.h"
-#include "study/experiments/d10_lost.h"
+#include "study/experiments/d10_lost_pixels.h"
 
 #include <glassbox/mesh/builtin/forest.h>
 
@@ -34,10 +34,10 @@ Numbers question(const Eyes& eyes) {
 }
 
 // The number of triangles that no eye sees, by the experiment's own planes.
-double could_be_culled(const Eyes& eyes) {
+double count_invisible_triangles(const Eyes& eyes) {
   double culled = 0;
   for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
-    KeptOfDraw kept;
+    DrawKeepFlags kept;
     cull_by_union(eyes, draw, kept);
     for (const std::uint8_t is_kept : kept.left) culled += is_kept == 0;
   }
@@ -46,10 +46,10 @@ double could_be_culled(const Eyes& eyes) {
 
 // NaN where the answer is too short, or where it culls less than half of the triangles that could
 // be culled: a function that culls nothing loses nothing, and takes no time.
-Result<double> lost(const Ask& ask, const Eyes& eyes) {
+Result<double> measure_lost_columns(const Ask& ask, const Eyes& eyes) {
   const auto answers = ask({question(eyes)});
   if (!answers) return tl::unexpected(answers.error());
-  std::vector<KeptOfDraw> kept(eyes.list.draws.size());
+  std::vector<DrawKeepFlags> kept(eyes.list.draws.size());
   std::size_t at = 0;
   double culled = 0;
   for (std::size_t draw = 0; draw < kept.size(); ++draw) {
@@ -60,16 +60,16 @@ Result<double> lost(const Ask& ask, const Eyes& eyes) {
       kept[draw].left.push_back(verdict != kCull);
     }
   }
-  if (culled < could_be_culled(eyes) / 2) return number_of({}, 0);
+  if (culled < count_invisible_triangles(eyes) / 2) return number_of({}, 0);
   return lost_columns(eyes, kept);
 }
 
-std::vector<MeasuredPlace> places() {
-  std::vector<MeasuredPlace> all;
+std::vector<MeasuredPoint> measured_points() {
+  std::vector<MeasuredPoint> all;
   const auto add = [&](const char* scene, std::shared_ptr<const Eyes> eyes, double share) {
     const Numbers timed = question(*eyes);
     all.push_back({"yours", 100 * share, scene, "",
-                   [eyes](const Ask& ask) { return lost(ask, *eyes); }, timed,
+                   [eyes](const Ask& ask) { return measure_lost_columns(ask, *eyes); }, timed,
                    double(timed.size() / 15)});
   };
   const View view = centre_view();
@@ -88,7 +88,7 @@ std::vector<MeasuredPlace> places() {
 
 LabMeasure measured_09() {
   using namespace lab_09_measured;
-  return {"D-10", "cull", places};
+  return {"D-10", "cull", measured_points};
 }
 
 }  // namespace glassbox::labs

@@ -154,7 +154,7 @@ Case expect_pose(const ChoiceCase& input) {
                       "both cameras, and with any other pose at most {} (C-105)",
                       text_of(input.essential), input.matches.size(), chosen ? chosen->in_front : 0,
                       chosen ? chosen->runner_up : 0) +
-              command_for("C-105"),
+              extreme_case_command("C-105"),
           {matrix("R", 3, entries_of(pose.rotation), epipolar::kPoseBound),
            point("T", {pose.translation[0], pose.translation[1], pose.translation[2]},
                  epipolar::kPoseBound)}};
@@ -171,7 +171,7 @@ Case expect_point(const RaysCase& input) {
                       "each other at {:.3g}",
                       input.left.x, input.left.y, input.right.x, input.right.y,
                       text_of(input.pose.rotation), text_of(input.pose.translation), found.gap) +
-              command_for(input.what),
+              extreme_case_command(input.what),
           {point("point", {p[0], p[1], p[2], p[3]}, bound, "world units")}};
 }
 

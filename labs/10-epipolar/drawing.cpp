@@ -64,7 +64,7 @@ void append(Numbers& out, const views::Matches& matches) {
 
 // The answer with exactly `count` numbers, finite and not too large, so that the later stages can
 // compute with it.
-Numbers usable(Numbers answer, std::size_t count) {
+Numbers finite_answer(Numbers answer, std::size_t count) {
   answer.resize(count);
   for (double& x : answer) x = std::isfinite(x) ? std::clamp(x, -1e9, 1e9) : 0;
   return answer;
@@ -216,10 +216,10 @@ lab_10::Camera camera_of(const views::PinholeCamera& camera) {
 }
 
 // Matches from the rasterizer, for a grid of pixels.
-Result<Pair> matched(const Drawn& drawn, const View& second) {
-  const auto left = views::known_picture(drawn.scene, drawn.view, drawn.settings);
+Result<Pair> matched(const DrawingInput& input, const View& second) {
+  const auto left = views::known_picture(input.scene, input.view, input.settings);
   if (!left) return tl::unexpected(left.error());
-  const auto right = views::known_picture(drawn.scene, second, drawn.settings);
+  const auto right = views::known_picture(input.scene, second, input.settings);
   if (!right) return tl::unexpected(right.error());
   const Image<views::TrueMatch> truth = views::true_matches(*left, *right);
   Pair pair{camera_of(left->camera), camera_of(right->camera), {}, {}};
@@ -227,7 +227,7 @@ Result<Pair> matched(const Drawn& drawn, const View& second) {
     const int x = (2 * (i % kColumns) + 1) * truth.width / (2 * kColumns);
     const int y = (2 * (i / kColumns) + 1) * truth.height / (2 * kRows);
     const views::TrueMatch& match = truth.at(x, y);
-    if (match.fate != OtherEye::kSeesIt) continue;
+    if (match.visibility != OtherEyeVisibility::kVisible) continue;
     pair.pixels.push_back({x + 0.5, y + 0.5});
     pair.calibrated.push_back(
         {views::ray_through(left->camera.intrinsic, {x + 0.5, y + 0.5}).head<2>(),
@@ -244,7 +244,7 @@ Result<Pair> matched(const Drawn& drawn, const View& second) {
 // ---- in the picture ----
 
 // One of twelve hues, by number.
-Rgba8 hue(std::size_t i) {
+Rgba8 line_colour(std::size_t i) {
   const double turn = double(i * 5 % 12) / 2;
   const auto channel = [turn](double at) {
     const double away = std::abs(std::remainder(turn - at, 6.0));
@@ -253,7 +253,7 @@ Rgba8 hue(std::size_t i) {
   return {channel(0), channel(2), channel(4), 255};
 }
 
-void mark(Image<Rgba8>& picture, int x, int y, const Rgba8& colour) {
+void set_pixel(Image<Rgba8>& picture, int x, int y, const Rgba8& colour) {
   if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) picture.at(x, y) = colour;
 }
 
@@ -265,7 +265,7 @@ void draw_line(Image<Rgba8>& picture, const lab_10::Line& line, const Rgba8& col
   const int count = steep ? picture.height : picture.width;
   for (int i = 0; i < count; ++i) {
     const double at = std::clamp(std::floor(-(along * (i + 0.5) + line.c) / across), -1e6, 1e6);
-    mark(picture, steep ? int(at) : i, steep ? i : int(at), colour);
+    set_pixel(picture, steep ? int(at) : i, steep ? i : int(at), colour);
   }
 }
 
@@ -276,10 +276,10 @@ void draw_point(Image<Rgba8>& picture, const Vector3d& seen, const lab_10::Camer
   const int x = place(camera.f * seen.x() / seen.z() + camera.x);
   const int y = place(camera.f * seen.y() / seen.z() + camera.y);
   for (int i = -2; i <= 2; ++i) {
-    mark(picture, x + i, y, {255, 255, 255, 255});
-    mark(picture, x, y + i, {255, 255, 255, 255});
+    set_pixel(picture, x + i, y, {255, 255, 255, 255});
+    set_pixel(picture, x, y + i, {255, 255, 255, 255});
   }
-  mark(picture, x, y, {0, 0, 0, 255});
+  set_pixel(picture, x, y, {0, 0, 0, 255});
 }
 
 struct Answers {
@@ -287,12 +287,12 @@ struct Answers {
 };
 
 Result<Answers> ask(const Pair& pair, const std::vector<lab_10::Pixel>& shown,
-                    const views::Matches& shown_matches, Answering& answering) {
+                    const views::Matches& shown_matches, AnswerSource& answer_source) {
   const auto one = [&](std::size_t stage, const Numbers& question,
                        std::size_t count) -> Result<Numbers> {
-    auto answer = answering.ask(stages()[stage], std::vector<Question>{{question}});
+    auto answer = answer_source.ask(stages()[stage], std::vector<Question>{{question}});
     if (!answer) return tl::unexpected(answer.error());
-    return usable(std::move((*answer)[0]), count);
+    return finite_answer(std::move((*answer)[0]), count);
   };
   Numbers question;
   append(question, pair.calibrated);
@@ -315,12 +315,12 @@ Result<Answers> ask(const Pair& pair, const std::vector<lab_10::Pixel>& shown,
   return Answers{*lines, *pose, *points};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (drawn.pair.half_separation == 0)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (input.pair.half_separation == 0)
     return fail("--eye-separation", "0: both cameras are at the same place, so there is no depth",
                 "give a separation above 0");
-  const View second = second_view(drawn.view, drawn.pair);
-  const auto pair = matched(drawn, second);
+  const View second = second_view(input.view, input.pair);
+  const auto pair = matched(input, second);
   if (!pair) return tl::unexpected(pair.error());
   std::vector<lab_10::Pixel> shown;
   views::Matches shown_matches;
@@ -328,16 +328,16 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
     shown.push_back(pair->pixels[i]);
     shown_matches.push_back(pair->calibrated[i]);
   }
-  const auto answers = ask(*pair, shown, shown_matches, answering);
+  const auto answers = ask(*pair, shown, shown_matches, answer_source);
   if (!answers) return tl::unexpected(answers.error());
 
-  StandIn made{drawn.scene, second, drawn.settings, nullptr, {}};
+  PictureSetup made{input.scene, second, input.settings, nullptr, {}};
   made.finish = [answers = *answers, camera = pair->right](Framebuffer& picture) {
     RecordReader lines = reader(answers.lines), points = reader(answers.points);
     RecordReader pose = reader(answers.pose);
     for (std::size_t i = 0; lines.more(); ++i) {
       const lab_10::Vector line = vector(lines);
-      draw_line(picture.color, {line[0], line[1], line[2]}, hue(i));
+      draw_line(picture.color, {line[0], line[1], line[2]}, line_colour(i));
     }
     const Matrix3d rotation = epipolar::matrix_of(matrix(pose));
     const Vector3d centre = epipolar::vector_of(vector(pose));

@@ -25,7 +25,7 @@ Matrix3d calibration_of(const lab_10::Camera& camera) {
   return k;
 }
 
-Vector3d seen_at(const lab_10::Camera& camera, const lab_10::Pixel& pixel) {
+Vector3d ray_direction(const lab_10::Camera& camera, const lab_10::Pixel& pixel) {
   return {(pixel.x - camera.x) / camera.f, (pixel.y - camera.y) / camera.f, 1};
 }
 
@@ -99,7 +99,7 @@ LinearSolution solve(const views::Matches& calibrated) {
 double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel) {
   const Matrix3d e = matrix_of(essential);
-  const Vector3d seen = seen_at(left, pixel), line = e * seen;
+  const Vector3d seen = ray_direction(left, pixel), line = e * seen;
   const double size = line.head<2>().norm();
   if (size == 0) return 0;
   const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
@@ -108,7 +108,7 @@ double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left
 
 lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel) {
-  const Vector3d seen = matrix_of(essential) * seen_at(left, pixel);
+  const Vector3d seen = matrix_of(essential) * ray_direction(left, pixel);
   Vector3d line = calibration_of(right).inverse().transpose() * seen;
   const double size = line.head<2>().norm();
   if (size == 0) return {};

@@ -87,7 +87,7 @@ Case expect_path(const PathCase& input) {
 Case expect_best(const WinnerCase& input) {
   const double d = matching::winner(input.costs);
   return {input.what,
-          "costs " + text_of(input.costs) + command_for(input.what),
+          "costs " + text_of(input.costs) + extreme_case_command(input.what),
           {numbers("disparity", {d}, std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d), "px")}};
 }
 
@@ -111,7 +111,7 @@ Case expect_confirmed(const CheckCase& input) {
   return {.where = input.what,
           .restated = fmt::format("left {}; right {}; tolerance {}", text_of(input.left),
                                   text_of(input.right), input.tolerance) +
-                      command_for(input.what),
+                      extreme_case_command(input.what),
           .expected = expected(-1),
           .slipped = {{"disparity-sign", expected(1)}}};
 }
@@ -122,7 +122,7 @@ Case expect_depth(const DepthCase& input) {
   return {input.what,
           fmt::format("d = {}, f = {}, B = {}, offset {}", input.disparity, input.calibration.focal,
                       input.calibration.baseline, input.calibration.offset) +
-              command_for(input.what),
+              extreme_case_command(input.what),
           {numbers("depth", {z}, std::isinf(z) ? 0 : matching::kDepthBound * z, "world units")}};
 }
 

@@ -9,8 +9,8 @@
 
 #include "labs/11-matching/reference.h"
 #include "labs/drawing/drawing.h"
-#include "views/matching/pictures.h"
-#include "views/matching/rendered.h"
+#include "views/matching/color_planes.h"
+#include "views/matching/rendered_pair.h"
 
 namespace glassbox::labs {
 
@@ -164,20 +164,20 @@ struct Pair {
 };
 
 Picture grey_of(const Image<Rgba8>& image) {
-  const views::Planes planes = views::planes_of(image);
+  const views::ColorPlanes planes = views::color_planes(image);
   return {image.width, image.height, {planes.grey.begin(), planes.grey.end()}};
 }
 
 // Renders the pair with eyes without skew, so that disparities begin at 0.
-Result<Pair> rendered(const Drawn& drawn) {
-  View view = drawn.view;
+Result<Pair> rendered(const DrawingInput& input) {
+  View view = input.view;
   const int width = int(view.viewport.width()), height = int(view.viewport.height());
   Pair pair;
   pair.square = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
   view.viewport = {0, 0, float(std::max(1, width / pair.square)),
                    float(std::max(1, height / pair.square))};
-  const StereoPair eyes{drawn.pair.half_separation};
-  const auto made = views::rendered_pair(drawn.scene, view, eyes, drawn.settings);
+  const StereoPair eyes{input.pair.half_separation};
+  const auto made = views::rendered_pair(input.scene, view, eyes, input.settings);
   if (!made) return tl::unexpected(made.error());
   pair.left = grey_of(made->left);
   pair.right = grey_of(made->right);
@@ -194,8 +194,8 @@ Result<Pair> rendered(const Drawn& drawn) {
 
 // The answers with exactly `count` numbers each, clamped, so that the later stages can compute with
 // them.
-std::vector<Numbers> usable(std::vector<Numbers> answers, std::size_t count, double least,
-                            double most) {
+std::vector<Numbers> clamped_answers(std::vector<Numbers> answers, std::size_t count, double least,
+                                     double most) {
   for (Numbers& answer : answers) {
     answer.resize(count);
     for (double& x : answer) x = std::isnan(x) ? least : std::clamp(x, least, most);
@@ -205,9 +205,9 @@ std::vector<Numbers> usable(std::vector<Numbers> answers, std::size_t count, dou
 
 class Matching {
 public:
-  Matching(const Pair& pair, Answering& answering)
+  Matching(const Pair& pair, AnswerSource& answer_source)
       : pair_(pair),
-        answering_(answering),
+        answer_source_(answer_source),
         width_(std::size_t(pair.left.width)),
         height_(std::size_t(pair.left.height)),
         count_(std::size_t(pair.disparities)) {}
@@ -218,32 +218,33 @@ public:
     const auto sums = sums_of_paths(*costs);
     if (!sums) return sums;
     std::vector<Question> questions;
-    for (const Numbers& row : *sums) questions.push_back({with({double(count_)}, row)});
+    for (const Numbers& row : *sums) questions.push_back({concatenated({double(count_)}, row)});
     const auto left = ask(kLeft, questions, width_, 0, kNone);
     if (!left) return left;
     const auto right = ask(kRight, questions, width_, 0, kNone);
     if (!right) return right;
     for (std::size_t y = 0; y < height_; ++y)
-      questions[y].numbers = with(with({kTolerance, double(width_)}, (*left)[y]), (*right)[y]);
+      questions[y].numbers =
+          concatenated(concatenated({kTolerance, double(width_)}, (*left)[y]), (*right)[y]);
     const auto checked = ask(kCheck, questions, width_, 0, kNone);
     if (!checked) return checked;
     const auto& c = pair_.calibration;
     for (std::size_t y = 0; y < height_; ++y)
-      questions[y].numbers = with({c.focal, c.baseline, c.offset}, (*checked)[y]);
+      questions[y].numbers = concatenated({c.focal, c.baseline, c.offset}, (*checked)[y]);
     return ask(kDepth, questions, width_, 0, kNone);
   }
 
 private:
-  static Numbers with(Numbers head, const Numbers& more) {
+  static Numbers concatenated(Numbers head, const Numbers& more) {
     head.insert(head.end(), more.begin(), more.end());
     return head;
   }
 
   Result<std::vector<Numbers>> ask(Stage stage, const std::vector<Question>& questions,
                                    std::size_t count, double least, double most) {
-    auto answers = answering_.ask(stages()[stage], questions);
+    auto answers = answer_source_.ask(stages()[stage], questions);
     if (!answers) return answers;
-    return usable(std::move(*answers), count, least, most);
+    return clamped_answers(std::move(*answers), count, least, most);
   }
 
   // One question for each row, with the rows around it that the costs use.
@@ -305,7 +306,7 @@ private:
   }
 
   const Pair& pair_;
-  Answering& answering_;
+  AnswerSource& answer_source_;
   std::size_t width_, height_, count_;
 };
 
@@ -318,20 +319,20 @@ Rgba8 shade_of(double depth, const Pair& pair) {
   return {code, code, code, 255};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (drawn.pair.half_separation == 0)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (input.pair.half_separation == 0)
     return fail("--eye-separation", "0: both eyes see the same picture, so there is no depth",
                 "give a separation above 0");
-  const auto pair = rendered(drawn);
+  const auto pair = rendered(input);
   if (!pair) return tl::unexpected(pair.error());
-  const auto depths = Matching(*pair, answering).depths();
+  const auto depths = Matching(*pair, answer_source).depths();
   if (!depths) return tl::unexpected(depths.error());
 
-  StandIn made{drawn.scene,
-               eye_view(drawn.view, {drawn.pair.half_separation}, Side::kLeft),
-               drawn.settings,
-               nullptr,
-               {}};
+  PictureSetup made{input.scene,
+                    eye_view(input.view, {input.pair.half_separation}, Side::kLeft),
+                    input.settings,
+                    nullptr,
+                    {}};
   made.finish = [depths = *depths, pair = *pair](Framebuffer& picture) {
     for (int y = 0; y < picture.color.height; ++y) {
       const auto row = std::min(std::size_t(y / pair.square), depths.size() - 1);

@@ -67,7 +67,7 @@ Case expect_packed(const PackCase& input) {
                         number_of_colour(s.colour));
   }
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = packed_fields(input, true),
           .slipped = {{"y-direction", packed_fields(input, false)}}};
 }
@@ -143,7 +143,7 @@ Case expect_matrix(const MatrixCase& input) {
                               input.first.at(3, 0), input.first.at(3, 1), input.first.at(3, 2),
                               input.first.at(3, 3), input.second.at(3, 0), input.second.at(3, 1),
                               input.second.at(3, 2), input.second.at(3, 3)) +
-                  command_for(input.what),
+                  extreme_case_command(input.what),
       .expected = matrix_fields(second * back, bounds),
       .slipped = {{"multiplication-order", matrix_fields(back * second, other_order)}}};
 }
@@ -193,7 +193,7 @@ Case expect_row(const RowCase& input) {
     text += fmt::format(" ({:.8g}, {:.8g}, {:.8g}, {:.8g})", input.warp.at(i, 0),
                         input.warp.at(i, 1), input.warp.at(i, 2), input.warp.at(i, 3));
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = row_fields(input, input.warp, 0.5),
           .slipped = {{"half-pixel", row_fields(input, input.warp, 0)},
                       {"row-column-order", row_fields(input, transposed(input.warp), 0.5)}}};
@@ -210,7 +210,7 @@ Case expect_size(const SizeCase& input) {
   return {.where = what,
           .restated = fmt::format("F2/F1 = {}, d2/d1 = {}, cosines {} and {}; l = {:.9g} px", ratio,
                                   w, first, second, side) +
-                      command_for(what),
+                      extreme_case_command(what),
           .expected = {numbers("side", {drawn}, 8 * unit_roundoff<double> * drawn, "px"),
                        numbers("is cut", {side > 64 ? 1.0 : 0.0})}};
 }
@@ -238,7 +238,7 @@ Case expect_order(const OrderCase& input) {
                                          : fmt::format("at column {}, {} the first eye",
                                                        epipole / w, w > 0 ? "before" : "behind"),
                                   count) +
-                      command_for(what),
+                      extreme_case_command(what),
           .expected = {numbers("order", order)}};
 }
 
@@ -287,7 +287,7 @@ Case expect_picture(const DrawCase& input) {
                         s.at.x, s.at.y, s.at.z, s.at.w, s.side, number_of_colour(s.colour));
   }
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = picture_fields(canvas, {}),
           .slipped = {{"depth-or-equal", picture_fields(canvas, {true, 0.5})},
                       {"half-pixel", picture_fields(canvas, {false, 0})},

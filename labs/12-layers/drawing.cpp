@@ -219,12 +219,12 @@ enum Stage : std::size_t { kPack, kMatrix, kRow, kSize, kOrder, kDraw };
 
 // ---- in the pipeline ----
 
-Result<std::vector<Numbers>> ask(Answering& answering, Stage stage,
+Result<std::vector<Numbers>> ask(AnswerSource& answer_source, Stage stage,
                                  const std::vector<Question>& questions) {
-  return answering.ask(stages()[stage], questions);
+  return answer_source.ask(stages()[stage], questions);
 }
-Result<Numbers> ask_one(Answering& answering, Stage stage, Numbers numbers) {
-  return ask(answering, stage, {{std::move(numbers)}}).map([](std::vector<Numbers>&& answers) {
+Result<Numbers> ask_one(AnswerSource& answer_source, Stage stage, Numbers numbers) {
+  return ask(answer_source, stage, {{std::move(numbers)}}).map([](std::vector<Numbers>&& answers) {
     return std::move(answers[0]);
   });
 }
@@ -237,10 +237,10 @@ Rgba8 unpacked_colour(double colour) {
 
 // Some rows of the first picture, from the bottom up, as they are packed: the samples of pixel
 // (x, y) with their depths and colours.
-struct Seen {
+struct DepthSample {
   double depth = 0, colour = 0;
 };
-using Row = std::vector<std::vector<Seen>>;
+using Row = std::vector<std::vector<DepthSample>>;
 
 std::vector<Question> pack_questions(const View& first, const std::vector<views::Layer>& layers) {
   const int width = int(first.viewport.width()), height = int(first.viewport.height());
@@ -288,7 +288,7 @@ Question row_question(const Numbers& warp, int y, const Row& row) {
   question.numbers.push_back(y);
   for (const auto& here : row) {
     question.numbers.push_back(double(here.size()));
-    for (const Seen& sample : here) question.numbers.push_back(sample.depth);
+    for (const DepthSample& sample : here) question.numbers.push_back(sample.depth);
   }
   return question;
 }
@@ -304,19 +304,19 @@ double focal_length(const views::LayerCamera& camera) {
   return std::sqrt(across(0) * across(1));
 }
 
-struct Placed {
+struct WarpedSample {
   double x, y, z, w;  // x, y and z are multiplied by w
   double side, colour;
 };
 
 // One question for each band of the second picture: the samples that may cover it, in the order of
 // visits. A sample that is not in front of the eye has no position: it is put into the first band.
-std::vector<Question> draw_questions(const std::vector<Placed>& samples, int width, int height,
-                                     double background) {
+std::vector<Question> draw_questions(const std::vector<WarpedSample>& samples, int width,
+                                     int height, double background) {
   std::vector<Question> questions;
   for (int top = 0; top < height; top += kRows)
     questions.push_back({{double(width), double(std::min(kRows, height - top)), background}});
-  for (const Placed& s : samples) {
+  for (const WarpedSample& s : samples) {
     const bool is_before = s.w > 0;
     const double y = is_before ? s.y / s.w : 0, half = s.side / 2 + 1;
     if (!std::isfinite(y) || !std::isfinite(half)) continue;
@@ -354,10 +354,10 @@ Numbers matrix_numbers(const views::LayerCamera& first, const views::LayerCamera
 
 // For each row of the first picture, from the top: its samples with their positions in the second
 // picture.
-using PlacedRows = std::vector<std::vector<std::vector<Placed>>>;
+using WarpedRows = std::vector<std::vector<std::vector<WarpedSample>>>;
 
-Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp, int width,
-                         int height, double focal_ratio, Answering& answering) {
+Result<WarpedRows> warp_samples(const std::vector<Numbers>& bands, const Numbers& warp, int width,
+                                int height, double focal_ratio, AnswerSource& answer_source) {
   std::vector<Row> rows;
   std::vector<Question> questions;
   for (int y = 0; y < height; ++y) {
@@ -365,7 +365,7 @@ Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp,
     rows.push_back(row_of(bands[std::size_t(band)], width, band_rows, y % kRows));
     questions.push_back(row_question(warp, y, rows.back()));
   }
-  auto warped = ask(answering, kRow, questions);
+  auto warped = ask(answer_source, kRow, questions);
   if (!warped) return tl::unexpected(warped.error());
   // A short answer is padded with zeros.
   std::vector<Question> size_questions;
@@ -380,68 +380,69 @@ Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp,
     }
     size_questions.push_back(std::move(question));
   }
-  auto sizes = ask(answering, kSize, size_questions);
+  auto sizes = ask(answer_source, kSize, size_questions);
   if (!sizes) return tl::unexpected(sizes.error());
-  PlacedRows placed(rows.size());
+  WarpedRows warped_rows(rows.size());
   for (std::size_t y = 0; y < rows.size(); ++y) {
     const Numbers& at = (*warped)[y];
     (*sizes)[y].resize(at.size() / 2);
     std::size_t i = 0;
     for (const auto& here : rows[y]) {
-      placed[y].emplace_back();
-      for (const Seen& sample : here) {
+      warped_rows[y].emplace_back();
+      for (const DepthSample& sample : here) {
         const double side = std::clamp((*sizes)[y][2 * i], 0.0, 4 * kMostPx);
-        placed[y].back().push_back({double(carried(at[4 * i])), double(carried(at[4 * i + 1])),
-                                    double(carried(at[4 * i + 2])), double(carried(at[4 * i + 3])),
-                                    std::isfinite(side) ? side : 0, sample.colour});
+        warped_rows[y].back().push_back(
+            {double(to_finite_float(at[4 * i])), double(to_finite_float(at[4 * i + 1])),
+             double(to_finite_float(at[4 * i + 2])), double(to_finite_float(at[4 * i + 3])),
+             std::isfinite(side) ? side : 0, sample.colour});
         ++i;
       }
     }
   }
-  return placed;
+  return warped_rows;
 }
 
-View eye_of_pair(const Drawn& drawn, Side side) {
-  return eye_view(drawn.view, drawn.pair, side);
+View eye_of_pair(const DrawingInput& input, Side side) {
+  return eye_view(input.view, input.pair, side);
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (const auto opaque = check_opaque(drawn.scene, "lab 12"); !opaque)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (const auto opaque = check_opaque(input.scene, "lab 12"); !opaque)
     return tl::unexpected(opaque.error());
-  const View left = eye_of_pair(drawn, Side::kLeft), right = eye_of_pair(drawn, Side::kRight);
-  StandIn made{drawn.scene, right, drawn.settings, nullptr, {}};
+  const View left = eye_of_pair(input, Side::kLeft), right = eye_of_pair(input, Side::kRight);
+  PictureSetup made{input.scene, right, input.settings, nullptr, {}};
   made.settings.show = Show::kColor;
   const int width = int(left.viewport.width()), height = int(left.viewport.height());
 
   RenderSettings with_distance = made.settings;
   with_distance.want_distance = true;
   const auto bands =
-      ask(answering, kPack,
-          pack_questions(left, views::peel(drawn.scene, left, with_distance, kLayers)));
+      ask(answer_source, kPack,
+          pack_questions(left, views::peel(input.scene, left, with_distance, kLayers)));
   if (!bands) return tl::unexpected(bands.error());
   const views::LayerCamera first = views::layer_camera(left), second = views::layer_camera(right);
-  auto warp = ask_one(answering, kMatrix, matrix_numbers(first, second));
+  auto warp = ask_one(answer_source, kMatrix, matrix_numbers(first, second));
   if (!warp) return tl::unexpected(warp.error());
   warp->resize(16);
   for (double& entry : *warp) entry = std::isfinite(entry) ? entry : 0;
-  const auto rows =
-      place(*bands, *warp, width, height, focal_length(second) / focal_length(first), answering);
+  const auto rows = warp_samples(*bands, *warp, width, height,
+                                 focal_length(second) / focal_length(first), answer_source);
   if (!rows) return tl::unexpected(rows.error());
 
   const Eigen::Vector4d epipole = first.screen_from_world * views::eye_of(second);
   const auto orders = ask(
-      answering, kOrder,
+      answer_source, kOrder,
       {{{epipole.x(), epipole.w(), double(width)}}, {{epipole.y(), epipole.w(), double(height)}}});
   if (!orders) return tl::unexpected(orders.error());
-  std::vector<Placed> samples;
+  std::vector<WarpedSample> samples;
   const std::vector<std::size_t> columns = numbers_below((*orders)[0], width);
   for (const std::size_t y : numbers_below((*orders)[1], height)) {
     for (const std::size_t x : columns)
       samples.insert(samples.end(), (*rows)[y][x].begin(), (*rows)[y][x].end());
   }
   const auto drawn_bands = ask(
-      answering, kDraw,
-      draw_questions(samples, width, height, lab_12::number_of_colour(drawn.settings.background)));
+      answer_source, kDraw,
+      draw_questions(samples, width, height, lab_12::number_of_colour(input.settings.background)));
   if (!drawn_bands) return tl::unexpected(drawn_bands.error());
   made.finish = [bands = *drawn_bands, width](Framebuffer& picture) {
     const std::size_t of_band = std::size_t(kRows) * std::size_t(width);
@@ -454,8 +455,8 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
 }
 
 // The right eye's own picture.
-StandIn truth(const Drawn& drawn) {
-  StandIn right{drawn.scene, eye_of_pair(drawn, Side::kRight), drawn.settings, nullptr, {}};
+PictureSetup truth(const DrawingInput& input) {
+  PictureSetup right{input.scene, eye_of_pair(input, Side::kRight), input.settings, nullptr, {}};
   right.settings.show = Show::kColor;
   return right;
 }

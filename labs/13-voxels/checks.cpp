@@ -19,7 +19,7 @@ Case expect_kind(const OrderCase& input) {
   for (const Place& c : input.cameras) text += fmt::format("\ncamera ({}, {}, {})", c.x, c.y, c.z);
   const Order right = voxels::classify(input.cameras, input.box);
   return {input.what,
-          text + command_for(input.what),
+          text + extreme_case_command(input.what),
           {numbers("kind", {double(right.kind)}),
            numbers("away", {double(right.away[0]), double(right.away[1]), double(right.away[2])})}};
 }
@@ -30,7 +30,7 @@ Case expect_deviation(const ColoursCase& input) {
     text += fmt::format("\ncolour {}: ({})", i, fmt::join(input.colours[i], ", "));
   const Statistics right = voxels::statistics(input.colours);
   return {input.what,
-          text + command_for(input.what),
+          text + extreme_case_command(input.what),
           {numbers("mean", {right.mean[0], right.mean[1], right.mean[2]},
                    voxels::mean_bound(input.colours), "levels"),
            numbers("deviation", {right.deviation},
@@ -47,7 +47,7 @@ Case expect_verdict(const JudgeCase& input) {
                                                 pixel.is_hidden ? " hidden" : "");
   }
   return {input.what,
-          text + command_for(input.what),
+          text + extreme_case_command(input.what),
           {numbers("verdict", {double(voxels::judge(input.pictures, input.threshold))})}};
 }
 
@@ -61,7 +61,8 @@ Case expect_pixels(const FootprintCase& input) {
   std::string text = fmt::format("voxel ({}, {}, {}), picture of {} x {}; P", input.voxel.x,
                                  input.voxel.y, input.voxel.z, input.width, input.height);
   for (const auto& row : input.pixel_from_grid) text += fmt::format(" ({})", fmt::join(row, ", "));
-  return {input.what, text + command_for(input.what), {matrix("columns and rows", 2, all)}};
+  return {
+      input.what, text + extreme_case_command(input.what), {matrix("columns and rows", 2, all)}};
 }
 
 Case expect_coloured(const SweepCase& input) {
@@ -77,7 +78,7 @@ Case expect_coloured(const SweepCase& input) {
                   input.pictures.size(), input.pictures[0].width, input.pictures[0].height,
                   input.grid.count[0], input.grid.count[1], input.grid.count[2],
                   input.grid.away > 0 ? "" : "-", char('x' + input.grid.axis), input.threshold.k2) +
-          command_for(input.what),
+          extreme_case_command(input.what),
       {matrix("voxels", 3, places), matrix("colours", 3, colours, bound, "levels")}};
 }
 

@@ -9,7 +9,7 @@
 #include "labs/drawing/drawing.h"
 #include "views/rings/draw_ring.h"
 #include "views/two_view/camera.h"
-#include "views/voxels/draw.h"
+#include "views/voxels/draw_voxels.h"
 
 namespace glassbox::labs {
 
@@ -105,24 +105,24 @@ enum Stage : std::size_t { kOrder, kSweep };
 
 // ---- in the pipeline ----
 
-Result<Numbers> ask_one(Answering& answering, Stage stage, Numbers numbers) {
+Result<Numbers> ask_one(AnswerSource& answer_source, Stage stage, Numbers numbers) {
   const std::vector<Question> questions{{std::move(numbers)}};
-  return answering.ask(stages()[stage], questions).map([](std::vector<Numbers>&& answers) {
+  return answer_source.ask(stages()[stage], questions).map([](std::vector<Numbers>&& answers) {
     return std::move(answers[0]);
   });
 }
 
-Result<views::PictureSet> ring_of(const Drawn& drawn) {
+Result<views::PictureSet> ring_of(const DrawingInput& input) {
   views::RingOptions options;
   options.views = kViews;
   options.elevations = {kElevation};
   options.start_degrees = kStart;
   options.width = options.height = kSide;
-  const auto ring = views::ring_views(drawn.scene, options);
+  const auto ring = views::ring_views(input.scene, options);
   if (!ring) return tl::unexpected(ring.error());
   RenderSettings settings;
   settings.shading = Shading::kUnlit;
-  return views::draw_ring(drawn.scene, *ring, settings, views::Matte::kDepth);
+  return views::draw_ring(input.scene, *ring, settings, views::Matte::kDepth);
 }
 
 Numbers order_question(const views::PictureSet& set) {
@@ -182,35 +182,35 @@ std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::V
 }
 
 // The first axis that has an order, and its direction; z if there is none.
-std::pair<int, int> way_of(const Numbers& order) {
+std::pair<int, int> sweep_direction(const Numbers& order) {
   for (std::size_t axis = 0; axis < 3 && axis + 1 < order.size(); ++axis) {
     if (order[axis + 1] == 1 || order[axis + 1] == -1) return {int(axis), int(order[axis + 1])};
   }
   return {2, 1};
 }
 
-Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
-  if (const auto opaque = check_opaque(drawn.scene, "lab 13"); !opaque)
+Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
+  if (const auto opaque = check_opaque(input.scene, "lab 13"); !opaque)
     return tl::unexpected(opaque.error());
-  const auto set = ring_of(drawn);
+  const auto set = ring_of(input);
   if (!set) return tl::unexpected(set.error());
   const auto grid = views::grid_of(*set->box, views::size_for(*set->box, kResolution),
                                    views::Matrix3d::Identity());
   if (!grid) return tl::unexpected(grid.error());
-  const auto camera = views::camera_of(drawn.view);
+  const auto camera = views::camera_of(input.view);
   if (!camera) return tl::unexpected(camera.error());
-  const auto order = ask_one(answering, kOrder, order_question(*set));
+  const auto order = ask_one(answer_source, kOrder, order_question(*set));
   if (!order) return tl::unexpected(order.error());
-  const auto [axis, away] = way_of(*order);
-  const auto found = ask_one(answering, kSweep, sweep_question(*set, *grid, axis, away));
+  const auto [axis, away] = sweep_direction(*order);
+  const auto found = ask_one(answer_source, kSweep, sweep_question(*set, *grid, axis, away));
   if (!found) return tl::unexpected(found.error());
 
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   made.settings.show = Show::kColor;
   made.finish = [picture = views::draw_voxels(*grid, voxels_in(*found, *grid), *camera,
-                                              int(drawn.view.viewport.width()),
-                                              int(drawn.view.viewport.height()),
-                                              drawn.settings.background)
+                                              int(input.view.viewport.width()),
+                                              int(input.view.viewport.height()),
+                                              input.settings.background)
                                .color](Framebuffer& buffers) {
     if (buffers.color.pixels.size() == picture.pixels.size()) buffers.color.pixels = picture.pixels;
   };
@@ -218,8 +218,8 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
 }
 
 // The camera's picture of the scene itself.
-StandIn truth(const Drawn& drawn) {
-  StandIn scene{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+PictureSetup truth(const DrawingInput& input) {
+  PictureSetup scene{input.scene, input.view, input.settings, nullptr, {}};
   scene.settings.show = Show::kColor;
   return scene;
 }

@@ -98,18 +98,20 @@ Verdict judge(const std::vector<std::vector<Pixel>>& pictures, const Threshold& 
 
 namespace {
 
-struct Seen {
+struct ProjectedPoint {
   long double u = 0, v = 0;
 };
 // Returns nothing where the point is not in front of the camera.
-std::optional<Seen> project(const Projection& p, long double x, long double y, long double z) {
+std::optional<ProjectedPoint> project(const Projection& p, long double x, long double y,
+                                      long double z) {
   long double h[3];
   for (std::size_t i = 0; i < 3; ++i) h[i] = p[i][0] * x + p[i][1] * y + p[i][2] * z + p[i][3];
   if (!(h[2] > 0)) return std::nullopt;
-  return Seen{h[0] / h[2], h[1] / h[2]};
+  return ProjectedPoint{h[0] / h[2], h[1] / h[2]};
 }
 
-std::optional<PixelAt> middle_of(const Projection& p, const Voxel& voxel, int width, int height) {
+std::optional<PixelAt> centre_pixel(const Projection& p, const Voxel& voxel, int width,
+                                    int height) {
   const auto at = project(p, voxel.x + 0.5L, voxel.y + 0.5L, voxel.z + 0.5L);
   if (!at || at->u < 0 || at->v < 0 || at->u >= width || at->v >= height) return std::nullopt;
   return PixelAt{int(at->u), int(at->v)};
@@ -120,8 +122,8 @@ std::optional<PixelAt> middle_of(const Projection& p, const Voxel& voxel, int wi
 std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& voxel, int width,
                                int height) {
   if (!project(pixel_from_grid, voxel.x + 0.5L, voxel.y + 0.5L, voxel.z + 0.5L)) return {};
-  const auto own = middle_of(pixel_from_grid, voxel, width, height);
-  std::vector<Seen> corners;
+  const auto own = centre_pixel(pixel_from_grid, voxel, width, height);
+  std::vector<ProjectedPoint> corners;
   for (int i = 0; i < 8; ++i) {
     const auto at =
         project(pixel_from_grid, voxel.x + (i & 1), voxel.y + (i >> 1 & 1), voxel.z + (i >> 2));
@@ -131,8 +133,8 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
   bool has_own = false;
   for (int row = 0; row < height && corners.size() == 8; ++row) {
     for (int column = 0; column < width; ++column) {
-      const auto [left, right] = std::ranges::minmax(corners, {}, &Seen::u);
-      const auto [top, bottom] = std::ranges::minmax(corners, {}, &Seen::v);
+      const auto [left, right] = std::ranges::minmax(corners, {}, &ProjectedPoint::u);
+      const auto [top, bottom] = std::ranges::minmax(corners, {}, &ProjectedPoint::v);
       const long double u = column + 0.5L, v = row + 0.5L;
       if (u < left.u || u > right.u || v < top.v || v > bottom.v) continue;
       pixels.push_back({column, row});
@@ -162,7 +164,7 @@ std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
       std::vector<Pixel*> here;
       std::vector<std::vector<Pixel>> seen;
       for (Picture& picture : pictures) {
-        const auto at = middle_of(picture.pixel_from_grid, voxel, picture.width, picture.height);
+        const auto at = centre_pixel(picture.pixel_from_grid, voxel, picture.width, picture.height);
         if (!at) continue;
         here.push_back(&picture.pixels[std::size_t(at->row * picture.width + at->column)]);
         seen.push_back({*here.back()});

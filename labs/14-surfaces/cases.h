@@ -8,7 +8,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 #include "student.h"
 
 namespace lab_14 {

@@ -43,7 +43,8 @@ std::string corners_text(unsigned inside) {
 Case expect_cell(const CellCase& input) {
   return {.where = input.what,
           .restated = "corners inside:" + corners_text(input.inside) +
-                      "; the edges of each polygon, with -1 after them" + command_for(input.what),
+                      "; the edges of each polygon, with -1 after them" +
+                      extreme_case_command(input.what),
           .expected = {numbers("edges of the polygons", listed_polygons(input.inside))}};
 }
 
@@ -74,7 +75,7 @@ Case expect_crossing(const EdgeCase& input) {
   return {.where = input.what,
           .restated = fmt::format("values {} and {} at the ends, level {}", input.from, input.to,
                                   input.level) +
-                      command_for(input.what),
+                      extreme_case_command(input.what),
           .expected = {numbers("share", {share}, 8 * unit_roundoff<double> * share)}};
 }
 
@@ -117,7 +118,7 @@ Case expect_edits(const EditCase& input) {
     }
   }
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = {numbers("ids seen", seen), numbers("samples of each pixel", counts),
                        numbers("ids", ids), numbers("distances", distances)}};
 }
@@ -126,7 +127,7 @@ Case expect_edits(const EditCase& input) {
 
 using Exact3 = std::array<Rational, 3>;
 
-Exact3 exactly(const lab_14::Vector& v) {
+Exact3 exact_vector(const lab_14::Vector& v) {
   return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
 }
 Rational volume_of_exact(const Exact3& a, const Exact3& b, const Exact3& c) {
@@ -146,9 +147,9 @@ struct ExactWeights {
 // most 2 for unit vectors. Divided by |det| this is the error of a weight; a weight divided by a
 // sum that is at least as large has at most four times that error.
 ExactWeights exact_weights(const ViewCase& input) {
-  const Exact3 v = exactly(input.direction);
+  const Exact3 v = exact_vector(input.direction);
   std::array<Exact3, 3> views;
-  for (std::size_t i = 0; i < 3; ++i) views[i] = exactly(input.views[i]);
+  for (std::size_t i = 0; i < 3; ++i) views[i] = exact_vector(input.views[i]);
   const Rational volume = volume_of_exact(views[0], views[1], views[2]);
   std::array<Rational, 3> w;
   Rational sum(0);
@@ -183,7 +184,7 @@ Case expect_weights(const ViewCase& input) {
                         view[2], input.sees[i] ? "sees" : "does not see");
   }
   return {.where = input.what,
-          .restated = text + command_for(input.what),
+          .restated = text + extreme_case_command(input.what),
           .expected = {numbers("weights", {exact.weights[0], exact.weights[1], exact.weights[2]},
                                exact.bound)}};
 }
@@ -229,7 +230,7 @@ Case expect_statistics(const BandCase& input) {
   const double u = unit_roundoff<double>, off = n * u * largest_value(input.pixels);
   return {.where = input.what,
           .restated = fmt::format("{} pixels of {} bands", input.pixels.size(), bands) +
-                      command_for(input.what),
+                      extreme_case_command(input.what),
           .expected = {numbers("mean", means, 2 * off), matrix("covariance", int(bands), covariance,
                                                                8 * n * u * most + 4 * off * off)}};
 }
@@ -242,18 +243,18 @@ Case expect_reconstruction(const BandCase& input) {
   std::vector<double> all;
   Long error = 0, spread = 0, farthest = 0;
   for (const auto& x : input.pixels) {
-    std::vector<Long> again(mean.begin(), mean.end());
+    std::vector<Long> reconstructed(mean.begin(), mean.end());
     for (std::size_t c = 0; c < input.k; ++c) {
       Long along = 0;
       for (std::size_t i = 0; i < x.size(); ++i)
         along += Long(vectors[c][i]) * (Long(x[i]) - Long(mean[i]));
-      for (std::size_t i = 0; i < x.size(); ++i) again[i] += along * Long(vectors[c][i]);
+      for (std::size_t i = 0; i < x.size(); ++i) reconstructed[i] += along * Long(vectors[c][i]);
     }
     Long from_mean = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      error += (Long(x[i]) - again[i]) * (Long(x[i]) - again[i]);
+      error += (Long(x[i]) - reconstructed[i]) * (Long(x[i]) - reconstructed[i]);
       from_mean += (Long(x[i]) - Long(mean[i])) * (Long(x[i]) - Long(mean[i]));
-      all.push_back(double(again[i]));
+      all.push_back(double(reconstructed[i]));
     }
     spread += from_mean;
     farthest = std::max(farthest, std::sqrt(from_mean));
@@ -266,7 +267,7 @@ Case expect_reconstruction(const BandCase& input) {
   return {.where = input.what,
           .restated = fmt::format("{} pixels of {} bands, {} components", input.pixels.size(),
                                   mean.size(), input.k) +
-                      command_for(input.what),
+                      extreme_case_command(input.what),
           .expected = {matrix("reconstructed bands", int(mean.size()), all, bound),
                        numbers("mean square error", {double(error / n)}, of_error)}};
 }

@@ -111,12 +111,12 @@ std::vector<std::vector<std::vector<int>>> polygons_of(const Numbers& answer, st
   return all;
 }
 
-Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
-  const views::WorldBox box = views::box_of(drawn.scene);
+Result<PictureSetup> draw_surface(const DrawingInput& input, AnswerSource& answer_source) {
+  const views::WorldBox box = views::box_of(input.scene);
   const auto grid =
       views::grid_of(box, views::size_for(box, kVoxelsAlong), views::Matrix3d::Identity());
   if (!grid) return tl::unexpected(grid.error());
-  const views::TrueVolume truth(drawn.scene, *grid);
+  const views::TrueVolume truth(input.scene, *grid);
   views::Occupancy solid(*grid);
   for (int z = 0; z < grid->count[2]; ++z) {
     for (int y = 0; y < grid->count[1]; ++y) {
@@ -132,7 +132,7 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
 
   Question all_sets;
   for (int inside = 0; inside < 256; ++inside) all_sets.numbers.push_back(inside);
-  const auto tables = answering.ask(surface_stages()[0], std::vector<Question>{all_sets});
+  const auto tables = answer_source.ask(surface_stages()[0], std::vector<Question>{all_sets});
   if (!tables) return tl::unexpected(tables.error());
   const auto table = polygons_of(tables->front(), 256);
 
@@ -161,10 +161,10 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
       for (const int edge : polygon) polygons.back().push_back(number_of(cell, edge));
     }
   }
-  const auto shares = answering.ask(surface_stages()[1], std::vector<Question>{pairs});
+  const auto shares = answer_source.ask(surface_stages()[1], std::vector<Question>{pairs});
   if (!shares) return tl::unexpected(shares.error());
 
-  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+  PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   made.settings.shading = Shading::kFlat;
   Mesh mesh;
   mesh.name = "surface";
@@ -191,8 +191,8 @@ Result<StandIn> draw_surface(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-StandIn surface_truth(const Drawn& drawn) {
-  return {drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+PictureSetup surface_truth(const DrawingInput& input) {
+  return {input.scene, input.view, input.settings, nullptr, {}};
 }
 
 }  // namespace lab_14_drawing

@@ -9,7 +9,7 @@ namespace {
 using glassbox::labs::Answer;
 
 // The polygons one after the other, with -1 between them.
-std::vector<double> listed(const std::vector<std::vector<int>>& polygons) {
+std::vector<double> edge_list(const std::vector<std::vector<int>>& polygons) {
   std::vector<double> all;
   for (const std::vector<int>& polygon : polygons) {
     all.insert(all.end(), polygon.begin(), polygon.end());
@@ -19,12 +19,12 @@ std::vector<double> listed(const std::vector<std::vector<int>>& polygons) {
 }
 
 void cell(const CellCase& input, Answer& answer) {
-  answer.emit("edges of the polygons", listed(cell_polygons(input.inside)));
+  answer.emit("edges of the polygons", edge_list(cell_polygons(input.inside)));
 }
 // BEGIN HIDDEN
 void sixteen_cells(const CellsCase& input, Answer& answer) {
   for (unsigned inside = input.first; inside < input.first + 16; ++inside)
-    answer.emit("edges for corners " + std::to_string(inside), listed(cell_polygons(inside)));
+    answer.emit("edges for corners " + std::to_string(inside), edge_list(cell_polygons(inside)));
 }
 // END HIDDEN
 
@@ -71,7 +71,7 @@ void moments(const BandCase& input, Answer& answer) {
   answer.emit("covariance", all);
 }
 
-void again(const BandCase& input, Answer& answer) {
+void emit_reconstruction(const BandCase& input, Answer& answer) {
   const auto mean = given_mean(input.pixels);
   const Reconstruction made =
       reconstruct(input.pixels, mean, given_vectors(input.pixels, mean), input.k);
@@ -91,14 +91,14 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("polygons come and go", edits(), edited),
       check("weights of three views", views_around(), weights),
       check("mean and covariance", bands(), moments),
-      check("what the components have", bands(), again),
+      check("what the components have", bands(), emit_reconstruction),
       // BEGIN HIDDEN
       check("cells of every kind", hidden_cells(), sixteen_cells),
       check("edges of other values", hidden_edges(), edge),
       check("other polygons come and go", hidden_edits(), edited),
       check("weights of other views", hidden_views_around(), weights),
       check("covariance of other bands", hidden_bands(), moments),
-      check("components of other bands", hidden_bands(), again),
+      check("components of other bands", hidden_bands(), emit_reconstruction),
       // END HIDDEN
   };
 }

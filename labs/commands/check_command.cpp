@@ -24,8 +24,8 @@
 #include "labs/commands/commands.h"
 #include "labs/commands/draw_picture.h"
 #include "labs/commands/find_lab.h"
-#include "labs/commands/for_students.h"
 #include "labs/commands/report.h"
+#include "labs/commands/student_build.h"
 
 namespace glassbox::labs {
 
@@ -36,7 +36,7 @@ public:
 private:
   int run() const;
 
-  AskedLab asked_;
+  LabSelection selection_;
   std::optional<std::string> json_output_, html_output_;
   CheckOptions options_;
 };
@@ -50,7 +50,7 @@ private:
 
   int watch_picture() const;
 
-  AskedLab asked_;
+  LabSelection selection_;
   std::string scene_, output_;
   PictureOptions picture_;
   std::optional<std::string> html_output_;
@@ -71,13 +71,13 @@ Result<int> check_once(LabChecker& checker, const ReportFiles& outputs) {
   const auto checked = checker.check();
   if (!checked) return tl::unexpected(checked.error());
   const LabReport report{checked->graded.result, checker.student().string(), checked->runner,
-                         checked->seconds, checked->graded.names};
+                         checked->seconds, checked->graded.check_outcomes};
   if (outputs.json) {
     if (const auto written = write_json(*outputs.json, lab_report_json(report)); !written)
       return tl::unexpected(written.error());
   }
   if (outputs.html) {
-    if (const auto written = write_made(*outputs.html, lab_report_page(report)); !written)
+    if (const auto written = write_text_result(*outputs.html, lab_report_page(report)); !written)
       return tl::unexpected(written.error());
   }
   if (outputs.json != "-") fmt::print("{}", lab_report_text(report));
@@ -93,8 +93,8 @@ std::optional<fs::file_time_type> written_at(const fs::path& file) {
   return error ? std::nullopt : std::optional(time);
 }
 
-void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
-  add_lab_dir(command, asked.lab_dir)->excludes(add_lab_name(command, asked.lab));
+void add_options(CLI::App& command, CheckOptions& options, LabSelection& selection) {
+  add_lab_dir(command, selection.lab_dir)->excludes(add_lab_name(command, selection.lab));
   command.add_flag("--sanitize", options.sanitize,
                    "compile with AddressSanitizer and UndefinedBehaviorSanitizer, which name the "
                    "line of a bad access");
@@ -142,13 +142,13 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
       "The code runs in the same sandbox as when it is graded. The exit code is 0 for all points "
       "and 1 for fewer.");
   command
-      .add_option("FOLDER", asked_.folder,
+      .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the report as a page with pictures");
-  if (!kForStudents) command.add_flag("--hidden", options_.hidden, "run the hidden checks too");
-  add_options(command, options_, asked_);
+  if (!kStudentBuild) command.add_flag("--hidden", options_.hidden, "run the hidden checks too");
+  add_options(command, options_, selection_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -156,7 +156,7 @@ int LabCheckCommand::run() const {
   const ReportFiles outputs{json_output_, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(asked_);
+  const auto folder = open_lab_folder(selection_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -175,7 +175,7 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
       "page\n"
       "is replaced when the new one is complete. Ctrl-C ends the program.");
   command
-      .add_option("FOLDER", asked_.folder,
+      .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   command.add_option("SCENE", scene_, "draw this scene instead of running the checks");
@@ -184,7 +184,7 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
                   "with SCENE: your picture beside the reference's [SCENE.png]")
       ->type_name("FILE");
   add_html_output(command, html_output_, "the last report, or the last drawing, as a page");
-  add_options(command, options_, asked_);
+  add_options(command, options_, selection_);
   add_picture_options(command, picture_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -194,7 +194,7 @@ int LabWatchCommand::run() const {
   const ReportFiles outputs{std::nullopt, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(asked_);
+  const auto folder = open_lab_folder(selection_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -205,15 +205,15 @@ int LabWatchCommand::run() const {
 }
 
 int LabWatchCommand::watch_picture() const {
-  if (!asked_.lab_dir.empty())
+  if (!selection_.lab_dir.empty())
     return refuse({"--lab-dir", "", "a lab that is given with --lab-dir cannot draw a scene",
                    "leave SCENE out"});
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
-  const LabPicture asked{asked_, scene_, output, picture_, {}, html_output_};
-  if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
-  const auto folder = open_lab_folder(asked_);
+  const LabPictureRequest request{selection_, scene_, output, picture_, {}, html_output_};
+  if (const auto good = check_lab_picture(request); !good) return refuse(good.error());
+  const auto folder = open_lab_folder(selection_);
   if (!folder) return refuse(folder.error());
-  after_every_save(folder->student, [&] { draw_lab_picture(asked); });
+  after_every_save(folder->student, [&] { draw_lab_picture(request); });
 }
 
 void add_check_command(CLI::App& lab, int& exit_code) {

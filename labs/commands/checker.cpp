@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/points.h"
+#include "labs/framework/lab_points.h"
 #include "labs/grading/compile.h"
 #include "labs/grading/submission.h"
 
@@ -37,18 +37,18 @@ void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::pat
 // The kit of a lab, which all its folders share. It contains hidden checks, so it is kept in the
 // user's cache and not in the student's folder. If its directory exists but is no valid kit
 // (changed, or left incomplete), it is made again: the directory belongs to the program.
-Result<Kit> kit_of(const labs::Sources& sources, const LabFolder& folder) {
-  const auto fingerprint = kit_fingerprint(sources, folder.lab->folder);
+Result<BuildKit> cached_build_kit(const labs::Sources& sources, const LabFolder& folder) {
+  const auto fingerprint = build_kit_fingerprint(sources, folder.lab->folder);
   if (!fingerprint) return tl::unexpected(fingerprint.error());
   std::error_code error;
   fs::create_directories(folder.kits, error);
   fs::permissions(folder.kits, fs::perms::owner_all, error);
   const fs::path place = folder.kits / fmt::format("{}-{}", folder.lab->folder, *fingerprint);
   remove_old_kits(folder.kits, folder.lab->folder, place);
-  auto kit = make_kit(sources, folder.lab->folder, place);
+  auto kit = make_build_kit(sources, folder.lab->folder, place);
   if (kit || !fs::exists(place, error)) return kit;
   fs::remove_all(place, error);
-  return make_kit(sources, folder.lab->folder, place);
+  return make_build_kit(sources, folder.lab->folder, place);
 }
 
 }  // namespace
@@ -65,45 +65,45 @@ Result<void> LabChecker::prepare() {
   if (!sources) return tl::unexpected(sources.error());
   sources_ = *sources;
   sources_.outside = folder_.outside;
-  auto shares =
-      labs::read_shares(*folder_.lab, sources_.folder_of(folder_.lab->folder) / "points.json");
-  if (!shares) return tl::unexpected(shares.error());
-  lab_ = std::move(shares->lab);
-  warnings_ = std::move(shares->warnings);
+  auto lab_points =
+      labs::read_lab_points(*folder_.lab, sources_.folder_of(folder_.lab->folder) / "points.json");
+  if (!lab_points) return tl::unexpected(lab_points.error());
+  lab_ = std::move(lab_points->lab);
+  warnings_ = std::move(lab_points->warnings);
   const auto place = scratch_.path();
   if (!place) return tl::unexpected(place.error());
   auto sandbox = Sandbox::choose(*place, options_.confinement);
   if (!sandbox) return tl::unexpected(sandbox.error());
   sandbox_ = std::move(*sandbox);
-  const auto kit = kit_of(sources_, folder_);
+  const auto kit = cached_build_kit(sources_, folder_);
   if (!kit) return tl::unexpected(kit.error());
-  auto copy = copy_kit(*kit, *place / "kit");
+  auto copy = copy_build_kit(*kit, *place / "kit");
   if (!copy) return tl::unexpected(copy.error());
   kit_ = std::move(*copy);
   return {};
 }
 
-Result<Checked> LabChecker::check() {
+Result<CheckOutcome> LabChecker::check() {
   const auto start = std::chrono::steady_clock::now();
   const auto text = read_source(folder_.student);
   if (!text) return tl::unexpected(text.error());
-  const auto build = scratch_.own(fmt::format("build-{}", ++builds_));
+  const auto build = scratch_.make_private_directory(fmt::format("build-{}", ++builds_));
   if (!build) return tl::unexpected(build.error());
   GradeRequest request{.lab = lab_, .sandbox = *sandbox_, .kit = kit_, .build = *build};
   request.limits.seconds = options_.seconds;
   request.limits.memory_bytes = options_.memory_mib * kMiB;
   request.hidden = options_.hidden;
-  request.at_a_time = std::max(1u, std::thread::hardware_concurrency());
-  request.words.warnings = true;
-  request.words.sanitize = options_.sanitize;
-  Checked checked;
+  request.max_parallel_checks = std::max(1u, std::thread::hardware_concurrency());
+  request.compile_options.warnings = true;
+  request.compile_options.sanitize = options_.sanitize;
+  CheckOutcome checked;
   checked.graded = grade(request, *text);
   auto& result = checked.graded.result;
   if (!options_.hidden)
     std::erase_if(result.checks, [](const labs::CheckResult& each) { return each.hidden; });
   result.warnings = warnings_;
-  if (result.not_built.empty() && !checked.graded.said.empty())
-    result.warnings.push_back(checked.graded.said);
+  if (result.not_built.empty() && !checked.graded.messages.empty())
+    result.warnings.push_back(checked.graded.messages);
   const bool failed = std::any_of(result.checks.begin(), result.checks.end(),
                                   [](const labs::CheckResult& each) { return each.first; });
   if (failed) {
@@ -118,15 +118,15 @@ Result<Checked> LabChecker::check() {
 }
 
 Result<std::string> LabChecker::debugger_program(const std::string& text) {
-  const auto build = scratch_.own(fmt::format("debug-{}", builds_));
+  const auto build = scratch_.make_private_directory(fmt::format("debug-{}", builds_));
   if (!build) return tl::unexpected(build.error());
-  CompileWords words;
-  words.debugger = true;
-  words.stands_for = folder_.student.parent_path().string();
-  Compiled compiled = compile_submission(text, *sandbox_, kit_, *build, words);
-  const Checks checks = options_.hidden ? Checks::kAll : Checks::kVisible;
-  const fs::path made = compiled.trouble.empty()
-                            ? link_submission(checks, *sandbox_, kit_, *build, compiled.said)
+  CompileOptions options;
+  options.debugger = true;
+  options.debug_source_folder = folder_.student.parent_path().string();
+  CompileResult compiled = compile_submission(text, *sandbox_, kit_, *build, options);
+  const CheckSelection checks = options_.hidden ? CheckSelection::kAll : CheckSelection::kVisible;
+  const fs::path made = compiled.failure.empty()
+                            ? link_submission(checks, *sandbox_, kit_, *build, compiled.messages)
                             : fs::path();
   const fs::path program = (options_.hidden ? folder_.cache : folder_.build_dir) / "runner";
   std::error_code error;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "labs/commands/find_lab.h"
 #include "labs/framework/sources.h"
 #include "labs/grading/grade.h"
@@ -24,8 +24,8 @@ struct CheckOptions {
   std::optional<labs::grading::Confinement> confinement = {};
 };
 
-struct Checked {
-  labs::grading::Graded graded;
+struct CheckOutcome {
+  labs::grading::GradedSubmission graded;
   // if a check failed: a program for the debugger, built with -O0 -g; else empty
   std::string runner;
   double seconds = 0;
@@ -38,7 +38,7 @@ public:
   static Result<std::unique_ptr<LabChecker>> open(const LabFolder& folder,
                                                   const CheckOptions& options);
 
-  Result<Checked> check();
+  Result<CheckOutcome> check();
   const std::filesystem::path& student() const { return folder_.student; }
 
 private:
@@ -52,9 +52,9 @@ private:
   labs::Sources sources_;
   labs::Lab lab_;  // with the points of points.json
   std::vector<std::string> warnings_;
-  Scratch scratch_;
+  ScratchDirectory scratch_;
   std::optional<labs::grading::Sandbox> sandbox_;
-  labs::grading::Kit kit_;
+  labs::grading::BuildKit kit_;
   int builds_ = 0;
 };
 

@@ -10,8 +10,8 @@
 #include "cli/options/add_command.h"
 #include "cli/options/list_command.h"
 #include "cli/report/shell_line.h"
-#include "labs/commands/for_students.h"
 #include "labs/commands/grade_command.h"
+#include "labs/commands/student_build.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -71,7 +71,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_stiff_command(command, exit_code);
   add_quiz_command(command, exit_code);
   add_measure_command(command, exit_code);
-  if (kForStudents) return;
+  if (kStudentBuild) return;
   add_export_command(command, exit_code);
   add_command<LabGradeCommand>(command, exit_code);
   add_gradescope_command(command, exit_code);

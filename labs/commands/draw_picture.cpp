@@ -25,11 +25,11 @@ using Clock = std::chrono::steady_clock;
 
 // The view that is drawn. For labs about stereo pairs (9 to 12) it is the view from the centre,
 // with the two eyes as `pair`.
-Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
-                           Camera& camera) {
+Result<labs::DrawingInput> choose_drawing_input(const labs::Lab& lab, const Scene& scene,
+                                                const PictureOptions& picture, Camera& camera) {
   constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;
-  labs::Drawn drawn{scene, camera, {}, at_centres(picture.settings), picture.camera.formulation,
-                    {}};
+  labs::DrawingInput drawn{
+      scene, camera, {}, with_one_sample(picture.settings), picture.camera.formulation, {}};
   if (lab.number >= kFirstOfPairs && lab.number <= kLastOfPairs) {
     const auto eyes = choose_eyes(scene, picture);
     if (!eyes) return tl::unexpected(eyes.error());
@@ -47,29 +47,30 @@ Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const Pictu
 
 }  // namespace
 
-Result<void> check_lab_picture(const LabPicture& asked) {
-  if (const auto good = check_picture_output(asked.output, {}, asked.output); !good) return good;
+Result<void> check_lab_picture(const LabPictureRequest& request) {
+  if (const auto good = check_picture_output(request.output, {}, request.output); !good)
+    return good;
   if (const auto good =
-          Outputs().data(asked.output).file(asked.html, ".html").data(asked.json).check();
+          Outputs().data(request.output).file(request.html, ".html").data(request.json).check();
       !good)
     return good;
-  if (!asked.picture.settings.wireframe) return {};
+  if (!request.picture.settings.wireframe) return {};
   return fail("--wireframe", "the labs' functions draw triangles, not lines",
               "leave --wireframe out");
 }
 
-int draw_lab_picture(const LabPicture& asked) {
-  const auto folder = open_lab_folder(asked.lab);
+int draw_lab_picture(const LabPictureRequest& request) {
+  const auto folder = open_lab_folder(request.lab);
   if (!folder) return refuse(folder.error());
   const auto drawing = labs::drawing_of(folder->lab->number);
   if (!drawing)
-    return refuse({asked.lab.folder, "", "the functions of this lab draw no picture",
+    return refuse({request.lab.folder, "", "the functions of this lab draw no picture",
                    "name the folder of another lab"});
   Progress progress;
-  const auto scene = load_asked_scene(asked.scene, asked.picture, progress);
+  const auto scene = load_scene_argument(request.scene, request.picture, progress);
   if (!scene) return refuse(scene.error());
   Camera camera;
-  const auto drawn = chosen(*folder->lab, *scene, asked.picture, camera);
+  const auto drawn = choose_drawing_input(*folder->lab, *scene, request.picture, camera);
   if (!drawn) return refuse(drawn.error());
 
   const auto sources = labs::find_sources();
@@ -83,47 +84,48 @@ int draw_lab_picture(const LabPicture& asked) {
     return kFailure;
   }
 
-  progress.phase("drawing " + scene_title(asked.scene));
+  progress.phase("drawing " + scene_title(request.scene));
   const Clock::time_point start = Clock::now();
-  labs::StudentAnswers answers(stages.sandbox(), stages.program().program, asked.seconds);
-  const auto both = labs::draw_both(*drawing, *drawn, answers);
-  if (!both && answers.broke()) {
+  labs::StudentAnswers answers(stages.sandbox(), stages.program().program, request.seconds);
+  const auto both = labs::draw_and_compare(*drawing, *drawn, answers);
+  if (!both && answers.failure()) {
     progress.done();
-    fmt::print("{}: {}\n", folder->student.string(), *answers.broke());
-    const std::string which = asked.lab.lab.empty() ? "" : " --lab " + asked.lab.lab;
-    fmt::print("No picture was drawn. Run glassbox lab check {}{} to see more.\n", asked.lab.folder,
-               which);
+    fmt::print("{}: {}\n", folder->student.string(), *answers.failure());
+    const std::string which = request.lab.lab.empty() ? "" : " --lab " + request.lab.lab;
+    fmt::print("No picture was drawn. Run glassbox lab check {}{} to see more.\n",
+               request.lab.folder, which);
     return kFailure;
   }
   if (!both) return refuse(both.error());
   std::string words;
-  for (const std::string& word : words_given(asked.picture)) words += " " + word;
+  for (const std::string& word : given_option_words(request.picture)) words += " " + word;
   const DrawingReport report{*folder->lab,
                              *drawing,
                              both->result,
-                             asked.scene,
+                             request.scene,
                              words,
-                             answers.said(),
+                             answers.printed(),
                              std::chrono::duration<double>(Clock::now() - start).count(),
                              answers.seconds()};
-  progress.phase("writing " + asked.output);
-  const auto written = write_picture(asked.output, {}, side_by_side(both->result), {});
+  progress.phase("writing " + request.output);
+  const auto written = write_picture(request.output, {}, side_by_side(both->result), {});
   if (!written) return refuse(written.error());
-  if (asked.json) {
-    if (const auto made = write_json(*asked.json, drawing_json(report)); !made)
+  if (request.json) {
+    if (const auto made = write_json(*request.json, drawing_json(report)); !made)
       return refuse(made.error());
   }
-  if (asked.html) {
-    if (const auto made = write_made(
-            *asked.html, lab_drawing_page(report, *drawn, *both, words_given(asked.picture)));
+  if (request.html) {
+    if (const auto made = write_text_result(
+            *request.html,
+            lab_drawing_page(report, *drawn, *both, given_option_words(request.picture)));
         !made)
       return refuse(made.error());
   }
   progress.done();
-  if (asked.json != "-")
+  if (request.json != "-")
     fmt::print(
         "{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
-        printable(asked.output, kLongestMessage),
+        printable(request.output, kLongestMessage),
         both->result.truth ? "beside it, then the pipeline's picture of the scene" : "on the right",
         report.seconds);
   return both->result.right() ? kSuccess : kFailure;

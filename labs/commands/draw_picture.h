@@ -9,8 +9,8 @@
 
 namespace glassbox::labs {
 
-struct LabPicture {
-  const AskedLab& lab;
+struct LabPictureRequest {
+  const LabSelection& lab;
   const std::string& scene;
   std::string output;  // an image file
   const PictureOptions& picture;
@@ -19,9 +19,9 @@ struct LabPicture {
 };
 
 // Refuses options that are wrong in any case, before anything is built.
-Result<void> check_lab_picture(const LabPicture& asked);
+Result<void> check_lab_picture(const LabPictureRequest& request);
 
 // Draws the picture. The exit code is 0 if every number is within its bound.
-int draw_lab_picture(const LabPicture& asked);
+int draw_lab_picture(const LabPictureRequest& request);
 
 }  // namespace glassbox::labs

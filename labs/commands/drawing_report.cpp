@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string place_of(const labs::DrawingResult& result, const WrongRecord& record) {
+std::string record_place(const labs::DrawingResult& result, const WrongRecord& record) {
   const labs::JudgedStage& stage = result.stages[record.stage];
   return record.triangle == kNone
              ? fmt::format("stage {} ({}), record {}", stage.name, stage.functions, record.record)
@@ -28,7 +28,7 @@ std::string place_of(const labs::DrawingResult& result, const WrongRecord& recor
 
 std::string record_text(const labs::DrawingResult& result, const WrongRecord& record) {
   const labs::WrongNumber& n = record.number;
-  std::string text = fmt::format("  {}\n    {}{}\n", place_of(result, record), n.element,
+  std::string text = fmt::format("  {}\n    {}{}\n", record_place(result, record), n.element,
                                  n.explanation.empty() ? "" : ": " + n.explanation);
   if (n.explanation != "missing") text += fmt::format("      yours      {}\n", n.yours);
   if (n.explanation != "too many") text += fmt::format("      reference  {}\n", n.reference);
@@ -73,14 +73,14 @@ std::string pixel_text(const DrawingReport& report) {
 }
 
 // The share of pixels with a channel that differs by more than 8/255 from the pipeline's picture.
-double share_beside(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
+double share_differing(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
   constexpr int kSeen = 8;
-  std::size_t off = 0;
+  std::size_t differing = 0;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const Rgba8 &a = picture.pixels[i], &b = truth.pixels[i];
-    off += std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > kSeen;
+    differing += std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > kSeen;
   }
-  return double(off) / double(picture.pixels.size());
+  return double(differing) / double(picture.pixels.size());
 }
 
 std::string truth_text(const labs::DrawingResult& result) {
@@ -88,12 +88,12 @@ std::string truth_text(const labs::DrawingResult& result) {
   return fmt::format(
       "{:.2f} % of your pixels and {:.2f} % of the reference's are more than 8/255\n"
       "away from the pipeline's picture of the scene.\n",
-      100 * share_beside(result.yours, *result.truth),
-      100 * share_beside(result.reference, *result.truth));
+      100 * share_differing(result.yours, *result.truth),
+      100 * share_differing(result.reference, *result.truth));
 }
 
 // The commands that show the first wrong triangle, or the first wrong pixel.
-std::string look_closer(const DrawingReport& report) {
+std::string debug_commands_text(const DrawingReport& report) {
   const auto& p = report.result.first_pixel;
   if (!p) return "";
   const auto triangle = p->your_triangle ? p->your_triangle : p->reference_triangle;
@@ -155,10 +155,11 @@ std::string drawing_text(const DrawingReport& report) {
   if (result.first_record && result.first_record != result.record_of_pixel)
     text += "The first wrong record of the whole scene:\n" +
             record_text(result, result.wrong[*result.first_record]);
-  if (!result.right()) text += look_closer(report);
+  if (!result.right()) text += debug_commands_text(report);
   if (!report.drawing.not_drawn.empty())
     text += fmt::format("Not used for this picture: {}.\n", report.drawing.not_drawn);
-  if (!report.said.empty()) text += "\nYour code printed:\n" + printable(report.said, 4000) + "\n";
+  if (!report.printed.empty())
+    text += "\nYour code printed:\n" + printable(report.printed, 4000) + "\n";
   return text;
 }
 
@@ -175,8 +176,8 @@ Json drawing_json(const DrawingReport& report) {
                               {"wrong", stage.wrong}});
   json["differing_pixels"] = result.differing_pixels;
   if (result.truth)
-    json["beside_truth"] = {{"yours", share_beside(result.yours, *result.truth)},
-                            {"reference", share_beside(result.reference, *result.truth)}};
+    json["beside_truth"] = {{"yours", share_differing(result.yours, *result.truth)},
+                            {"reference", share_differing(result.reference, *result.truth)}};
   if (const auto& p = result.first_pixel) {
     json["first_pixel"] = {{"x", p->x},
                            {"y", p->y},
@@ -218,19 +219,20 @@ Json records_json(const labs::DrawingResult& result) {
 
 // The run for the picture under the page's overlays: the colours as drawn, without the student's
 // change of the finished picture (`finish`).
-labs::StandIn as_shown(labs::StandIn run) {
-  run.finish = nullptr;
-  if (run.settings.show != Show::kNormal && run.settings.show != Show::kUv)
-    run.settings.show = Show::kColor;
-  return run;
+labs::PictureSetup displayed_setup(labs::PictureSetup setup) {
+  setup.finish = nullptr;
+  if (setup.settings.show != Show::kNormal && setup.settings.show != Show::kUv)
+    setup.settings.show = Show::kColor;
+  return setup;
 }
 
 }  // namespace
 
-Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Drawn& drawn,
-                                     const labs::DrawnBoth& both,
+Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::DrawingInput& drawn,
+                                     const labs::ComparedPictures& both,
                                      const std::vector<std::string>& words) {
-  const labs::StandIn yours = as_shown(both.yours), reference = as_shown(both.reference);
+  const labs::PictureSetup yours = displayed_setup(both.yours),
+                           reference = displayed_setup(both.reference);
   // If the student's code changes the finished picture, the page shows the changed picture in
   // addition to the run's.
   const bool other = both.yours.finish != nullptr;

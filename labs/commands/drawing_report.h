@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "labs/drawing/compare.h"
+#include "labs/drawing/draw_and_compare.h"
 #include "labs/framework/lab.h"
 
 #include <glassbox/base/error.h>
@@ -19,7 +19,7 @@ struct DrawingReport {
   const labs::DrawingResult& result;
   std::string scene;           // as the user gave it
   std::string picture_words;   // the picture's options, as the user gave them
-  std::string said;            // what the student's code printed
+  std::string printed;         // what the student's code printed
   double seconds = 0;          // from the command to the pictures, without compilation
   double student_seconds = 0;  // of these, in the student's process
 };
@@ -38,8 +38,8 @@ std::string colour_text(const Rgba8& colour);
 
 // Makes the page. `words` are the picture's options, as the user gave them. In lab 9 the run is the
 // left eye's.
-Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Drawn& drawn,
-                                     const labs::DrawnBoth& both,
+Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::DrawingInput& drawn,
+                                     const labs::ComparedPictures& both,
                                      const std::vector<std::string>& words);
 
 }  // namespace glassbox::labs

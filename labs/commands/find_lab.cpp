@@ -54,7 +54,7 @@ Result<std::string> named_lab(const fs::path& folder) {
 
 // Whether build/check in the folder, all files in it, and the way to it are free of symbolic links.
 // A link in a submission could redirect what is written to another place.
-bool is_plain(const fs::path& place) {
+bool has_no_symlinks(const fs::path& place) {
   std::error_code error;
   const fs::path build = place / "build", check = build / "check";
   if (fs::is_symlink(build, error) || fs::is_symlink(check, error)) return false;
@@ -66,7 +66,7 @@ bool is_plain(const fs::path& place) {
 }
 
 // Does what all kinds of labs need: finds student.cpp and chooses where it is built.
-Result<LabFolder> open_place(const std::string& folder, const fs::path& place, bool own) {
+Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& place, bool own) {
   LabFolder found;
   found.own = own;
   found.student = place / "student.cpp";
@@ -77,7 +77,7 @@ Result<LabFolder> open_place(const std::string& folder, const fs::path& place, b
   const bool writable = access(place.c_str(), W_OK) == 0;
   found.cache = cache_for(place);
   found.kits = cache() / "kits";
-  const bool there = !own && writable && is_plain(place);
+  const bool there = !own && writable && has_no_symlinks(place);
   found.build_dir = there ? place / "build" / "check" : found.cache;
   return found;
 }
@@ -91,7 +91,7 @@ Result<fs::path> open_directory(const std::string& folder) {
   return place;
 }
 
-Result<LabFolder> open_started(const std::string& folder) {
+Result<LabFolder> open_started_lab(const std::string& folder) {
   const auto place = open_directory(folder);
   if (!place) return tl::unexpected(place.error());
   const auto named = named_lab(*place);
@@ -103,17 +103,17 @@ Result<LabFolder> open_started(const std::string& folder) {
     return fail(folder, "is not the folder of a lab: it has no lab.json",
                 "name a folder that glassbox lab start has made, or give the lab with --lab");
   if (!lab) return tl::unexpected(lab.error());
-  auto found = open_place(folder, *place, own);
+  auto found = make_lab_folder(folder, *place, own);
   if (found) found->lab = *lab;
   return found;
 }
 
-Result<LabFolder> open_outside(const std::string& folder, const std::string& lab_dir) {
+Result<LabFolder> open_external_lab(const std::string& folder, const std::string& lab_dir) {
   const auto place = open_directory(folder);
   if (!place) return tl::unexpected(place.error());
   const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
   if (!sources) return tl::unexpected(sources.error());
-  auto found = open_place(folder, *place, *place == sources->outside);
+  auto found = make_lab_folder(folder, *place, *place == sources->outside);
   if (!found) return found;
   const auto lab = labs::grading::load_outside_lab(*sources, found->cache / "judge");
   if (!lab) return tl::unexpected(lab.error());
@@ -135,7 +135,7 @@ Result<LabFolder> open_submission(const std::string& folder, const std::string& 
                   fmt::format("{}/lab.json says that it is lab {}", folder, *named),
                   "leave --lab out, or name the folder of the other lab");
   }
-  auto found = open_place(folder, *place, true);
+  auto found = make_lab_folder(folder, *place, true);
   if (!found) return found;
   found->lab = *lab;
   found->own = false;
@@ -166,10 +166,10 @@ Result<const labs::Lab*> find_lab(const std::string& name, const std::string& as
               fmt::format("the labs are {}", lab_names()));
 }
 
-Result<LabFolder> open_lab_folder(const AskedLab& asked) {
-  if (!asked.lab_dir.empty()) return open_outside(asked.folder, asked.lab_dir);
-  if (!asked.lab.empty()) return open_submission(asked.folder, asked.lab);
-  return open_started(asked.folder);
+Result<LabFolder> open_lab_folder(const LabSelection& selection) {
+  if (!selection.lab_dir.empty()) return open_external_lab(selection.folder, selection.lab_dir);
+  if (!selection.lab.empty()) return open_submission(selection.folder, selection.lab);
+  return open_started_lab(selection.folder);
 }
 
 }  // namespace glassbox::labs

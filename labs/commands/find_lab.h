@@ -32,7 +32,7 @@ struct LabFolder {
 };
 
 // The parts of a command line that select a lab.
-struct AskedLab {
+struct LabSelection {
   std::string folder;
   // --lab, a name for find_lab: the lab whose student.cpp is in `folder`, as it was handed in.
   // Nothing is written there.
@@ -41,7 +41,7 @@ struct AskedLab {
   // is built. At most one of `lab` and `lab_dir` is given.
   std::string lab_dir = {};
 };
-Result<LabFolder> open_lab_folder(const AskedLab& asked);
+Result<LabFolder> open_lab_folder(const LabSelection& selection);
 
 // The range of the labs' numbers for a message: "1 to 9".
 std::string lab_names();

@@ -14,16 +14,16 @@
 #include "cli/options/choices.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "labs/commands/find_lab.h"
 #include "labs/commands/grade_files.h"
 #include "labs/framework/digest.h"
-#include "labs/framework/points.h"
-#include "labs/framework/vary.h"
-#include "labs/grading/class.h"
+#include "labs/framework/lab_points.h"
+#include "labs/framework/varied_inputs.h"
+#include "labs/grading/class_overview.h"
 #include "labs/grading/grade.h"
+#include "labs/grading/grade_class.h"
 #include "labs/grading/outside_lab.h"
-#include "labs/grading/overview.h"
 #include "labs/grading/program_digest.h"
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"
@@ -127,11 +127,12 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
 }
 
 Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
-                                                   const Scratch& scratch) const {
+                                                   const ScratchDirectory& scratch) const {
   if (!sources.outside.empty()) {
     // The judge (the checks of an outside lab, compiled) is kept next to the kit, so that runs that
     // share the kit share it too.
-    const auto place = kit_.empty() ? scratch.own("judge") : fs::path(kit_ + ".judge");
+    const auto place =
+        kit_.empty() ? scratch.make_private_directory("judge") : fs::path(kit_ + ".judge");
     return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
   }
   for (const labs::Lab& lab : labs_()) {
@@ -157,7 +158,7 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
 int LabGradeCommand::run() {
   const auto sources = with_lab_dir(find_sources_(), lab_dir_);
   if (!sources) return refuse(sources.error());
-  const Scratch scratch;
+  const ScratchDirectory scratch;
   if (!one_) {
     const auto place = scratch.path();
     if (!place) return refuse(place.error());
@@ -175,7 +176,7 @@ std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& 
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
                                                const fs::path& submission,
                                                const std::string& name) const {
-  const auto kit = kit_fingerprint(sources, lab.folder);
+  const auto kit = build_kit_fingerprint(sources, lab.folder);
   if (!kit) return kit;
   const auto text = read_submission(submission);
   labs::Digest digest;
@@ -194,7 +195,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
 }
 
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
-                             const Scratch& scratch) {
+                             const ScratchDirectory& scratch) {
   if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
   // Written first, so that a result exists even if a later step fails.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
@@ -209,37 +210,39 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
     fmt::print("{} already has the result of this submission\n", files_.output);
     return kSuccess;
   }
-  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
-  if (!shares) return refuse(shares.error());
-  const auto unfinished = gradescope_json(nothing_yet(shares->lab, kUnfinished), "", *digest);
+  const auto lab_points = labs::read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!lab_points) return refuse(lab_points.error());
+  const auto unfinished =
+      gradescope_json(ungraded_submission(lab_points->lab, kUnfinished), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
-  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  return grade_one(shares->lab, sources, *digest, scratch);
+  for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
+  return grade_one(lab_points->lab, sources, *digest, scratch);
 }
 
 int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
-                               const std::string& digest, const Scratch& scratch) {
+                               const std::string& digest, const ScratchDirectory& scratch) {
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
-  fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
-  auto kit = make_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::absolute(kit_));
-  if (kit && !kit_.empty()) kit = copy_kit(*kit, *place / "kit");
+  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
+  auto kit =
+      make_build_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::absolute(kit_));
+  if (kit && !kit_.empty()) kit = copy_build_kit(*kit, *place / "kit");
   if (!kit) return refuse(kit.error());
-  const auto build = scratch.own("build");
+  const auto build = scratch.make_private_directory("build");
   if (!build) return refuse(build.error());
   Limits limits;
   limits.seconds = seconds_;
   limits.memory_bytes = memory_mib_ * kMiB;
-  const Graded graded = grade({.lab = lab,
-                               .sandbox = *sandbox,
-                               .kit = *kit,
-                               .build = *build,
-                               .limits = limits,
-                               .total_seconds = total_seconds_},
-                              read_submission(submissions_));
-  const auto results = gradescope_json(graded, sandbox->in_force(), digest);
+  const GradedSubmission graded = grade({.lab = lab,
+                                         .sandbox = *sandbox,
+                                         .kit = *kit,
+                                         .build = *build,
+                                         .limits = limits,
+                                         .total_seconds = total_seconds_},
+                                        read_submission(submissions_));
+  const auto results = gradescope_json(graded, sandbox->description(), digest);
   // an earlier result is kept, which is better than an unfinished one
   if (graded.outcome == kUnfinished) {
     fmt::print(stderr, "{}\n", results.at("output").get<std::string>());
@@ -279,7 +282,7 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
 }
 
 int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources,
-                               const Scratch& scratch) {
+                               const ScratchDirectory& scratch) {
   const auto listed = list_submissions(submissions_);
   if (!listed) return refuse(listed.error());
   for (const std::string& skipped : listed->skipped)
@@ -308,11 +311,11 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
-  fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
-  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
-  if (!shares) return refuse(shares.error());
-  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
+  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
+  const auto lab_points = labs::read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!lab_points) return refuse(lab_points.error());
+  for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
+  if (const auto kit = make_build_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
   // The temporary files of the graded submissions are put here and are removed together with it.
   ::setenv("TMPDIR", place->c_str(), 1);
 
@@ -324,10 +327,10 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     return command_for_one(lab, *sandbox, chosen.at(name));
   };
   std::size_t done = 0;
-  request.ended = [&](const std::string& name, bool fine, const std::string& said) {
+  request.ended = [&](const std::string& name, bool fine, const std::string& printed) {
     fmt::print(stderr, "{} of {}: {}{}\n", ++done, chosen.size(), printable(name),
                fine ? "" : ": grading did not finish");
-    if (!fine) fmt::print(stderr, "{}\n", printable(said, 2000));
+    if (!fine) fmt::print(stderr, "{}\n", printable(printed, 2000));
   };
   grade_class(request);
   return run_collect(files_.output);
@@ -342,9 +345,10 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
       return refuse(written.error());
   }
   std::size_t width = 10;
-  for (const Row& row : *rows) width = std::max(width, std::min<std::size_t>(40, row.name.size()));
+  for (const ClassRow& row : *rows)
+    width = std::max(width, std::min<std::size_t>(40, row.name.size()));
   std::size_t unfinished = 0;
-  for (const Row& row : *rows) {
+  for (const ClassRow& row : *rows) {
     fmt::print("{:<{}}  {:>7.6g} / {:<7.6g}  {}\n", printable(row.name, 40), width,
                total_of(row.results), row.results.at("extra_data").value("max_score", 0.0),
                outcome_of(row));

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "cli/options/cli_fwd.h"
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "labs/commands/grade_files.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "labs/grading/kit.h"
+#include "labs/grading/build_kit.h"
 #include "labs/grading/sandbox.h"
 #include "labs/grading/submission.h"
 
@@ -31,10 +31,11 @@ public:
 
 private:
   int run();
-  int run_one(const labs::Lab& lab, const labs::Sources& sources, const Scratch& scratch);
+  int run_one(const labs::Lab& lab, const labs::Sources& sources, const ScratchDirectory& scratch);
   int grade_one(const labs::Lab& lab, const labs::Sources& sources, const std::string& digest,
-                const Scratch& scratch);
-  int run_class(const labs::Lab& lab, const labs::Sources& sources, const Scratch& scratch);
+                const ScratchDirectory& scratch);
+  int run_class(const labs::Lab& lab, const labs::Sources& sources,
+                const ScratchDirectory& scratch);
   int run_collect(const std::filesystem::path& results) const;
   std::vector<std::string> command_for_one(const labs::Lab& lab,
                                            const labs::grading::Sandbox& sandbox,
@@ -45,7 +46,8 @@ private:
                                 const std::string& name) const;
   // The seed by which the inputs of the submission with this name are varied; never 0.
   static std::uint64_t seed_of(const labs::Lab& lab, const std::string& name);
-  Result<const labs::Lab*> find_lab(const labs::Sources& sources, const Scratch& scratch) const;
+  Result<const labs::Lab*> find_lab(const labs::Sources& sources,
+                                    const ScratchDirectory& scratch) const;
 
   const std::vector<labs::Lab>& (*labs_)();
   FindSources find_sources_;

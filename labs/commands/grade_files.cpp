@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/report/output.h"
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "labs/grading/reports.h"
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"
@@ -56,7 +56,7 @@ fs::path mark_of(const fs::path& output) {
 }
 
 // The best possible grade: the number that Moodle gives in VPL_GRADEMAX, or else 100.
-double most_in_moodle() {
+double max_moodle_grade() {
   const char* most = std::getenv("VPL_GRADEMAX");
   const double number = most != nullptr ? std::atof(most) : 0;
   return number > 0 ? number : 100;
@@ -74,7 +74,7 @@ Result<void> write_all(const ResultFiles& files, const Json& results) {
     if (const auto written = write_text(files.junit, junit_xml(results)); !written) return written;
   }
   if (files.vpl.empty()) return {};
-  return write_text(files.vpl, vpl_text(results, most_in_moodle()));
+  return write_text(files.vpl, vpl_text(results, max_moodle_grade()));
 }
 
 }  // namespace
@@ -109,12 +109,12 @@ bool is_up_to_date(const std::string& output, const std::string& digest) {
   return true;
 }
 
-Result<std::vector<labs::grading::Row>> read_results(const fs::path& results) {
+Result<std::vector<labs::grading::ClassRow>> read_results(const fs::path& results) {
   const auto names = labs::grading::list_folders(results);
   if (!names) return tl::unexpected(names.error());
-  std::vector<labs::grading::Row> rows;
+  std::vector<labs::grading::ClassRow> rows;
   for (const std::string& name : *names) {
-    labs::grading::Row row{name, labs::grading::unfinished_json()};
+    labs::grading::ClassRow row{name, labs::grading::unfinished_json()};
     const fs::path file = results / name / "results.json";
     if (const auto result = read_result(file)) row.results = *result;
     std::error_code error;
@@ -126,7 +126,7 @@ Result<std::vector<labs::grading::Row>> read_results(const fs::path& results) {
 
 const labs::Lab* lab_of_folder(const std::vector<labs::Lab>& labs, const labs::Sources& sources,
                                const fs::path& folder) {
-  const auto given = labs::grading::read_submitted(folder, "student.h");
+  const auto given = labs::grading::read_submitted_file(folder, "student.h");
   if (!given) return nullptr;
   for (const labs::Lab& lab : labs) {
     auto own = labs::read_text_file(sources.folder_of(lab.folder) / "student.h");

@@ -9,7 +9,7 @@
 
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "labs/grading/overview.h"
+#include "labs/grading/class_overview.h"
 
 #include <glassbox/base/error.h>
 
@@ -38,7 +38,7 @@ bool is_up_to_date(const std::string& output, const std::string& digest);
 
 // The results of every folder in `results`, sorted by name. A results.json that cannot be read
 // counts as unfinished.
-Result<std::vector<labs::grading::Row>> read_results(const std::filesystem::path& results);
+Result<std::vector<labs::grading::ClassRow>> read_results(const std::filesystem::path& results);
 
 // The lab whose student.h is in the folder; null if there is none.
 const labs::Lab* lab_of_folder(const std::vector<labs::Lab>& labs, const labs::Sources& sources,

@@ -59,7 +59,8 @@ const ConfigurationResult* better_than(const ConfigurationResult& mine, const Ti
   const ConfigurationResult* best = nullptr;
   for (const ConfigurationResult& each : result.configurations) {
     const Timing* const theirs = study::timing_of(each, 1);
-    if (&each == &mine || theirs == nullptr || !study::compete(result, mine, each)) continue;
+    if (&each == &mine || theirs == nullptr || !study::are_competitors(result, mine, each))
+      continue;
     const bool as_exact = each.error <= mine.error || mine.error != mine.error;
     if (!as_exact || theirs->ns.upper >= time.ns.lower) continue;
     if (best == nullptr || theirs->ns.median < study::timing_of(*best, 1)->ns.median) best = &each;
@@ -142,7 +143,7 @@ public:
 private:
   int run() const;
 
-  AskedLab asked_;
+  LabSelection selection_;
   std::optional<std::string> json_output_, html_output_, against_;
   double seconds_ = 60;
 };
@@ -172,9 +173,9 @@ Result<labs::Claim> claim_in(const std::string& path) {
 // The measurement without the series whose functions the student has not written yet.
 labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::string>& untouched) {
   labs::LabMeasure rest = whole;
-  rest.places = [places = whole.places(), untouched] {
-    auto written = places;
-    std::erase_if(written, [&](const labs::MeasuredPlace& each) {
+  rest.points = [points = whole.points(), untouched] {
+    auto written = points;
+    std::erase_if(written, [&](const labs::MeasuredPoint& each) {
       return std::find(untouched.begin(), untouched.end(), each.series) != untouched.end();
     });
     return written;
@@ -215,10 +216,10 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
       "not\n"
       "compile or does not end, or if the file of --against differs from what was measured.");
   command
-      .add_option("FOLDER", asked_.folder,
+      .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or another one with a student.cpp")
       ->required();
-  add_lab_name(command, asked_.lab);
+  add_lab_name(command, selection_.lab);
   add_json_output(command, json_output_, "your points, to be handed in");
   add_html_output(command, html_output_, "the experiment's charts, with your points");
   command.add_option("--against", against_, "compare with this file, which was handed in")
@@ -234,11 +235,11 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
 int LabMeasureCommand::run() const {
   if (const auto good = check_report_outputs(html_output_, json_output_); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(asked_);
+  const auto folder = open_lab_folder(selection_);
   if (!folder) return refuse(folder.error());
   const auto measured = labs::measure_of(folder->lab->number);
   if (!measured)
-    return refuse({asked_.folder, "",
+    return refuse({selection_.folder, "",
                    fmt::format("no function of lab {} is measured", folder->lab->number),
                    "run the experiments that its handout names under \"Error against time\""});
   std::optional<labs::Claim> claimed;
@@ -265,20 +266,20 @@ int LabMeasureCommand::run() const {
   const auto tell = [&](const std::string& what) { progress.phase(what); };
   // Reports an error of the student's code, or what prevented the code from being run.
   const auto broken = [&](const Error& error) {
-    if (!student.broke()) return refuse(error);
+    if (!student.failure()) return refuse(error);
     progress.done();
-    fmt::print("{}: {}\n", folder->student.string(), *student.broke());
+    fmt::print("{}: {}\n", folder->student.string(), *student.failure());
     return kFailure;
   };
   const auto not_written = labs::untouched_series(*measured, student, untouched, tell);
   if (!not_written) return broken(not_written.error());
   const labs::LabMeasure written = without(*measured, *not_written);
-  if (written.places().empty()) {
+  if (written.points().empty()) {
     progress.done();
     fmt::print("{}", unwritten_text(*folder->lab, *measured));
     return kFailure;
   }
-  const auto yours = labs::measure_places(written, student, study::kLeastRepetitions, tell);
+  const auto yours = labs::measure_points(written, student, study::kLeastRepetitions, tell);
   if (!yours) return broken(yours.error());
 
   study::RunOptions options;
@@ -288,7 +289,7 @@ int LabMeasureCommand::run() const {
   result.configurations.insert(result.configurations.end(), yours->begin(), yours->end());
   progress.done();
   const study::Origin origin =
-      study::origin_here(study::version_and_build(), study::Effort::kQuick, 1);
+      study::current_origin(study::version_and_build(), study::Effort::kQuick, 1);
   const std::vector<std::string> series = series_of(*yours);
   const auto text = labs::grading::read_source(folder->student);
   if (!text) return refuse(text.error());
@@ -300,7 +301,7 @@ int LabMeasureCommand::run() const {
   }
   if (html_output_) {
     const std::string command =
-        shell_line({{"lab", "measure", asked_.folder, "--html", *html_output_}});
+        shell_line({{"lab", "measure", selection_.folder, "--html", *html_output_}});
     const auto made = write_text(*html_output_, study::study_page({origin, {result}}, command));
     if (!made) return refuse(made.error());
   }

@@ -25,7 +25,7 @@ public:
 private:
   int run() const;
 
-  AskedLab asked_;
+  LabSelection selection_;
   std::string scene_, output_;
   PictureOptions picture_;
   std::optional<std::string> json_output_, html_output_;
@@ -47,7 +47,7 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
       "compile or does not end.\n\n" +
       builtin_help());
   command
-      .add_option("FOLDER", asked_.folder,
+      .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
   command.add_option("SCENE", scene_, kSceneHelp)->required();
@@ -55,7 +55,7 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
       .add_option("-o,--output", output_,
                   "your picture beside the reference's, .png or .ppm [SCENE.png]")
       ->type_name("FILE");
-  add_lab_name(command, asked_.lab);
+  add_lab_name(command, selection_.lab);
   add_picture_options(command, picture_);
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_,
@@ -70,9 +70,10 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabRenderCommand::run() const {
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
-  const LabPicture asked{asked_, scene_, output, picture_, json_output_, html_output_, seconds_};
-  if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
-  return draw_lab_picture(asked);
+  const LabPictureRequest request{selection_,   scene_,       output,  picture_,
+                                  json_output_, html_output_, seconds_};
+  if (const auto good = check_lab_picture(request); !good) return refuse(good.error());
+  return draw_lab_picture(request);
 }
 
 void add_render_command(CLI::App& lab, int& exit_code) {

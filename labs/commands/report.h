@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "labs/framework/judge.h"
+#include "labs/framework/judge_check.h"
 #include "labs/framework/lab.h"
 
 #include <glassbox/base/error.h>

@@ -71,7 +71,7 @@ Json check_json(const LabReport& report, const CheckResult& check) {
             {"seconds", check.seconds},
             {"first_divergence", nullptr}};
   if (check.first) json["first_divergence"] = first_json(report, check);
-  if (!check.said.empty()) json["printed"] = check.said;
+  if (!check.printed.empty()) json["printed"] = check.printed;
   return json;
 }
 

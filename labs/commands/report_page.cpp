@@ -11,7 +11,7 @@
 #include "labs/framework/slips.h"
 
 #include <glassbox/html/blob.h>
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::labs {
@@ -19,7 +19,7 @@ namespace glassbox::labs {
 namespace {
 
 std::string row(const char* name, const std::string& value) {
-  return fmt::format("<tr><th scope=row>{}</th><td>{}</td></tr>\n", name, escaped(value));
+  return fmt::format("<tr><th scope=row>{}</th><td>{}</td></tr>\n", name, escaped_html(value));
 }
 
 Result<std::string> figure(const Image<Rgba8>& image, const char* caption) {
@@ -73,38 +73,40 @@ Result<std::string> failure_html(const LabReport& report, const CheckResult& che
   if (first.divergence) html += divergence_rows(*first.divergence);
   html += "</table>\n";
   for (const std::string& slip : check.slips)
-    html += fmt::format("<p class=slip>Likely slip: {}.</p>\n", escaped(labs::slip_text(slip)));
+    html +=
+        fmt::format("<p class=slip>Likely slip: {}.</p>\n", escaped_html(labs::slip_text(slip)));
   const auto shown = pictures(first);
   if (!shown) return shown;
   html += *shown;
   const Restated restated = restated_lines(first.restated);
   if (!restated.facts.empty()) {
     html += "<p class=quiet>The case:</p>\n<pre>";
-    for (const std::string& fact : restated.facts) html += escaped(fact) + "\n";
+    for (const std::string& fact : restated.facts) html += escaped_html(fact) + "\n";
     html += "</pre>\n";
   }
   const std::string debugger = debugger_command(report, check);
   if (!restated.commands.empty() || !debugger.empty()) {
     html += "<p class=quiet>Look at it:</p>\n<pre>";
-    for (const std::string& command : restated.commands) html += escaped(command) + "\n";
-    if (!debugger.empty()) html += escaped(debugger) + "\n";
+    for (const std::string& command : restated.commands) html += escaped_html(command) + "\n";
+    if (!debugger.empty()) html += escaped_html(debugger) + "\n";
     html += "</pre>\n";
   }
   return html;
 }
 
 std::string printed_html(const CheckResult& check) {
-  if (check.said.empty()) return {};
-  return "<p class=quiet>Your code printed:</p>\n<pre>" + escaped(check.said.substr(0, 4000)) +
-         "</pre>\n";
+  if (check.printed.empty()) return {};
+  return "<p class=quiet>Your code printed:</p>\n<pre>" +
+         escaped_html(check.printed.substr(0, 4000)) + "</pre>\n";
 }
 
 std::string table_of_tasks(const labs::LabResult& result) {
   std::string html = "<table>\n";
   for (const labs::TaskResult& task : result.tasks) {
     if (task.max_score == 0) continue;
-    html += fmt::format("<tr><th scope=row>{}</th><td>{}</td><td>{}</td></tr>\n", escaped(task.id),
-                        escaped(task.title), points_text(task.score, task.max_score));
+    html +=
+        fmt::format("<tr><th scope=row>{}</th><td>{}</td><td>{}</td></tr>\n", escaped_html(task.id),
+                    escaped_html(task.title), points_text(task.score, task.max_score));
   }
   return html + fmt::format("<tr><th scope=row></th><td>total</td><td>{}</td></tr>\n</table>\n",
                             points_text(result.score, result.max_score));
@@ -115,18 +117,19 @@ std::string table_of_tasks(const labs::LabResult& result) {
 Result<std::string> lab_report_page(const LabReport& report) {
   const labs::LabResult& result = report.result;
   const std::string title = fmt::format("Lab {}: {}", result.number, result.title);
-  std::string html = "<header><h1>" + escaped(title) + "</h1></header>\n<main>\n<section>\n" +
+  std::string html = "<header><h1>" + escaped_html(title) + "</h1></header>\n<main>\n<section>\n" +
                      table_of_tasks(result) + "</section>\n";
   if (!result.not_built.empty())
     html += "<section class=wrong><h2>student.cpp does not compile</h2>\n<pre>" +
-            escaped(result.not_built) + "</pre></section>\n";
+            escaped_html(result.not_built) + "</pre></section>\n";
   for (const CheckResult& check : result.checks) {
     html += fmt::format(
         "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases "
         "right{}, {} points</p>\n",
-        check.right == check.cases.size() ? "right" : "wrong", escaped(check.name),
-        escaped(check.task), escaped(check.stage), check.hidden ? ", hidden" : "", check.right,
-        check.cases.size(), note_of_whole(check), points_text(check.score, check.max_score));
+        check.right == check.cases.size() ? "right" : "wrong", escaped_html(check.name),
+        escaped_html(check.task), escaped_html(check.stage), check.hidden ? ", hidden" : "",
+        check.right, check.cases.size(), all_or_nothing_note(check),
+        points_text(check.score, check.max_score));
     if (check.first) {
       const auto failure = failure_html(report, check);
       if (!failure) return failure;

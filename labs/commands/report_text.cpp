@@ -71,14 +71,14 @@ std::string failure_text(const LabReport& report, const CheckResult& check) {
 }
 
 std::string printed_text(const CheckResult& check) {
-  if (check.said.empty()) return {};
-  return "    your code printed:\n" + quoted_lines("      ", check.said, 12);
+  if (check.printed.empty()) return {};
+  return "    your code printed:\n" + quoted_lines("      ", check.printed, 12);
 }
 
 std::string check_text(const LabReport& report, const CheckResult& check) {
   std::string text = fmt::format("\n{} (task {}, stage {}{}): {} of {} cases right{}\n", check.name,
                                  check.task, check.stage, check.hidden ? ", hidden" : "",
-                                 check.right, check.cases.size(), note_of_whole(check));
+                                 check.right, check.cases.size(), all_or_nothing_note(check));
   if (check.first) text += failure_text(report, check);
   return text + printed_text(check);
 }
@@ -142,7 +142,7 @@ std::string lab_report_text(const LabReport& report) {
   if (!result.warnings.empty()) text += "\nWarnings:\n";
   for (const std::string& warning : result.warnings) text += quoted_lines("  ", warning, 30);
   for (const CheckResult& check : result.checks) {
-    if (check.first || !check.said.empty()) text += check_text(report, check);
+    if (check.first || !check.printed.empty()) text += check_text(report, check);
   }
   return text;
 }

@@ -11,7 +11,7 @@
 #include "cli/options/add_command.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/output.h"
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "cli/report/shell_line.h"
 #include "labs/commands/commands.h"
 #include "labs/commands/find_lab.h"
@@ -56,12 +56,12 @@ struct Starter {
 Result<Starter> starter_of(const std::string& name, const std::string& lab_dir = {}) {
   const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
   if (!sources) return tl::unexpected(sources.error());
-  const Scratch scratch;
+  const ScratchDirectory scratch;
   Result<const labs::Lab*> lab = nullptr;
   if (lab_dir.empty()) {
     lab = find_lab(name);
   } else {
-    const auto place = scratch.own("judge");
+    const auto place = scratch.make_private_directory("judge");
     lab = place ? labs::grading::load_outside_lab(*sources, *place) : tl::unexpected(place.error());
   }
   if (!lab) return tl::unexpected(lab.error());

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 
 namespace glassbox::labs {
 

@@ -20,10 +20,10 @@
 #include "labs/commands/commands.h"
 #include "labs/commands/find_lab.h"
 #include "labs/commands/student_stages.h"
-#include "labs/drawing/program.h"
+#include "labs/drawing/stage_program.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "study/extremes/run.h"
+#include "study/extremes/run_case.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/base/trig.h>
@@ -33,17 +33,17 @@ namespace glassbox::labs {
 
 // Tests the extreme cases of a lab: draws each with a student's functions in the pipeline.
 struct StiffCase {
-  const study::ExtremeCase* what = nullptr;
+  const study::ExtremeCase* extreme_case = nullptr;
   // The verdicts of the case's own judge: `yours` with the student's functions in the pipeline,
   // `reference` with the reference's instead, `naive` for naive code. `yours` and `reference` are
   // absent if the case is not visible in a picture that the lab draws.
   std::optional<study::Outcome> yours, reference;
   study::Outcome naive;
-  std::string broke;  // how the student's code ended if it failed; empty: normally
+  std::string failure;  // how the student's code ended if it failed; empty: normally
   // The reference fails too, so no answer within the contract is expected to pass.
-  bool out_of_reach() const { return yours && broke.empty() && !reference->passes(); }
+  bool out_of_reach() const { return yours && failure.empty() && !reference->passes(); }
   bool gives_up() const {
-    return yours && (!broke.empty() || (!yours->passes() && reference->passes()));
+    return yours && (!failure.empty() || (!yours->passes() && reference->passes()));
   }
 };
 
@@ -72,39 +72,39 @@ bool has_plain_lens(const View& view) {
          std::abs(m.at(1, 1) - aspect * m.at(0, 0)) <= 1e-12 * std::abs(m.at(1, 1));
 }
 
-struct Drawing {
+struct DrawingOutcome {
   bool not_this_lab = false;  // a pair, several samples, or a view that the lab has no function for
   std::string failure;
 };
 
-// Makes the lab's functions a drawer for the catalogue of extreme cases. `answering` gives their
-// results: the student's or the reference's.
-study::Drawer drawer_of(const labs::Lab& lab, const labs::LabDrawing& drawing,
-                        labs::Answering& answering, Drawing& went) {
+// Makes the lab's functions a tested engine for the catalogue of extreme cases. `answer_source`
+// gives their results: the student's or the reference's.
+study::TestedEngine tested_engine_of(const labs::Lab& lab, const labs::LabDrawing& drawing,
+                                     labs::AnswerSource& answer_source, DrawingOutcome& outcome) {
   constexpr int kProjection = 4, kStereo = 9;
   const auto draw = [&](const Scene& scene, const View& view, const RenderSettings& settings) {
     const bool can = lab.number != kStereo && samples_drawn(settings) == 1 && !settings.wireframe &&
                      (lab.number != kProjection || has_plain_lens(view));
     const Camera camera = camera_of(view);
-    const labs::Drawn drawn{scene, camera, view, settings, {}, {}};
+    const labs::DrawingInput drawn{scene, camera, view, settings, {}, {}};
     if (can) {
-      const auto made = drawing.draw(drawn, answering);
+      const auto made = drawing.draw(drawn, answer_source);
       if (made) return made->render();
-      if (went.failure.empty()) went.failure = made.error().message();
+      if (outcome.failure.empty()) outcome.failure = made.error().message();
     } else {
-      went.not_this_lab = true;
+      outcome.not_this_lab = true;
     }
     return render_staged(scene, view,
                          settings);  // the judge needs some picture; its verdict is not used
   };
   const auto renderer = [&](const Scene& scene, Transfer transfer) {
-    went.not_this_lab = true;
+    outcome.not_this_lab = true;
     return Renderer(scene, transfer, EngineKind::kStaged, {});
   };
   return {"lab", draw, renderer};
 }
 
-class ReferenceAnswers : public labs::Answering {
+class ReferenceAnswers : public labs::AnswerSource {
 public:
   Result<std::vector<labs::Numbers>> ask(const labs::DrawnStage& stage,
                                          std::span<const labs::Question> questions) override {
@@ -139,22 +139,23 @@ Result<std::vector<const study::ExtremeCase*>> cases_of_lab(const labs::Sources&
   return cases;
 }
 
-StiffCase put_case(const study::ExtremeCase& extreme, const labs::Lab& lab,
+StiffCase run_case(const study::ExtremeCase& extreme, const labs::Lab& lab,
                    const labs::LabDrawing& drawing, const labs::grading::Sandbox& sandbox,
                    const labs::StageProgram& program, double seconds) {
-  StiffCase put{&extreme, {}, {}, {}, {}};
-  if (!extreme.drawn) return put;
+  StiffCase result{&extreme, {}, {}, {}, {}};
+  if (!extreme.drawn) return result;
   ReferenceAnswers reference;
-  Drawing with_reference, with_yours;
-  const study::Outcome right = extreme.drawn(drawer_of(lab, drawing, reference, with_reference));
-  if (with_reference.not_this_lab || !with_reference.failure.empty()) return put;
+  DrawingOutcome with_reference, with_yours;
+  const study::Outcome right =
+      extreme.drawn(tested_engine_of(lab, drawing, reference, with_reference));
+  if (with_reference.not_this_lab || !with_reference.failure.empty()) return result;
   labs::StudentAnswers student(sandbox, program.program, seconds);
-  const study::Outcome yours = extreme.drawn(drawer_of(lab, drawing, student, with_yours));
-  put.reference = right;
-  put.yours = yours;
-  put.naive = extreme.naive.judged();
-  put.broke = student.broke().value_or(with_yours.failure);
-  return put;
+  const study::Outcome yours = extreme.drawn(tested_engine_of(lab, drawing, student, with_yours));
+  result.reference = right;
+  result.yours = yours;
+  result.naive = extreme.naive.measure_error();
+  result.failure = student.failure().value_or(with_yours.failure);
+  return result;
 }
 
 class LabStiffCommand {
@@ -164,7 +165,7 @@ public:
 private:
   int run() const;
 
-  AskedLab asked_;
+  LabSelection selection_;
   std::optional<std::string> json_output_;
   double seconds_ = 10;
 };
@@ -180,21 +181,21 @@ std::string number_text(const study::Outcome& outcome) {
 std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& cases) {
   std::size_t width = 0;
   for (const StiffCase& each : cases)
-    if (each.yours) width = std::max(width, each.what->name.size());
+    if (each.yours) width = std::max(width, each.extreme_case->name.size());
   std::string text =
       fmt::format("Lab {}: {}\n\n  {:<6}{:<{}}{:>12}{:>12}{:>12}{:>10}  {}\n", lab.number,
                   lab.title, "case", "", width, "yours", "reference", "naive", "bound", "unit");
-  std::string not_put;
+  std::string not_drawn;
   for (const StiffCase& each : cases) {
-    const study::ExtremeCase& what = *each.what;
+    const study::ExtremeCase& extreme = *each.extreme_case;
     if (!each.yours) {
-      not_put += (not_put.empty() ? "" : ", ") + what.id;
+      not_drawn += (not_drawn.empty() ? "" : ", ") + extreme.id;
       continue;
     }
-    text += fmt::format("  {:<6}{:<{}}{:>12}{:>12}{:>12}{:>10.3g}  {}\n", what.id, what.name, width,
-                        each.broke.empty() ? number_text(*each.yours) : "ended !",
+    text += fmt::format("  {:<6}{:<{}}{:>12}{:>12}{:>12}{:>10.3g}  {}\n", extreme.id, extreme.name,
+                        width, each.failure.empty() ? number_text(*each.yours) : "ended !",
                         number_text(*each.reference), number_text(each.naive), each.yours->bound,
-                        what.unit);
+                        extreme.unit);
   }
   text +=
       "\n! marks an error above its bound. Naive code is measured by itself, without a picture.\n";
@@ -203,32 +204,34 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
       text += fmt::format(
           "{}: the reference is above the bound too, because the contracts in student.h ask for "
           "less.\n",
-          each.what->id);
+          each.extreme_case->id);
     if (!each.gives_up()) continue;
-    text +=
-        fmt::format("{}: {}\n", each.what->id, each.broke.empty() ? each.yours->seen : each.broke);
-    text += fmt::format("  glassbox study extremes --case {}\n", each.what->id);
+    text += fmt::format("{}: {}\n", each.extreme_case->id,
+                        each.failure.empty() ? each.yours->summary : each.failure);
+    text += fmt::format("  glassbox study extremes --case {}\n", each.extreme_case->id);
   }
-  if (!not_put.empty())
+  if (!not_drawn.empty())
     text += fmt::format(
-        "Not tried with your functions, because no picture of this lab shows it: {}.\n", not_put);
+        "Not tried with your functions, because no picture of this lab shows it: {}.\n", not_drawn);
   return text;
 }
 
 Json outcome_json(const study::Outcome& outcome) {
-  return {{"error", outcome.error}, {"bound", outcome.bound}, {"seen", outcome.seen}};
+  return {{"error", outcome.error}, {"bound", outcome.bound}, {"seen", outcome.summary}};
 }
 
 Json report_json(const labs::Lab& lab, const std::vector<StiffCase>& cases) {
   Json json{{"lab", lab.folder}, {"cases", Json::array()}};
   for (const StiffCase& each : cases) {
-    Json one{{"id", each.what->id}, {"name", each.what->name}, {"unit", each.what->unit}};
+    Json one{{"id", each.extreme_case->id},
+             {"name", each.extreme_case->name},
+             {"unit", each.extreme_case->unit}};
     if (each.yours) {
       one["yours"] = outcome_json(*each.yours);
       one["reference"] = outcome_json(*each.reference);
       one["naive"] = outcome_json(each.naive);
       one["gives_up"] = each.gives_up();
-      if (!each.broke.empty()) one["ended"] = each.broke;
+      if (!each.failure.empty()) one["ended"] = each.failure;
     }
     json["cases"].push_back(std::move(one));
   }
@@ -248,10 +251,10 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
       "pipeline, and judged as glassbox study extremes judges it. The exit code is 0 where all "
       "hold\nthat hold with the reference's.");
   command
-      .add_option("FOLDER", asked_.folder,
+      .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or a lab's folder in the sources")
       ->required();
-  add_lab_name(command, asked_.lab);
+  add_lab_name(command, selection_.lab);
   add_json_output(command, json_output_, "the report");
   command
       .add_option("--time-limit", seconds_,
@@ -263,7 +266,7 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabStiffCommand::run() const {
   if (const auto good = check_report_outputs({}, json_output_); !good) return refuse(good.error());
-  const auto folder = open_lab_folder(asked_);
+  const auto folder = open_lab_folder(selection_);
   if (!folder) return refuse(folder.error());
   const auto drawing = labs::drawing_of(folder->lab->number);
   const auto sources = labs::find_sources();
@@ -272,7 +275,7 @@ int LabStiffCommand::run() const {
   if (!cases) return refuse(cases.error());
   if (!drawing || cases->empty())
     return refuse(
-        {asked_.folder, "", "this lab has no stiff cases", "name the folder of another lab"});
+        {selection_.folder, "", "this lab has no stiff cases", "name the folder of another lab"});
   Progress progress;
   StudentStages stages;
   if (const auto built = stages.build(*sources, *folder, progress); !built)
@@ -282,24 +285,26 @@ int LabStiffCommand::run() const {
     fmt::print("{}", stages.program().messages);
     return kFailure;
   }
-  std::vector<StiffCase> put;
+  std::vector<StiffCase> results;
   for (const study::ExtremeCase* each : *cases) {
     progress.phase("drawing " + each->id);
-    put.push_back(
-        put_case(*each, *folder->lab, *drawing, stages.sandbox(), stages.program(), seconds_));
+    results.push_back(
+        run_case(*each, *folder->lab, *drawing, stages.sandbox(), stages.program(), seconds_));
   }
   progress.done();
-  if (std::none_of(put.begin(), put.end(), [](const auto& c) { return c.yours.has_value(); }))
-    return refuse({asked_.folder, "", "no picture of this lab shows one of its stiff cases",
+  if (std::none_of(results.begin(), results.end(),
+                   [](const auto& c) { return c.yours.has_value(); }))
+    return refuse({selection_.folder, "", "no picture of this lab shows one of its stiff cases",
                    fmt::format("look at one of them by itself: glassbox study extremes --case {}",
-                               put.front().what->id)});
+                               results.front().extreme_case->id)});
   if (json_output_) {
-    if (const auto made = write_json(*json_output_, report_json(*folder->lab, put)); !made)
+    if (const auto made = write_json(*json_output_, report_json(*folder->lab, results)); !made)
       return refuse(made.error());
   }
-  if (json_output_ != "-") fmt::print("{}", report_text(*folder->lab, put));
-  return std::any_of(put.begin(), put.end(), [](const auto& c) { return c.gives_up(); }) ? kFailure
-                                                                                         : kSuccess;
+  if (json_output_ != "-") fmt::print("{}", report_text(*folder->lab, results));
+  return std::any_of(results.begin(), results.end(), [](const auto& c) { return c.gives_up(); })
+             ? kFailure
+             : kSuccess;
 }
 
 void add_stiff_command(CLI::App& lab, int& exit_code) {

@@ -4,7 +4,7 @@ namespace glassbox::labs {
 
 namespace {
 
-std::filesystem::path kept_in(const LabFolder& folder, bool timed) {
+std::filesystem::path stage_build_dir(const LabFolder& folder, bool timed) {
   return folder.build_dir / (timed ? "measuring" : "drawing");
 }
 
@@ -19,7 +19,7 @@ Result<void> StudentStages::build(const labs::Sources& sources, const LabFolder&
   sandbox_ = std::move(*sandbox);
   progress.phase("compiling " + folder.student.string());
   auto program = labs::build_stages(
-      sources, {folder.lab->folder, folder.student, kept_in(folder, timed), *place, timed},
+      sources, {folder.lab->folder, folder.student, stage_build_dir(folder, timed), *place, timed},
       *sandbox_);
   if (!program) return tl::unexpected(program.error());
   program_ = std::move(*program);
@@ -31,7 +31,8 @@ Result<labs::StageProgram> StudentStages::build_starter(const labs::Sources& sou
   const auto place = scratch_.path();
   if (!place) return tl::unexpected(place.error());
   return labs::build_stages(
-      sources, {folder.lab->folder, folder.student, kept_in(folder, timed), *place, timed, true},
+      sources,
+      {folder.lab->folder, folder.student, stage_build_dir(folder, timed), *place, timed, true},
       *sandbox_);
 }
 

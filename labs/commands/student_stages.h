@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "cli/report/progress.h"
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "labs/commands/find_lab.h"
-#include "labs/drawing/program.h"
+#include "labs/drawing/stage_program.h"
 
 namespace glassbox::labs {
 
@@ -28,7 +28,7 @@ public:
   const labs::StageProgram& program() const { return program_; }
 
 private:
-  Scratch scratch_;
+  ScratchDirectory scratch_;
   std::optional<labs::grading::Sandbox> sandbox_;
   labs::StageProgram program_;
 };

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/engine/show.h>
+#include <glassbox/render/engine/show_plane.h>
 
 namespace glassbox::labs {
 
@@ -43,13 +43,13 @@ std::optional<LabDrawing> drawing_of(int lab) {
   return std::nullopt;
 }
 
-Rendering StandIn::render() const {
+Rendering PictureSetup::render() const {
   Rendering rendering = render_staged(scene, view, settings, stages.get());
   if (finish) finish(rendering.buffers);
   return rendering;
 }
 
-void watch_run(const StandIn& run, Observer& observer) {
+void observe_run(const PictureSetup& run, Observer& observer) {
   render_staged(run.scene, run.view, run.settings, &observer);
 }
 
@@ -58,7 +58,7 @@ std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels
   return [pixels = std::move(pixels), distances = std::move(distances)](Framebuffer& picture) {
     for (std::size_t i = 0; i < pixels.size() && i < distances.size(); ++i)
       picture.distance.pixels[pixels[i]] = float(distances[i]);
-    show(Show::kDepth, picture);
+    show_plane(Show::kDepth, picture);
   };
 }
 
@@ -95,7 +95,7 @@ std::optional<WrongNumber> first_wrong_entry(std::span<const double> yours,
       [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
 }
 
-float carried(double value, float most) {
+float to_finite_float(double value, float most) {
   return std::isfinite(value) ? float(std::clamp(value, -double(most), double(most))) : 0.0f;
 }
 

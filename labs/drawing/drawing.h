@@ -59,9 +59,9 @@ struct DrawnStage {
 };
 
 // The source of the answers: the student's process, or the reference.
-class Answering {
+class AnswerSource {
 public:
-  virtual ~Answering() = default;
+  virtual ~AnswerSource() = default;
   // Returns one answer for each question.
   virtual Result<std::vector<Numbers>> ask(const DrawnStage& stage,
                                            std::span<const Question> questions) = 0;
@@ -70,7 +70,7 @@ public:
 // ---- pictures ----
 
 // The picture's input.
-struct Drawn {
+struct DrawingInput {
   const Scene& scene;
   const Camera& camera;
   View view;
@@ -81,7 +81,7 @@ struct Drawn {
 
 // The scene as the answers make it: the data that the pipeline draws, and the observer of its
 // stages.
-struct StandIn {
+struct PictureSetup {
   Scene scene;
   View view;
   RenderSettings settings;
@@ -94,11 +94,11 @@ struct StandIn {
 
 struct LabDrawing {
   std::vector<DrawnStage> stages;  // in the order of the pipeline
-  std::function<Result<StandIn>(const Drawn& drawn, Answering& answering)> draw;
+  std::function<Result<PictureSetup>(const DrawingInput& input, AnswerSource& answer_source)> draw;
   std::string not_drawn;  // functions of student.h that are not used; empty: all are
   // Where the lab draws in another way than the pipeline does: the pipeline's picture, shown beside
   // both others. Null: the reference's picture is that of the pipeline.
-  StandIn (*truth)(const Drawn& drawn) = nullptr;
+  PictureSetup (*truth)(const DrawingInput& input) = nullptr;
 };
 
 // Returns nothing for a lab that has no drawing.
@@ -121,10 +121,10 @@ std::optional<WrongNumber> first_wrong_entry(std::span<const double> yours,
 
 // Watches a run of the pipeline and gathers the questions of a round; the next run gets the answers
 // to the questions of the earlier runs. All runs of a scene are the same.
-void watch_run(const StandIn& run, Observer& observer);
+void observe_run(const PictureSetup& run, Observer& observer);
 
-// For StandIn::finish: a picture of depth that has distances[i], in world units, at pixel pixels[i]
-// (numbered row by row), and the pipeline's own distances elsewhere.
+// For PictureSetup::finish: a picture of depth that has distances[i], in world units, at
+// pixel pixels[i] (numbered row by row), and the pipeline's own distances elsewhere.
 std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels,
                                                  Numbers distances);
 
@@ -133,6 +133,6 @@ std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels
 Result<void> check_opaque(const Scene& scene, const std::string& lab);
 
 // The value as a float that the later stages can handle: finite, at most `most` in size.
-float carried(double value, float most = 1e30f);
+float to_finite_float(double value, float most = 1e30f);
 
 }  // namespace glassbox::labs

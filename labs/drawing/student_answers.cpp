@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/process/follow.h"
-#include "labs/drawing/program.h"
+#include "cli/process/wait_for_process.h"
+#include "labs/drawing/stage_program.h"
 
 namespace glassbox::labs {
 
@@ -54,8 +54,8 @@ public:
   int descriptor() const { return file_.get(); }
   // How many records the process reports that it has begun.
   std::size_t begun(std::size_t most) const {
-    const double said = *at_;
-    return said >= 0 && said <= double(most) ? std::size_t(said) : 0;
+    const double reported = *at_;
+    return reported >= 0 && reported <= double(most) ? std::size_t(reported) : 0;
   }
 
 private:
@@ -132,8 +132,8 @@ Result<Numbers> StudentAnswers::time(const DrawnStage& stage, const Question& qu
   auto times = ask_batch(stage, rounds, {&question, 1});
   if (!times) return tl::unexpected(times.error());
   if (times->front().size() == 2 * std::size_t(rounds)) return std::move(times->front());
-  broke_ = stage.functions + ": something other than a time was written among the times";
-  return fail("student.cpp", *broke_, "");
+  failure_ = stage.functions + ": something other than a time was written among the times";
+  return fail("student.cpp", *failure_, "");
 }
 
 // Runs one process. When many run in a row, namespaces of earlier ones may not be gone yet, and
@@ -146,7 +146,7 @@ RunOutcome StudentAnswers::run(const DrawnStage& stage, int rounds, const BatchF
   for (int tried = 1;; ++tried) {
     RunOutcome outcome = sandbox_.run(program_, words, limits_, file.descriptor());
     const bool not_begun = outcome.ending == RunOutcome::Ending::kExit && outcome.code == 1 &&
-                           file.begun(1) == 0 && outcome.said.starts_with("bwrap:");
+                           file.begun(1) == 0 && outcome.printed.starts_with("bwrap:");
     if (!not_begun || tried == kTries) return outcome;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
@@ -159,26 +159,27 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
     return fail("the records", "there is not enough memory for them", "draw a smaller picture");
   const RunOutcome outcome = run(stage, rounds, file);
   seconds_ += outcome.seconds;
-  constexpr std::size_t kSaid = 4096;
-  if (said_.size() < kSaid) said_ += outcome.said.substr(0, kSaid - said_.size());
+  constexpr std::size_t kPrintedBytes = 4096;
+  if (printed_.size() < kPrintedBytes)
+    printed_ += outcome.printed.substr(0, kPrintedBytes - printed_.size());
   const bool well = outcome.ending == RunOutcome::Ending::kExit && outcome.code == 0;
   if (well) {
     if (auto answers = answers_of(outcome.answers, batch.size())) return std::move(*answers);
   }
   constexpr int kThrew = 3;  // the exit code in stages_main.cpp
   const bool threw = outcome.ending == RunOutcome::Ending::kExit && outcome.code == kThrew;
-  const std::string how = threw  ? outcome.said.substr(0, outcome.said.find('\n'))
+  const std::string how = threw  ? outcome.printed.substr(0, outcome.printed.find('\n'))
                           : well ? "something other than an answer was written among the answers"
                                  : ending_text(outcome, {limits_.seconds, limits_.output_bytes, 0});
   std::string text = fmt::format("{}: {}", stage.functions, how);
   const std::size_t begun = file.begun(batch.size());
-  if (begun == 0 && !outcome.said.empty()) text += ": " + outcome.said.substr(0, 500);
+  if (begun == 0 && !outcome.printed.empty()) text += ": " + outcome.printed.substr(0, 500);
   if (begun > 0) {
     const Question& question = batch[begun - 1];
     if (question.triangle != kNone) text += fmt::format(", at triangle {}", question.triangle);
     text += fmt::format("\n  its input: {}", record_text(question));
   }
-  broke_ = text;
+  failure_ = text;
   return fail("student.cpp", text, "");
 }
 

@@ -94,14 +94,14 @@ Divergence wrong_length(const Expected& expected, const std::vector<double>& act
   return found;
 }
 
-bool within(const Expected& expected, std::size_t index, double actual) {
+bool is_within_bound(const Expected& expected, std::size_t index, double actual) {
   return distance_between(expected.values[index], actual) <= expected.bound;
 }
 
 CoverageCounts count_coverage(const Expected& expected, const std::vector<double>& actual) {
   CoverageCounts counts;
   for (std::size_t i = 0; i < std::min(expected.values.size(), actual.size()); ++i) {
-    if (within(expected, i, actual[i])) continue;
+    if (is_within_bound(expected, i, actual[i])) continue;
     if (actual[i] < expected.values[i]) {
       ++counts.gaps;
     } else if (expected.values[i] > 0) {
@@ -115,7 +115,7 @@ CoverageCounts count_coverage(const Expected& expected, const std::vector<double
 
 char map_letter(const Expected& expected, const std::vector<double>& actual, std::size_t i) {
   if (i >= actual.size()) return '?';
-  if (within(expected, i, actual[i])) return expected.values[i] > 0 ? '#' : '.';
+  if (is_within_bound(expected, i, actual[i])) return expected.values[i] > 0 ? '#' : '.';
   if (!(actual[i] >= expected.values[i])) return 'o';
   return expected.values[i] > 0 ? '2' : '+';
 }
@@ -196,7 +196,7 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual) 
   Comparison result;
   const std::size_t both = std::min(expected.values.size(), actual.size());
   for (std::size_t i = 0; i < both; ++i) {
-    if (within(expected, i, actual[i])) continue;
+    if (is_within_bound(expected, i, actual[i])) continue;
     ++result.differing;
     if (result.first) continue;
     Divergence found = divergence_at(expected, i, kind_of(expected, i, actual[i]));

@@ -68,7 +68,7 @@ struct Divergence {
 };
 
 // What the answer would be with one of the convention slips, known_slips() of slips.h.
-struct Slipped {
+struct ExpectedWithSlip {
   std::string slip;
   std::vector<Expected> expected;
 };
@@ -86,12 +86,12 @@ struct Case {
   // What the answer would be with slips that cannot be seen from the answer alone, such as a
   // product in the other order. Those that can be seen (slips.h) need no entry. A slip is named
   // only if every case of the check answers as it would with the slip.
-  std::vector<Slipped> slipped = {};
+  std::vector<ExpectedWithSlip> slipped = {};
 };
 
 // The command that shows the extreme case which a case's text names, as "... (C-43)"; empty where
 // it names none.
-inline std::string command_for(const std::string& what) {
+inline std::string extreme_case_command(const std::string& what) {
   const std::size_t id = what.find("C-");
   if (id == std::string::npos) return "";
   const std::size_t end = what.find_first_not_of("0123456789", id + 2);
@@ -105,8 +105,8 @@ struct Check {
   std::string stage;
   bool hidden = false;  // not among the checks that students get
   std::function<std::vector<Case>()> cases;
-  double weight = 1;   // its share of the task's points (points.h)
-  bool whole = false;  // it gives its points only if every case is right
+  double weight = 1;            // its share of the task's points (lab_points.h)
+  bool all_or_nothing = false;  // it gives its points only if every case is right
 };
 
 // A check with one case for each of `inputs`; expect(input) says what is expected.
@@ -130,15 +130,15 @@ Check hidden_check(const char* name, const char* task, const char* stage, Inputs
 }
 
 // A placeholder for the hidden checks of a task, in the program for students, which does not have
-// them (students.h).
-inline Check hidden_elsewhere(const char* task) {
+// them (student_version.h).
+inline Check hidden_check_placeholder(const char* task) {
   return {"", task, "", true, [] { return std::vector<Case>(); }};
 }
 
 struct Task {
   std::string id;     // "5.2"
   std::string title;  // "Clip a polygon against one plane"
-  double points = 0;  // shared among its checks (points.h)
+  double points = 0;  // shared among its checks (lab_points.h)
 };
 
 struct Lab {

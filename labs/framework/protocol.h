@@ -34,7 +34,7 @@ struct CheckAnswers {
   // The first line that is not an answer and names no case, and what is wrong with it; empty if
   // there is none.
   std::string malformed;
-  std::string said;  // what the student's code printed
+  std::string printed;  // what the student's code printed
   double seconds = 0;
 };
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/process/process.h"
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 
 namespace glassbox::labs {
 
@@ -18,7 +18,7 @@ namespace {
 using Ending = RunOutcome::Ending;
 
 // Says in the first case that has no answer what happened to it.
-void blame(CaseAnswer& answer, const RunOutcome& outcome, const RunLimits& limits) {
+void record_failure(CaseAnswer& answer, const RunOutcome& outcome, const RunLimits& limits) {
   answer.text = ending_text(outcome, limits);
   switch (outcome.ending) {
     case Ending::kExit:
@@ -52,10 +52,10 @@ RunOutcome LocalRunner::run(const RunRequest& request) {
   argv.insert(argv.end(), {"--out-fd", std::to_string(kAnswersFd)});
   const RunLimits& limits = request.limits;
   ProcessOutcome process =
-      run_process(argv, {limits.seconds, limits.output_bytes, limits.said_bytes});
+      run_process(argv, {limits.seconds, limits.output_bytes, limits.printed_bytes});
   RunOutcome outcome;
   outcome.answers = std::move(process.answers);
-  outcome.said = std::move(process.said);
+  outcome.printed = std::move(process.printed);
   outcome.seconds = process.seconds;
   outcome.detail = process.why_not_started;
   if (!process.started) {
@@ -113,15 +113,16 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
     if (inputs_seed() != 0) words.insert(words.end(), {"--seed", std::to_string(inputs_seed())});
     const RunOutcome outcome = runner.run({program, words, limits});
     read_answers(outcome.answers, answers);
-    if (answers.said.size() < limits.said_bytes)
-      answers.said += outcome.said.substr(0, limits.said_bytes - answers.said.size());
+    if (answers.printed.size() < limits.printed_bytes)
+      answers.printed += outcome.printed.substr(0, limits.printed_bytes - answers.printed.size());
     answers.seconds += outcome.seconds;
     const std::size_t stuck = first_missing(answers, from);
     if (stuck == cases) break;
     // If a program went through all cases and ended normally, a missing answer means that it wrote
     // something else there.
     const bool well = outcome.ending == Ending::kExit && outcome.code == 0;
-    if (!(well && !answers.malformed.empty())) blame(answers.cases[stuck], outcome, limits);
+    if (!(well && !answers.malformed.empty()))
+      record_failure(answers.cases[stuck], outcome, limits);
     const bool again = outcome.ending == Ending::kSignal || outcome.ending == Ending::kExit;
     if (!again || restarts == kMostRestarts) {
       for (std::size_t i = stuck + 1; i < cases; ++i) {

@@ -14,7 +14,7 @@ struct RunLimits {
   double seconds = 10;                               // wall-clock time of a process
   std::size_t output_bytes = std::size_t(64) << 20;  // for answers; anything beyond is cut off
   // how much is kept of standard output and standard error
-  std::size_t said_bytes = std::size_t(64) << 10;
+  std::size_t printed_bytes = std::size_t(64) << 10;
 };
 
 struct RunRequest {
@@ -39,7 +39,7 @@ struct RunOutcome {
   // why it was not started, or which forbidden call or limit stopped it; may be empty
   std::string detail;
   std::string answers;  // what it wrote to the descriptor of the answers
-  std::string said;     // standard output and standard error
+  std::string printed;  // standard output and standard error
   double seconds = 0;
 };
 

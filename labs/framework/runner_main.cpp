@@ -18,7 +18,7 @@
 #include <string>
 
 #include "labs/framework/runner.h"
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 
 namespace {
 

@@ -112,7 +112,7 @@ std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
 // The matrix [L | t] with its two factors, L and a translation, in the other order. If the
 // translation rightly comes last, an answer with the slip has L t in place of t. If L rightly comes
 // last, it has L^-1 t.
-std::vector<Expected> other_order(const Expected& field) {
+std::vector<Expected> multiplied_in_other_order(const Expected& field) {
   const auto side = std::size_t(std::max(0, columns_of(field)));
   const auto& m = field.values;
   if (field.shape != Shape::kMatrix || side * side != m.size() || (side != 3 && side != 4))
@@ -152,7 +152,7 @@ std::vector<ExpectedVariant> expected_variants() {
   angle("half-angle", halved);
   angle("degrees-radians", degrees_as_radians);
   angle("degrees-radians", radians_as_degrees);
-  all.push_back({"multiplication-order", other_order});
+  all.push_back({"multiplication-order", multiplied_in_other_order});
   return all;
 }
 

@@ -23,7 +23,8 @@ bool is_point(const Expected& field, const Values& values) {
 
 // Replaces coordinate `axis` of a point, or of each vertex of a polygon, by change(coordinate).
 template <class Change>
-Candidates on_axis(const Expected& field, const Values& values, std::size_t axis, Change change) {
+Candidates change_coordinate(const Expected& field, const Values& values, std::size_t axis,
+                             Change change) {
   std::size_t step = 0;
   if (is_point(field, values)) step = std::max<std::size_t>(values.size(), 1);
   if (is_vertex_list(field)) step = std::size_t(columns_of(field));
@@ -34,7 +35,7 @@ Candidates on_axis(const Expected& field, const Values& values, std::size_t axis
 }
 
 Candidates negated_axis(const Expected& field, const Values& values, std::size_t axis) {
-  return on_axis(field, values, axis, [](double x) { return -x; });
+  return change_coordinate(field, values, axis, [](double x) { return -x; });
 }
 
 bool is_square(const Expected& field, const Values& values) {
@@ -62,7 +63,7 @@ Candidates axis_or_line(const Expected& field, const Values& values, std::size_t
 }
 
 // Whether the field is a normal, or Newell's sums, which are a normal of some length.
-bool names_normal(const Expected& field) {
+bool is_normal_field(const Expected& field) {
   return field.field.find("normal") != std::string::npos || field.field == "newell";
 }
 
@@ -148,7 +149,7 @@ Candidates reversed_triples(const Expected& field, const Values& values) {
 }
 
 // Whether the field is a depth, or a distance along the gaze.
-bool names_depth(const Expected& field) {
+bool is_depth_field(const Expected& field) {
   return field.field == "z" || field.field.find("depth") != std::string::npos ||
          field.field.find("distance") != std::string::npos || field.field.ends_with("_z") ||
          field.field.ends_with(" z");
@@ -156,9 +157,9 @@ bool names_depth(const Expected& field) {
 
 }  // namespace
 
-AnswerVariant y_from_other_end(double height) {
+AnswerVariant flipped_y_variant(double height) {
   return {"y-direction", 2, [height](const Expected& field, const Values& values) {
-            return on_axis(field, values, 1, [height](double y) { return height - y; });
+            return change_coordinate(field, values, 1, [height](double y) { return height - y; });
           }};
 }
 
@@ -169,7 +170,7 @@ std::vector<AnswerVariant> answer_variants() {
   };
   add("z-sign", 1, [](const Expected& f, const Values& v) { return axis_or_line(f, v, 2); });
   add("z-sign", 2, [](const Expected& f, const Values& v) {
-    return names_depth(f) ? all_negated(f, v, 1) : Candidates{};
+    return is_depth_field(f) ? all_negated(f, v, 1) : Candidates{};
   });
   add("y-direction", 1, [](const Expected& f, const Values& v) { return axis_or_line(f, v, 1); });
   add("y-direction", 1, flipped_rows);
@@ -182,7 +183,7 @@ std::vector<AnswerVariant> answer_variants() {
     return f.field.find("area") != std::string::npos ? all_negated(f, v, 1) : Candidates{};
   });
   add("winding", 1, [](const Expected& f, const Values& v) {
-    return names_normal(f) ? all_negated(f, v, 3) : Candidates{};
+    return is_normal_field(f) ? all_negated(f, v, 3) : Candidates{};
   });
   return all;
 }

@@ -28,7 +28,7 @@ struct ExpectedVariant {
 };
 
 // The slip y = height - y', with a height that follows from one wrong point.
-AnswerVariant y_from_other_end(double height);
+AnswerVariant flipped_y_variant(double height);
 
 std::vector<AnswerVariant> answer_variants();
 std::vector<ExpectedVariant> expected_variants();

@@ -140,16 +140,16 @@ bool explains(const Evidence& evidence, const std::string& slip) {
     const Case& input = evidence.cases[i];
     const Answer& answer = evidence.answers[i].answer;
     const bool wrong = judge_case(input, answer).has_value();
-    bool said = false, matched = false;
-    for (const Slipped& each : input.slipped) {
+    bool has_entry = false, matched = false;
+    for (const ExpectedWithSlip& each : input.slipped) {
       if (each.slip != slip || each.expected.empty()) continue;
-      said = true;
+      has_entry = true;
       matched = matched || std::none_of(each.expected.begin(), each.expected.end(),
                                         [&](const Expected& field) {
                                           return compare(field, answer).first.has_value();
                                         });
     }
-    if (wrong ? !matched : said && !matched) return false;
+    if (wrong ? !matched : has_entry && !matched) return false;
     used = used || wrong;
   }
   return used;
@@ -269,15 +269,15 @@ std::vector<std::string> find_slips(const std::vector<Case>& cases,
   const auto note = [&](const std::string& slip) {
     if (std::find(found.begin(), found.end(), slip) == found.end()) found.push_back(slip);
   };
-  std::set<std::string> said;
+  std::set<std::string> candidates;
   for (const Case& input : cases) {
-    for (const Slipped& each : input.slipped) said.insert(each.slip);
+    for (const ExpectedWithSlip& each : input.slipped) candidates.insert(each.slip);
   }
-  for (const std::string& slip : said) {
+  for (const std::string& slip : candidates) {
     if (explains(evidence, slip)) note(slip);
   }
   std::vector<AnswerVariant> variants = answer_variants();
-  for (const double height : heights_of(evidence)) variants.push_back(y_from_other_end(height));
+  for (const double height : heights_of(evidence)) variants.push_back(flipped_y_variant(height));
   const bool translated = has_translation(cases);
   for (const AnswerVariant& variant : variants) {
     if (!explains(evidence, variant)) continue;

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 
 namespace glassbox::labs {
 

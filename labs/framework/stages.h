@@ -24,7 +24,7 @@ public:
 
   // A point or vector, of floats or doubles; four numbers if it is in clip space.
   template <class P>
-  P place() {
+  P point() {
     using T = typename P::scalar;
     const T x = T(number()), y = T(number()), z = T(number());
     if constexpr (requires(P p) { p.w; }) {
@@ -48,7 +48,7 @@ private:
 };
 
 template <class P>
-void append_place(Numbers& out, const P& p) {
+void append_point(Numbers& out, const P& p) {
   out.insert(out.end(), {double(p.x), double(p.y), double(p.z)});
   if constexpr (requires { p.w; }) out.push_back(double(p.w));
 }

@@ -48,13 +48,13 @@ double nanoseconds(clockid_t clock) {
   return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
 }
 
-struct Taken {
+struct CallTime {
   double processor = 0, wall = 0;  // ns per call
 };
 
 // Uses the thread's clock. The clock of a process with a limit on its processor time advances only
 // with the system's ticks, which are milliseconds apart.
-Taken time_of(const std::function<void()>& work, int calls) {
+CallTime measure_call_time(const std::function<void()>& work, int calls) {
   const double wall = nanoseconds(CLOCK_MONOTONIC);
   const double processor = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
   for (int i = 0; i < calls; ++i) work();
@@ -67,10 +67,10 @@ Taken time_of(const std::function<void()>& work, int calls) {
 void time_rounds(const std::function<void()>& work, int rounds, Numbers& out) {
   constexpr double kLeastRound = 2e5;  // ns; reading a clock takes some 50
   work();
-  const double once = std::max(time_of(work, 1).wall, 1.0);
+  const double once = std::max(measure_call_time(work, 1).wall, 1.0);
   const int calls = int(std::clamp(std::ceil(kLeastRound / once), 1.0, 1e5));
   for (int round = 0; round < rounds; ++round) {
-    const Taken taken = time_of(work, calls);
+    const CallTime taken = measure_call_time(work, calls);
     out.insert(out.end(), {taken.processor, taken.wall});
   }
 }

@@ -1,7 +1,7 @@
 // labs_for_students LABS TO: the first step in the build of a glassbox for students.
 #include <cstdio>
 
-#include "labs/framework/students.h"
+#include "labs/framework/student_version.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

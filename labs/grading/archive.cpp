@@ -159,7 +159,7 @@ Result<std::string> read_from_archive(const fs::path& file, const std::string& n
     const bool in_only_folder = !top && folders.size() == 1 && path == *folders.begin() / name;
     if (path == name || in_only_folder) return std::move(text);
   }
-  return missing(name, contents.files);
+  return missing_file_error(name, contents.files);
 }
 
 }  // namespace glassbox::labs::grading

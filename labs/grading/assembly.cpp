@@ -35,11 +35,11 @@ bool is_directive(std::string_view word) {
          std::find(std::begin(kDirectives), std::end(kDirectives), word) != std::end(kDirectives);
 }
 
-class Reader {
+class AssemblyReader {
 public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  explicit AssemblyReader(std::string_view text) : text_(text) {}
 
-  std::optional<std::string> first_foreign() {
+  std::optional<std::string> first_foreign_statement() {
     while (at_ < text_.size()) {
       start_ = at_;
       if (!statement()) return shown();
@@ -120,7 +120,7 @@ private:
 }  // namespace
 
 std::optional<std::string> foreign_statement(std::string_view assembly) {
-  return Reader(assembly).first_foreign();
+  return AssemblyReader(assembly).first_foreign_statement();
 }
 
 }  // namespace glassbox::labs::grading

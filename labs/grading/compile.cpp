@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "labs/grading/assembly.h"
-#include "labs/grading/messages.h"
+#include "labs/grading/compiler_messages.h"
 
 namespace glassbox::labs::grading {
 
@@ -14,138 +14,148 @@ namespace {
 namespace fs = std::filesystem;
 using Ending = RunOutcome::Ending;
 
-std::string without(std::string text, const std::string& part) {
+std::string remove_all(std::string text, const std::string& part) {
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
     text.erase(at, part.size());
   return text;
 }
 
-// The kind of trouble that the compiler had; empty if it succeeded.
-std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::string& said) {
+// How the compiler failed; empty if it succeeded.
+std::string compile_failure(const RunOutcome& outcome, const Limits& limits,
+                            std::string& messages) {
   switch (outcome.ending) {
     case Ending::kExit:
       return outcome.code == 0 ? "" : "compile error";
     case Ending::kTimeout:
-      said = fmt::format("The compiler was still busy after {} seconds.\n{}", limits.seconds, said);
+      messages = fmt::format("The compiler was still busy after {} seconds.\n{}", limits.seconds,
+                             messages);
       return "compile timeout";
     case Ending::kTooMuchOutput:
-      said = "The compiler printed more than is allowed.\n" + said;
+      messages = "The compiler printed more than is allowed.\n" + messages;
       return "compile error";
     case Ending::kNotStarted:
-      said = outcome.detail;
+      messages = outcome.detail;
       return "grading did not finish";
     default:
-      said = fmt::format("The compiler was killed by signal {}.\n{}", outcome.code, said);
+      messages = fmt::format("The compiler was killed by signal {}.\n{}", outcome.code, messages);
       return "compile error";
   }
 }
 
 // A file that a submission included and that is neither the compiler's nor the lab's; empty if
 // there is none. Where the sandbox hides files there cannot be one.
-std::string foreign_file(const fs::path& build, const Kit& kit) {
+std::string foreign_file(const fs::path& build, const BuildKit& kit) {
   const auto rule = read_text_file(build / kFilesRead);
   if (!rule) return "a file whose name is not known";
   for (const fs::path& header : headers_of(*rule)) {
-    if (!Sandbox::is_compilers(build / header, {kit.include, build})) return header.string();
+    if (!Sandbox::compiler_may_read(build / header, {kit.include, build})) return header.string();
   }
   return {};
 }
 
-Compiled foreign(const std::string& file) {
+CompileResult foreign(const std::string& file) {
   return {"compile error",
           fmt::format("student.cpp includes {}, which is not part of the lab.\n", file)};
 }
 
 // The output of a compiler's part as students see it, without paths that only the grader knows.
-std::string shown(const std::string& said, const Kit& kit, const fs::path& build) {
-  return without(without(said, build.string() + "/"), kit.include.string() + "/");
+std::string without_grader_paths(const std::string& messages, const BuildKit& kit,
+                                 const fs::path& build) {
+  return remove_all(remove_all(messages, build.string() + "/"), kit.include.string() + "/");
 }
 
 // Runs one part of the compiler and collects its messages.
-std::string call(const std::vector<std::string>& command, const Sandbox& sandbox, const Kit& kit,
-                 const fs::path& build, std::string& said) {
+std::string run_confined_compiler(const std::vector<std::string>& command, const Sandbox& sandbox,
+                                  const BuildKit& kit, const fs::path& build,
+                                  std::string& messages) {
   const RunOutcome outcome = sandbox.compile(command, build, {kit.include}, compile_limits());
-  said += shown(outcome.said, kit, build);
-  return trouble_of(outcome, compile_limits(), said);
+  messages += without_grader_paths(outcome.printed, kit, build);
+  return compile_failure(outcome, compile_limits(), messages);
 }
 
 // Whether the preprocessor needs only the lab's files. Where the sandbox does not hide other files,
 // this is checked before any message of the compiler is shown, because a message about a file, or
 // about a name in it, reveals some of its contents. The preprocessor names a file before it prints
 // any message about it.
-Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& build,
-                       const CompileWords& words) {
+CompileResult read_includes(const Sandbox& sandbox, const BuildKit& kit, const fs::path& build,
+                            const CompileOptions& options) {
   Limits limits = compile_limits();
-  limits.kept_bytes = limits.said_bytes;  // every name counts, so nothing is cut off
+  limits.kept_bytes = limits.printed_bytes;  // every name counts, so nothing is cut off
   const RunOutcome outcome =
-      sandbox.compile(preprocessor_command(kit, words, build), build, {kit.include}, limits);
+      sandbox.compile(preprocessor_command(kit, options, build), build, {kit.include}, limits);
   std::error_code error;
   fs::remove(build / kPreprocessed, error);
-  Compiled read;
-  std::istringstream lines(outcome.said);
+  CompileResult read;
+  std::istringstream lines(outcome.printed);
   for (std::string line; std::getline(lines, line);) {
     // the end of g++'s output, followed by a list
     if (line.starts_with("Multiple include guards")) break;
     const std::size_t dots = line.find_first_not_of('.');
     if (dots == 0 || dots == std::string::npos || line[dots] != ' ') {
-      read.said += line + "\n";
+      read.messages += line + "\n";
       continue;
     }
     const fs::path file = line.substr(dots + 1);
-    if (!Sandbox::is_compilers(build / file, {kit.include, build})) return foreign(file.string());
+    if (!Sandbox::compiler_may_read(build / file, {kit.include, build}))
+      return foreign(file.string());
   }
-  read.said = outcome.ending == Ending::kTooMuchOutput ? "" : shown(read.said, kit, build);
-  read.trouble = trouble_of(outcome, limits, read.said);
-  if (!read.trouble.empty()) return read;
+  read.messages = outcome.ending == Ending::kTooMuchOutput
+                      ? ""
+                      : without_grader_paths(read.messages, kit, build);
+  read.failure = compile_failure(outcome, limits, read.messages);
+  if (!read.failure.empty()) return read;
   const std::string file = foreign_file(build, kit);
   return file.empty() ? read : foreign(file);
 }
 
-struct Place {
+struct BuildContext {
   const Sandbox& sandbox;
-  const Kit& kit;
+  const BuildKit& kit;
   const fs::path& build;
 };
 
 // Links the program. `objects` are copied to the directory and removed again.
 fs::path link(std::vector<std::string> words, const std::vector<fs::path>& objects,
-              const std::string& program, const Place& place, std::string& said,
-              const CompileWords& options) {
+              const std::string& program, const BuildContext& context, std::string& messages,
+              const CompileOptions& options) {
   std::error_code error;
   for (const fs::path& object : objects) {
     words.push_back(object.filename().string());
-    const fs::path copy = place.build / words.back();
+    const fs::path copy = context.build / words.back();
     fs::copy_file(object, copy, fs::copy_options::overwrite_existing, error);
-    if (error || !place.sandbox.hand_over(copy)) {
-      said = object.string() + ": cannot be copied to " + place.build.string();
+    if (error || !context.sandbox.give_to_sandbox_user(copy)) {
+      messages = object.string() + ": cannot be copied to " + context.build.string();
       return {};
     }
   }
-  const std::string trouble = call(link_command(place.kit, words, program, options), place.sandbox,
-                                   place.kit, place.build, said);
-  said = own_line_first(said, "");
-  for (const fs::path& object : objects) fs::remove(place.build / object.filename(), error);
-  return trouble.empty() ? place.build / program : fs::path();
+  const std::string failure =
+      run_confined_compiler(link_command(context.kit, words, program, options), context.sandbox,
+                            context.kit, context.build, messages);
+  messages = student_line_first(messages, "");
+  for (const fs::path& object : objects) fs::remove(context.build / object.filename(), error);
+  return failure.empty() ? context.build / program : fs::path();
 }
 
 }  // namespace
 
-Compiled compile_submission(const std::string& text, const Sandbox& sandbox, const Kit& kit,
-                            const fs::path& build, const CompileWords& words) {
+CompileResult compile_submission(const std::string& text, const Sandbox& sandbox,
+                                 const BuildKit& kit, const fs::path& build,
+                                 const CompileOptions& options) {
   const auto written = write_if_changed(build / kSource, text);
   if (!written) return {"grading did not finish", written.error().message()};
-  if (!sandbox.hand_over(build) || !sandbox.hand_over(build / kSource))
+  if (!sandbox.give_to_sandbox_user(build) || !sandbox.give_to_sandbox_user(build / kSource))
     return {"grading did not finish", "the build directory cannot be given to the sandbox's user"};
-  Compiled compiled;
-  CompileWords how = words;
+  CompileResult compiled;
+  CompileOptions used = options;
   if (sandbox.confinement() == Confinement::kLimits) {
-    how.quotes = false;
-    const Compiled read = read_includes(sandbox, kit, build, how);
-    if (!read.trouble.empty()) return {read.trouble, own_line_first(read.said, text)};
+    used.quotes = false;
+    const CompileResult read = read_includes(sandbox, kit, build, used);
+    if (!read.failure.empty()) return {read.failure, student_line_first(read.messages, text)};
   }
-  compiled.trouble = call(assembly_command(kit, how, build), sandbox, kit, build, compiled.said);
-  compiled.said = own_line_first(compiled.said, text);
-  if (!compiled.trouble.empty()) return compiled;
+  compiled.failure = run_confined_compiler(assembly_command(kit, used, build), sandbox, kit, build,
+                                           compiled.messages);
+  compiled.messages = student_line_first(compiled.messages, text);
+  if (!compiled.failure.empty()) return compiled;
   if (const std::string file = foreign_file(build, kit); !file.empty()) return foreign(file);
   const auto assembly = read_text_file(build / kAssembly);
   if (!assembly) return {"grading did not finish", assembly.error().message()};
@@ -155,27 +165,30 @@ Compiled compile_submission(const std::string& text, const Sandbox& sandbox, con
                 "student.cpp passes \"{}\" to the assembler, which a compiler never writes: remove "
                 "asm statements, and attributes that set a section or an assembler name.\n",
                 *statement)};
-  compiled.trouble = call(object_command(kit), sandbox, kit, build, compiled.said);
+  compiled.failure =
+      run_confined_compiler(object_command(kit), sandbox, kit, build, compiled.messages);
   return compiled;
 }
 
-fs::path link_submission(Checks checks, const Sandbox& sandbox, const Kit& kit,
-                         const fs::path& build, std::string& said, const CompileWords& words) {
-  const std::string program = checks == Checks::kVisible ? "runner" : "runner-of-all";
+fs::path link_submission(CheckSelection checks, const Sandbox& sandbox, const BuildKit& kit,
+                         const fs::path& build, std::string& messages,
+                         const CompileOptions& options) {
+  const std::string program = checks == CheckSelection::kVisible ? "runner" : "runner-of-all";
   std::vector<fs::path> objects = kit.objects(checks);
   // A sanitizer handles signals itself.
-  if (words.sanitize)
-    std::erase_if(objects, [](const fs::path& each) { return each.filename() == "witness.o"; });
-  return link({kObject}, objects, program, {sandbox, kit, build}, said, words);
+  if (options.sanitize)
+    std::erase_if(objects,
+                  [](const fs::path& each) { return each.filename() == "crash_reporter.o"; });
+  return link({kObject}, objects, program, {sandbox, kit, build}, messages, options);
 }
 
-fs::path link_starter(Checks checks, const Sandbox& sandbox, const Kit& kit,
+fs::path link_starter(CheckSelection checks, const Sandbox& sandbox, const BuildKit& kit,
                       const fs::path& build) {
   std::vector<fs::path> objects = kit.objects(checks);
   objects.push_back(kit.starter);
-  std::string said;
-  const std::string program = checks == Checks::kVisible ? "starter" : "starter-of-all";
-  return link({}, objects, program, {sandbox, kit, build}, said, {});
+  std::string messages;
+  const std::string program = checks == CheckSelection::kVisible ? "starter" : "starter-of-all";
+  return link({}, objects, program, {sandbox, kit, build}, messages, {});
 }
 
 }  // namespace glassbox::labs::grading

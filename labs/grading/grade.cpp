@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/in_parallel.h"
-#include "labs/framework/points.h"
+#include "labs/framework/lab_points.h"
 #include "labs/framework/run_check.h"
+#include "labs/framework/run_in_parallel.h"
 #include "labs/grading/compile.h"
 #include "labs/grading/sanitizer_report.h"
 
@@ -27,8 +27,9 @@ AllCases cases_of(const Lab& lab) {
   return cases;
 }
 
-Graded nothing(const Lab& lab, const AllCases& cases, const std::string& outcome) {
-  Graded graded;
+GradedSubmission ungraded_submission(const Lab& lab, const AllCases& cases,
+                                     const std::string& outcome) {
+  GradedSubmission graded;
   std::vector<CheckResult> checks;
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const std::size_t count = cases[i].size();
@@ -37,7 +38,7 @@ Graded nothing(const Lab& lab, const AllCases& cases, const std::string& outcome
   }
   graded.result = sum_up(lab, std::move(checks));
   graded.outcome = outcome;
-  graded.names.assign(lab.checks.size(), outcome);
+  graded.check_outcomes.assign(lab.checks.size(), outcome);
   return graded;
 }
 
@@ -47,50 +48,51 @@ std::string signal_name(int signal) {
 }
 
 // Runs and judges the checks of one program.
-class Putting {
+class GradingRun {
 public:
-  Putting(const GradeRequest& request, const AllCases& cases)
+  GradingRun(const GradeRequest& request, const AllCases& cases)
       : request_(request), cases_(cases), time_(request.total_seconds) {
     results.resize(cases.size());
-    names.resize(cases.size());
+    check_outcomes.resize(cases.size());
   }
 
-  void put(const fs::path& program, const fs::path& starter, bool hidden) {
+  void run_checks(const fs::path& program, const fs::path& starter, bool hidden) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       if (request_.lab.checks[i].hidden == hidden && !cases_[i].empty()) chosen.push_back(i);
     }
-    in_parallel(
-        chosen.size(), [&](std::size_t k) { put_check(program, starter, chosen[k]); },
-        request_.at_a_time);
+    run_in_parallel(
+        chosen.size(), [&](std::size_t k) { run_one_check(program, starter, chosen[k]); },
+        request_.max_parallel_checks);
   }
 
   std::vector<CheckResult> results;
-  std::vector<std::string> names;
+  std::vector<std::string> check_outcomes;
 
 private:
-  void put_check(const fs::path& program, const fs::path& starter, std::size_t i) {
+  void run_one_check(const fs::path& program, const fs::path& starter, std::size_t i) {
     const Check& check = request_.lab.checks[i];
-    SandboxRunner runner(request_.sandbox, request_.limits, request_.words.sanitize, &time_);
+    SandboxRunner runner(request_.sandbox, request_.limits, request_.compile_options.sanitize,
+                         &time_);
     const CheckAnswers answers = answers_of(runner, program, i);
     CheckResult& result = results[i];
     result = judge_check(check, cases_[i], answers,
                          points_of_case(request_.lab, check, cases_[i].size()));
-    names[i] = name_of(result, runner.processes());
-    if (request_.words.sanitize) name_finding(result, names[i]);
+    check_outcomes[i] = check_outcome(result, runner.processes());
+    if (request_.compile_options.sanitize) report_sanitizer_finding(result, check_outcomes[i]);
     if (result.right > 0 || starter.empty()) return;
     SandboxRunner other(request_.sandbox, request_.limits);
     if (!same_answers(answers, answers_of(other, starter, i))) return;
     result.verdict = result.first->verdict = Verdict::kUntouched;
-    names[i] = verdict_name(Verdict::kUntouched);
+    check_outcomes[i] = verdict_name(Verdict::kUntouched);
   }
 
   // A sanitizer ends the process with an exit status of its own, after it has printed the reason.
-  static void name_finding(CheckResult& result, std::string& name) {
-    const auto finding = sanitizer_finding(result.said);
+  static void report_sanitizer_finding(CheckResult& result, std::string& outcome) {
+    const auto finding = sanitizer_finding(result.printed);
     if (!finding || !result.first || result.verdict != Verdict::kCrash) return;
-    name = result.first->text = *finding;
-    result.said.clear();  // the sanitizer's report, which begins with the error that is named
+    outcome = result.first->text = *finding;
+    result.printed.clear();  // the sanitizer's report, which begins with the error that is named
   }
 
   CheckAnswers answers_of(Runner& runner, const fs::path& program, std::size_t i) const {
@@ -101,16 +103,16 @@ private:
 
   const GradeRequest& request_;
   const AllCases& cases_;
-  TimeLeft time_;
+  TimeBudget time_;
 };
 
 }  // namespace
 
-Graded nothing_yet(const Lab& lab, const std::string& outcome) {
-  return nothing(lab, cases_of(lab), outcome);
+GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome) {
+  return ungraded_submission(lab, cases_of(lab), outcome);
 }
 
-std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& processes) {
+std::string check_outcome(const CheckResult& check, const std::vector<RunOutcome>& processes) {
   if (check.verdict == Verdict::kRight) return "passed";
   const bool ended_badly = check.verdict == Verdict::kCrash || check.verdict == Verdict::kTimeout ||
                            check.verdict == Verdict::kLimit;
@@ -138,42 +140,43 @@ std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& pro
   return verdict_name(check.verdict);
 }
 
-Graded grade(const GradeRequest& request, const Result<std::string>& submission) {
+GradedSubmission grade(const GradeRequest& request, const Result<std::string>& submission) {
   const AllCases cases = cases_of(request.lab);
   if (!submission) {
     const bool missing = submission.error().cause.starts_with("is missing");
-    Graded graded = nothing(request.lab, cases, missing ? "missing file" : "file refused");
-    graded.said = submission.error().message();
+    GradedSubmission graded =
+        ungraded_submission(request.lab, cases, missing ? "missing file" : "file refused");
+    graded.messages = submission.error().message();
     return graded;
   }
   const Sandbox& sandbox = request.sandbox;
-  Compiled compiled =
-      compile_submission(*submission, sandbox, request.kit, request.build, request.words);
+  CompileResult compiled =
+      compile_submission(*submission, sandbox, request.kit, request.build, request.compile_options);
   const auto not_built = [&](const std::string& outcome) {
-    Graded graded = nothing(request.lab, cases, outcome);
-    graded.said = graded.result.not_built = compiled.said;
+    GradedSubmission graded = ungraded_submission(request.lab, cases, outcome);
+    graded.messages = graded.result.not_built = compiled.messages;
     return graded;
   };
-  if (!compiled.trouble.empty()) return not_built(compiled.trouble);
-  Putting putting(request, cases);
+  if (!compiled.failure.empty()) return not_built(compiled.failure);
+  GradingRun grading_run(request, cases);
   // The visible checks run first, in a program without the hidden ones, which therefore cannot
   // reveal anything of them.
-  for (const Checks which : {Checks::kVisible, Checks::kAll}) {
-    if (which == Checks::kAll && !request.hidden) break;
-    const fs::path program =
-        link_submission(which, sandbox, request.kit, request.build, compiled.said, request.words);
+  for (const CheckSelection which : {CheckSelection::kVisible, CheckSelection::kAll}) {
+    if (which == CheckSelection::kAll && !request.hidden) break;
+    const fs::path program = link_submission(which, sandbox, request.kit, request.build,
+                                             compiled.messages, request.compile_options);
     if (program.empty()) return not_built("compile error");
-    putting.put(program, link_starter(which, sandbox, request.kit, request.build),
-                which == Checks::kAll);
+    grading_run.run_checks(program, link_starter(which, sandbox, request.kit, request.build),
+                           which == CheckSelection::kAll);
   }
-  Graded graded;
+  GradedSubmission graded;
   graded.outcome = "graded";
-  graded.said = compiled.said;
+  graded.messages = compiled.messages;
   // Checks that were not run have no name, and are not in the result.
-  std::erase_if(putting.results, [](const CheckResult& each) { return each.name.empty(); });
-  std::erase_if(putting.names, [](const std::string& each) { return each.empty(); });
-  graded.names = std::move(putting.names);
-  graded.result = sum_up(request.lab, std::move(putting.results));
+  std::erase_if(grading_run.results, [](const CheckResult& each) { return each.name.empty(); });
+  std::erase_if(grading_run.check_outcomes, [](const std::string& each) { return each.empty(); });
+  graded.check_outcomes = std::move(grading_run.check_outcomes);
+  graded.result = sum_up(request.lab, std::move(grading_run.results));
   return graded;
 }
 

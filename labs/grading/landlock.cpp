@@ -68,11 +68,11 @@ FileRules::FileRules(const std::vector<std::filesystem::path>& readable,
   ruleset_ = -1;
 }
 
-bool can_rule_files() {
+bool can_restrict_files() {
   return create_ruleset(nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
 }
 
-bool obey_file_rules(int descriptor) {
+bool apply_file_rules(int descriptor) {
   return ::syscall(SYS_landlock_restrict_self, descriptor, 0) == 0;
 }
 
@@ -80,10 +80,10 @@ bool obey_file_rules(int descriptor) {
 
 FileRules::FileRules(const std::vector<std::filesystem::path>&,
                      const std::vector<std::filesystem::path>&) {}
-bool can_rule_files() {
+bool can_restrict_files() {
   return false;
 }
-bool obey_file_rules(int) {
+bool apply_file_rules(int) {
   return false;
 }
 

@@ -26,10 +26,10 @@ private:
   int ruleset_ = -1;
 };
 
-bool can_rule_files();
+bool can_restrict_files();
 
 // Restricts the calling process by the rules, permanently. It must have set no_new_privs. Allocates
 // nothing, so it can be used after fork.
-bool obey_file_rules(int descriptor);
+bool apply_file_rules(int descriptor);
 
 }  // namespace glassbox::labs::grading

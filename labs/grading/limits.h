@@ -15,7 +15,7 @@ struct Limits {
   std::size_t file_bytes = kMiB;          // for each file it writes
   std::size_t output_bytes = 64 * kMiB;   // for answers; a process that writes more is ended
   // for standard output and standard error together; a process that writes more is ended
-  std::size_t said_bytes = kMiB;
+  std::size_t printed_bytes = kMiB;
   std::size_t kept_bytes = 16 * 1024;  // how much of these a report shows
   unsigned processes = 64;             // for the user that it runs as, where that user is its own
 };

@@ -14,7 +14,7 @@
 #include "cli/process/process.h"
 #include "labs/framework/compiler.h"
 #include "labs/framework/digest.h"
-#include "labs/framework/students.h"
+#include "labs/framework/student_version.h"
 #include "labs/grading/program_digest.h"
 
 namespace glassbox::labs::grading {
@@ -110,7 +110,7 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
         WEXITSTATUS(outcome.status) != 0)
       done = fail(sources.outside.string(),
                   "the judge does not compile: " +
-                      (outcome.started ? outcome.said : outcome.why_not_started),
+                      (outcome.started ? outcome.printed : outcome.why_not_started),
                   "correct the file that the compiler names");
   }
   if (done) {
@@ -121,28 +121,31 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
   return done;
 }
 
-auto of_checks(const Sources& sources, const std::string& cause, const std::string& what_to_do) {
+auto checks_file_error(const Sources& sources, const std::string& cause,
+                       const std::string& what_to_do) {
   return fail((sources.outside / "checks.cpp").string(), cause, what_to_do);
 }
 
 // Checks the properties that the points and the reports rely on.
-Result<void> check_whole(const Sources& sources, const Lab& lab) {
+Result<void> check_consistency(const Sources& sources, const Lab& lab) {
   const std::string folder = sources.outside.filename().string();
   if (lab.folder != folder)
-    return of_checks(sources, fmt::format("the lab calls its folder \"{}\"", lab.folder),
-                     fmt::format("give it \"{}\", the name of the folder", folder));
+    return checks_file_error(sources, fmt::format("the lab calls its folder \"{}\"", lab.folder),
+                             fmt::format("give it \"{}\", the name of the folder", folder));
   if (lab.number != std::stoi(number_of(sources.outside)))
-    return of_checks(sources, fmt::format("the lab's number is {}", lab.number),
-                     "give it the number that the folder's name begins with");
+    return checks_file_error(sources, fmt::format("the lab's number is {}", lab.number),
+                             "give it the number that the folder's name begins with");
   if (lab.tasks.empty() || lab.checks.empty())
-    return of_checks(sources, "the lab has no task or no check", "give it one of each at least");
+    return checks_file_error(sources, "the lab has no task or no check",
+                             "give it one of each at least");
   for (const Check& check : lab.checks) {
     const auto is_its = [&](const Task& task) { return task.id == check.task; };
     if (std::none_of(lab.tasks.begin(), lab.tasks.end(), is_its))
-      return of_checks(sources,
-                       fmt::format("the check \"{}\" belongs to task {}, which does not exist",
-                                   check.name, check.task),
-                       "name one of the lab's tasks");
+      return checks_file_error(
+          sources,
+          fmt::format("the check \"{}\" belongs to task {}, which does not exist", check.name,
+                      check.task),
+          "name one of the lab's tasks");
   }
   return {};
 }
@@ -154,7 +157,7 @@ Result<fs::path> find_outside_lab(const std::string& folder) {
   const fs::path place = fs::canonical(folder, error);
   if (error || !fs::is_directory(place, error))
     return fail(folder, "is not a folder", "name the folder of a lab, NN-name");
-  if (!is_of_a_lab(fs::path("labs") / place.filename()))
+  if (!is_lab_path(fs::path("labs") / place.filename()))
     return fail(folder, "does not have the name of a lab", "name it NN-name, such as 40-fog");
   for (const char* name : kNeeded) {
     if (!fs::is_regular_file(place / name, error))
@@ -188,16 +191,19 @@ Result<const Lab*> load_outside_lab(const Sources& sources, const fs::path& plac
   }
   void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
-    return of_checks(sources, fmt::format("the judge cannot be loaded: {}", ::dlerror()),
-                     "call only functions that lab.h, compare.h and glassbox's headers declare");
+    return checks_file_error(
+        sources, fmt::format("the judge cannot be loaded: {}", ::dlerror()),
+        "call only functions that lab.h, compare.h and glassbox's headers declare");
   using Make = void (*)(Lab*);
   const auto make = reinterpret_cast<Make>(::dlsym(loaded, "glassbox_lab"));
-  if (make == nullptr) return of_checks(sources, ::dlerror(), "remove the directory of the judge");
+  if (make == nullptr)
+    return checks_file_error(sources, ::dlerror(), "remove the directory of the judge");
   // The lab's checks are functions of the loaded library, so both stay until the program ends.
   static std::vector<std::unique_ptr<Lab>> kept;
   auto lab = std::make_unique<Lab>();
   make(lab.get());
-  if (const auto whole = check_whole(sources, *lab); !whole) return tl::unexpected(whole.error());
+  if (const auto whole = check_consistency(sources, *lab); !whole)
+    return tl::unexpected(whole.error());
   kept.push_back(std::move(lab));
   return kept.back().get();
 }

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "labs/framework/sources.h"
-#include "labs/framework/students.h"
+#include "labs/framework/student_version.h"
 
 namespace glassbox::labs::grading {
 
@@ -21,9 +21,9 @@ constexpr const char* kProgram[] = {
     "render", "study",    "views",  "CMakeLists.txt", "CMakePresets.json",
     "LICENSE"};
 // Other files that students read, try and start.
-constexpr const char* kBesides[] = {"debug", "docs", "examples", "glassbox", "README.md"};
+constexpr const char* kStudentExtras[] = {"debug", "docs", "examples", "glassbox", "README.md"};
 
-bool left_out(const fs::path& relative) {
+bool is_excluded(const fs::path& relative) {
   const std::string path = relative.generic_string();
   // That page names every hidden check, and which faults it finds.
   return relative.filename().string().starts_with('.') || path.starts_with("images/golden/") ||
@@ -53,7 +53,7 @@ Result<void> add_part(const fs::path& tree, const char* part, std::vector<fs::pa
   fs::recursive_directory_iterator entry(tree / part, error), end;
   for (; !error && entry != end; entry.increment(error)) {
     const fs::path relative = entry->path().lexically_relative(tree);
-    if (entry->is_regular_file() && !left_out(relative)) files.push_back(relative);
+    if (entry->is_regular_file() && !is_excluded(relative)) files.push_back(relative);
   }
   return {};
 }
@@ -92,15 +92,15 @@ Result<std::vector<ZipEntry>> students_files(const fs::path& tree) {
   const std::string prefix = "glassbox/";
   auto program = program_files(tree, prefix);
   if (!program) return program;
-  const auto besides = files_of(tree, kBesides);
-  if (!besides) return tl::unexpected(besides.error());
-  auto more = entries_of(tree, *besides, prefix);
+  const auto extras = files_of(tree, kStudentExtras);
+  if (!extras) return tl::unexpected(extras.error());
+  auto more = entries_of(tree, *extras, prefix);
   if (!more) return more;
   std::vector<ZipEntry> entries;
   for (auto* each : {&*program, &*more}) {
     for (ZipEntry& entry : *each) {
-      if (is_of_a_lab(entry.path.substr(prefix.size()))) {
-        auto kept = for_students(entry.path, entry.text);
+      if (is_lab_path(entry.path.substr(prefix.size()))) {
+        auto kept = student_version(entry.path, entry.text);
         if (!kept) return tl::unexpected(kept.error());
         if (!*kept) continue;
         entry.text = std::move(**kept);

@@ -19,7 +19,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/process/follow.h"
+#include "cli/process/wait_for_process.h"
 #include "labs/grading/landlock.h"
 
 namespace glassbox::labs::grading {
@@ -28,12 +28,12 @@ namespace {
 
 // Everything that the child needs, prepared before the fork, because nothing may be allocated after
 // it.
-struct Prepared {
+struct PreparedChild {
   std::vector<char*> argv, environment;
   const char* directory = nullptr;
   const Launch* launch = nullptr;
   SystemCallFilter filter;
-  int input = -1, answers = -1, said = -1, notes = -1, filter_file = -1, errors = -1;
+  int input = -1, answers = -1, printed = -1, crash_report = -1, filter_file = -1, errors = -1;
 };
 
 bool limit(int what, std::size_t value) {
@@ -50,19 +50,19 @@ bool set_limits(const Limits& limits, bool own_user) {
   return fine && (limits.memory_bytes == 0 || limit(RLIMIT_AS, limits.memory_bytes));
 }
 
-[[noreturn]] void give_up(const Prepared& prepared, const char* step) {
+[[noreturn]] void report_error_and_exit(const PreparedChild& prepared, const char* step) {
   const int error = errno;
   [[maybe_unused]] auto written = ::write(prepared.errors, &error, sizeof error);
   written = ::write(prepared.errors, step, std::strlen(step));
   ::_exit(127);
 }
 
-bool become(uid_t user) {
+bool switch_user(uid_t user) {
   return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
          ::setresuid(user, user, user) == 0;
 }
 
-[[noreturn]] void child(Prepared& prepared, pid_t parent) {
+[[noreturn]] void run_child(PreparedChild& prepared, pid_t parent) {
   const Launch& launch = *prepared.launch;
   ::setsid();
   sigset_t none;
@@ -70,38 +70,40 @@ bool become(uid_t user) {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) ::signal(signal, SIG_DFL);
   const std::array<std::array<int, 2>, 6> places{{{prepared.input, 0},
-                                                  {prepared.said, 1},
-                                                  {prepared.said, 2},
+                                                  {prepared.printed, 1},
+                                                  {prepared.printed, 2},
                                                   {prepared.answers, kAnswersFd},
-                                                  {prepared.notes, kNotesFd},
+                                                  {prepared.crash_report, kCrashReportFd},
                                                   {prepared.filter_file, kFilterFd}}};
   for (const auto& [from, to] : places) {
     if (from < 0) continue;
-    if (::dup2(from, to) < 0) give_up(prepared, "its descriptors");
+    if (::dup2(from, to) < 0) report_error_and_exit(prepared, "its descriptors");
   }
-  const unsigned first_closed = prepared.filter_file >= 0 ? kFilterFd + 1 : kNotesFd + 1;
+  const unsigned first_closed = prepared.filter_file >= 0 ? kFilterFd + 1 : kCrashReportFd + 1;
 #ifdef SYS_close_range
   constexpr unsigned kOnExec = 1U << 2;  // CLOSE_RANGE_CLOEXEC
   ::syscall(SYS_close_range, first_closed, ~0U, kOnExec);
 #endif
-  if (::chdir(prepared.directory) != 0) give_up(prepared, "its directory");
-  if (!set_limits(launch.limits, launch.user.has_value())) give_up(prepared, "its limits");
-  if (launch.user && !become(*launch.user)) give_up(prepared, "its user");
+  if (::chdir(prepared.directory) != 0) report_error_and_exit(prepared, "its directory");
+  if (!set_limits(launch.limits, launch.user.has_value()))
+    report_error_and_exit(prepared, "its limits");
+  if (launch.user && !switch_user(*launch.user)) report_error_and_exit(prepared, "its user");
   // Set after the change of user, which clears it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) give_up(prepared, "no new privileges");
-  if (launch.file_rules >= 0 && !obey_file_rules(launch.file_rules))
-    give_up(prepared, "its file rules");
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
+    report_error_and_exit(prepared, "no new privileges");
+  if (launch.file_rules >= 0 && !apply_file_rules(launch.file_rules))
+    report_error_and_exit(prepared, "its file rules");
   if (!launch.in_bubblewrap && !prepared.filter.empty()) {
-    put_own_pid(prepared.filter, static_cast<unsigned>(::getpid()));
+    set_own_pid(prepared.filter, static_cast<unsigned>(::getpid()));
     const sock_fprog program{static_cast<unsigned short>(prepared.filter.size()),
                              prepared.filter.data()};
     if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
-      give_up(prepared, "its system-call filter");
+      report_error_and_exit(prepared, "its system-call filter");
   }
   ::execve(prepared.argv[0], prepared.argv.data(), prepared.environment.data());
-  give_up(prepared, "the program");
+  report_error_and_exit(prepared, "the program");
 }
 
 RunOutcome not_started(std::string why) {
@@ -111,8 +113,9 @@ RunOutcome not_started(std::string why) {
   return outcome;
 }
 
-// Determines how the process ended, from its status and from the note that it left.
-void classify(RunOutcome& outcome, int status, const std::string& note, bool in_bubblewrap) {
+// Determines how the process ended, from its status and from the crash report that it left.
+void classify(RunOutcome& outcome, int status, const std::string& crash_report,
+              bool in_bubblewrap) {
   using Ending = RunOutcome::Ending;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   // Bubblewrap exits with 128 + the signal that ended the process inside.
@@ -127,20 +130,21 @@ void classify(RunOutcome& outcome, int status, const std::string& note, bool in_
   }
   if (signal == SIGSYS) {
     outcome.ending = Ending::kForbidden;
-    if (note.starts_with("call ")) outcome.detail = system_call_name(std::atoi(note.c_str() + 5));
+    if (crash_report.starts_with("call "))
+      outcome.detail = system_call_name(std::atoi(crash_report.c_str() + 5));
   }
-  if (signal == SIGSEGV && note.starts_with("stack")) outcome.detail = "stack overflow";
-  if (note.starts_with("memory") && (signal != 0 || code != 0))
+  if (signal == SIGSEGV && crash_report.starts_with("stack")) outcome.detail = "stack overflow";
+  if (crash_report.starts_with("memory") && (signal != 0 || code != 0))
     outcome.ending = Ending::kOutOfMemory;
 }
 
 }  // namespace
 
 RunOutcome launch(const Launch& launch) {
-  Pipe answers, said, notes, errors;
-  if (!answers.valid() || !said.valid() || !notes.valid() || !errors.valid())
+  Pipe answers, printed, crash_report, errors;
+  if (!answers.valid() || !printed.valid() || !crash_report.valid() || !errors.valid())
     return not_started("no pipe can be made");
-  Prepared prepared;
+  PreparedChild prepared;
   prepared.launch = &launch;
   prepared.directory = launch.directory.c_str();
   for (const std::string& word : launch.command)
@@ -161,25 +165,25 @@ RunOutcome launch(const Launch& launch) {
   }
   prepared.input = launch.input >= 0 ? launch.input : empty_input.get();
   prepared.answers = answers.write.get();
-  prepared.said = said.write.get();
-  prepared.notes = notes.write.get();
+  prepared.printed = printed.write.get();
+  prepared.crash_report = crash_report.write.get();
   prepared.errors = errors.write.get();
   prepared.filter_file = filter_file.get();
 
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) return not_started(fmt::format("fork: {}", std::strerror(errno)));
-  if (process == 0) child(prepared, parent);
-  for (Pipe* pipe : {&answers, &said, &notes, &errors}) pipe->write.close();
+  if (process == 0) run_child(prepared, parent);
+  for (Pipe* pipe : {&answers, &printed, &crash_report, &errors}) pipe->write.close();
 
   const Limits& limits = launch.limits;
   std::array<Stream, 3> streams{Stream{&answers, limits.output_bytes, limits.output_bytes},
-                                Stream{&said, limits.kept_bytes, limits.said_bytes},
-                                Stream{&notes, 64, 4096}};
-  const Followed followed = follow(process, streams, limits.seconds);
+                                Stream{&printed, limits.kept_bytes, limits.printed_bytes},
+                                Stream{&crash_report, 64, 4096}};
+  const WaitResult result = wait_for_process(process, streams, limits.seconds);
 
   RunOutcome outcome;
-  outcome.seconds = followed.seconds;
+  outcome.seconds = result.seconds;
   char why[128];
   const ssize_t length = ::read(errors.read.get(), why, sizeof why);
   if (length > static_cast<ssize_t>(sizeof(int))) {
@@ -189,16 +193,17 @@ RunOutcome launch(const Launch& launch) {
     return not_started(fmt::format("{} ({}): {}", launch.command[0], step, std::strerror(error)));
   }
   outcome.answers = std::move(streams[0].text);
-  outcome.said = std::move(streams[1].text);
-  const bool too_much = streams[0].too_much() || streams[1].too_much() || streams[2].too_much();
+  outcome.printed = std::move(streams[1].text);
+  const bool too_much =
+      streams[0].exceeds_limit() || streams[1].exceeds_limit() || streams[2].exceeds_limit();
   if (too_much) {
     outcome.ending = RunOutcome::Ending::kTooMuchOutput;
-    if (streams[1].too_much())
-      outcome.detail = fmt::format("it printed more than {} MiB", limits.said_bytes / kMiB);
-  } else if (!followed.ended) {
+    if (streams[1].exceeds_limit())
+      outcome.detail = fmt::format("it printed more than {} MiB", limits.printed_bytes / kMiB);
+  } else if (!result.ended) {
     outcome.ending = RunOutcome::Ending::kTimeout;
   } else {
-    classify(outcome, followed.status, streams[2].text, launch.in_bubblewrap);
+    classify(outcome, result.status, streams[2].text, launch.in_bubblewrap);
   }
   return outcome;
 }

@@ -16,8 +16,8 @@
 namespace glassbox::labs::grading {
 
 // Descriptors that a process gets in addition to the standard ones and kAnswersFd.
-inline constexpr int kNotesFd = 4;   // witness.cpp
-inline constexpr int kFilterFd = 5;  // for bubblewrap, which installs the filter itself
+inline constexpr int kCrashReportFd = 4;  // crash_reporter.cpp
+inline constexpr int kFilterFd = 5;       // for bubblewrap, which installs the filter itself
 
 struct Launch {
   std::vector<std::string> command;

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 
 namespace glassbox::labs::grading {
 
@@ -30,16 +30,17 @@ std::string junit_xml(const OrderedJson& results) {
   for (const OrderedJson& test : results.at("tests")) {
     if (!is_visible(test)) continue;
     ++tests;
-    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
-                         escaped("task " + test.at("extra_data").at("task").get<std::string>()),
-                         escaped(test.at("name")));
+    cases +=
+        fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                    escaped_html("task " + test.at("extra_data").at("task").get<std::string>()),
+                    escaped_html(test.at("name")));
     if (test.at("status") == "passed") {
       cases += "/>\n";
       continue;
     }
     ++failures;
     cases += fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                         escaped(outcome_in(test)), escaped(test.at("output")));
+                         escaped_html(outcome_in(test)), escaped_html(test.at("output")));
   }
   const bool graded = extra.at("outcome") == "graded";
   // The reason why no check was run is one error.
@@ -48,13 +49,13 @@ std::string junit_xml(const OrderedJson& results) {
         "    <testcase classname=\"submission\" name=\"student.cpp\">\n      <error "
         "message=\"{}\">{}</error>\n"
         "    </testcase>\n",
-        escaped(extra.at("outcome")), escaped(results.at("output")));
+        escaped_html(extra.at("outcome")), escaped_html(results.at("output")));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}  "
       "</testsuite>\n</testsuites>\n",
-      escaped(extra.value("folder", "lab")), tests + (graded ? 0 : 1), failures, graded ? 0 : 1,
-      cases);
+      escaped_html(extra.value("folder", "lab")), tests + (graded ? 0 : 1), failures,
+      graded ? 0 : 1, cases);
 }
 
 std::string vpl_text(const OrderedJson& results, double most) {

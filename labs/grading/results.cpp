@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostText = 4000;  // how many bytes of a student's printed output are shown
 
-std::string cut(const std::string& text, std::size_t most) {
+std::string truncated(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most) + "\n[cut off here]";
 }
 
@@ -46,7 +46,7 @@ std::string divergence_text(const Divergence& divergence) {
 Json failure_json(const FirstFailure& failure) {
   Json json{{"case", failure.index}, {"verdict", verdict_name(failure.verdict)}};
   if (!failure.where.empty()) json["where"] = failure.where;
-  if (!failure.text.empty()) json["text"] = cut(failure.text, kMostText);
+  if (!failure.text.empty()) json["text"] = truncated(failure.text, kMostText);
   if (const auto& divergence = failure.divergence) {
     json["field"] = divergence->field;
     json["element"] = divergence->element;
@@ -82,12 +82,12 @@ Json test_json(const CheckResult& check, const std::string& name, const std::str
 // Describes the first case that is not right, and what may be the reason.
 std::string failure_text(const CheckResult& check, const std::string& name) {
   std::string text = fmt::format("{}: {} of {} cases are right{}.\n", name, check.right,
-                                 check.cases.size(), note_of_whole(check));
+                                 check.cases.size(), all_or_nothing_note(check));
   if (const auto& first = check.first) {
     text += fmt::format("The first case that is not right: case {}", first->index);
     if (!first->where.empty()) text += fmt::format(" ({})", first->where);
     text += fmt::format(": {}\n", verdict_name(first->verdict));
-    if (!first->text.empty()) text += "  " + cut(first->text, kMostText) + '\n';
+    if (!first->text.empty()) text += "  " + truncated(first->text, kMostText) + '\n';
     if (first->divergence) text += divergence_text(*first->divergence);
     if (!first->restated.empty()) text += "The case:\n" + first->restated + '\n';
   }
@@ -107,18 +107,19 @@ std::string explanation(const CheckResult& check, const std::string& name) {
   } else {
     text = failure_text(check, name);
   }
-  if (!check.said.empty()) text += "Your code printed:\n" + cut(check.said, kMostText) + '\n';
+  if (!check.printed.empty())
+    text += "Your code printed:\n" + truncated(check.printed, kMostText) + '\n';
   return text;
 }
 
-Json gradescope_json(const Graded& graded, const std::string& confinement,
+Json gradescope_json(const GradedSubmission& graded, const std::string& confinement,
                      const std::string& digest) {
   const LabResult& lab = graded.result;
   // Shows no points: students read this before grades are published, and the total would reveal
   // something about hidden checks.
   std::string output = fmt::format("Lab {}, {}.\n", lab.number, lab.title);
   if (graded.outcome != "graded") output += graded.outcome + ".\n";
-  if (!graded.said.empty()) output += "\n" + cut(graded.said, 3 * kMostText);
+  if (!graded.messages.empty()) output += "\n" + truncated(graded.messages, 3 * kMostText);
   Json tasks = Json::array();
   for (const TaskResult& task : lab.tasks) {
     tasks.push_back({{"id", task.id},
@@ -131,7 +132,7 @@ Json gradescope_json(const Graded& graded, const std::string& confinement,
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
     const CheckResult& check = lab.checks[i];
     const std::string number = fmt::format("{}.{}", check.task, ++counts[check.task]);
-    tests.push_back(test_json(check, graded.names[i], number));
+    tests.push_back(test_json(check, graded.check_outcomes[i], number));
   }
   // There is no "score" here: Gradescope adds up the tests, and shows the sum when it shows them
   // all.

@@ -18,9 +18,10 @@ inline constexpr const char* kUnfinished = "grading did not finish";
 // results.json. There is one test for each check. A hidden check is shown when grades are
 // published, and nothing else that students see depends on one: so there is no total. What the
 // grader knows beyond Gradescope's fields is in extra_data, which students do not see. Nothing in
-// it depends on when or where it was made. `confinement` is Sandbox::in_force(), `digest` a digest
-// of everything that the result depends on.
-nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement,
+// it depends on when or where it was made. `confinement` is Sandbox::description(), `digest` a
+// digest of everything that the result depends on.
+nlohmann::ordered_json gradescope_json(const GradedSubmission& graded,
+                                       const std::string& confinement,
                                        const std::string& digest = {});
 
 // results.json of a submission of which nothing is known yet, not even the lab.

@@ -35,12 +35,12 @@ const std::vector<fs::path>& compiler_files() {
 }
 
 // The traditional paths, which are links into /usr on most systems.
-const std::vector<fs::path>& old_places() {
+const std::vector<fs::path>& traditional_directories() {
   static const std::vector<fs::path> places{"/bin", "/lib", "/lib32", "/lib64", "/libx32"};
   return places;
 }
 
-std::string program_called(const char* name) {
+std::string find_system_program(const char* name) {
   for (const char* directory : {"/usr/bin/", "/bin/", "/usr/local/bin/"}) {
     const std::string path = std::string(directory) + name;
     if (::access(path.c_str(), X_OK) == 0) return path;
@@ -50,7 +50,7 @@ std::string program_called(const char* name) {
 
 // A user number that no account and no other grading uses at this moment: Debian keeps 60000-64999
 // free.
-uid_t user_of_nobody() {
+uid_t unused_user_id() {
   return 61000 + static_cast<uid_t>(::getpid()) % 3900;
 }
 
@@ -70,14 +70,14 @@ std::vector<std::string> plain_environment(const std::string& temporary) {
 
 Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confinement> only) {
   Sandbox sandbox;
-  const std::string bubblewrap = program_called("bwrap");
+  const std::string bubblewrap = find_system_program("bwrap");
   if (can_filter_system_calls()) {
     auto compiler = compiler_filter();
     if (!compiler) return tl::unexpected(compiler.error());
     sandbox.compiler_filter_ = *compiler;
   }
   std::vector<std::optional<uid_t>> users;
-  if (::geteuid() == 0) users.push_back(user_of_nobody());
+  if (::geteuid() == 0) users.push_back(unused_user_id());
   users.push_back(std::nullopt);
   std::string why;  // why none of them works
   const auto does_not_work = [&](Confinement each, const std::string& reason) {
@@ -90,7 +90,7 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
       does_not_work(each, "bwrap is not installed");
       continue;
     }
-    if (each == Confinement::kLandlock && !can_rule_files()) {
+    if (each == Confinement::kLandlock && !can_restrict_files()) {
       does_not_work(each, "this kernel does not have it, or it is not switched on");
       continue;
     }
@@ -108,7 +108,7 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
     std::string reason;
     for (const auto& user : users) {
       sandbox.user_ = user;
-      reason = sandbox.trouble(scratch);
+      reason = sandbox.failure_reason(scratch);
       if (reason.empty()) return sandbox;
     }
     does_not_work(each, reason);
@@ -120,11 +120,11 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
 
 // A compiler's confinement needs more than a runner's: if a compiler can be started here, a runner
 // can be too.
-std::string Sandbox::trouble(const fs::path& scratch) const {
+std::string Sandbox::failure_reason(const fs::path& scratch) const {
   const fs::path trial = scratch / "trial";
   std::error_code error;
   fs::create_directory(trial, error);
-  if (error || !hand_over(trial))
+  if (error || !give_to_sandbox_user(trial))
     return "no directory can be given to the sandbox's user in " + scratch.string();
   Limits limits = compile_limits();
   limits.seconds = 10;
@@ -133,11 +133,11 @@ std::string Sandbox::trouble(const fs::path& scratch) const {
                     fs::exists(trial / "here");
   fs::remove_all(trial, error);
   if (fine) return {};
-  const std::string said = outcome.said.substr(0, outcome.said.find('\n'));
-  return !said.empty() ? said : ending_text(outcome, {});
+  const std::string printed = outcome.printed.substr(0, outcome.printed.find('\n'));
+  return !printed.empty() ? printed : ending_text(outcome, {});
 }
 
-std::string Sandbox::in_force() const {
+std::string Sandbox::description() const {
   std::string text;
   switch (confinement_) {
     case Confinement::kBubblewrap:
@@ -157,7 +157,7 @@ std::string Sandbox::in_force() const {
   return text + (user_ ? ", an unprivileged user" : ", the user who started it");
 }
 
-bool Sandbox::hand_over(const fs::path& path) const {
+bool Sandbox::give_to_sandbox_user(const fs::path& path) const {
   return !user_ || ::lchown(path.c_str(), *user_, *user_) == 0;
 }
 
@@ -181,7 +181,7 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
     auto& words = job.command;
     for (const fs::path& path : compiler_files())
       words.insert(words.end(), {"--ro-bind-try", path.string(), path.string()});
-    for (const fs::path& place : old_places()) {
+    for (const fs::path& place : traditional_directories()) {
       std::error_code error;
       if (fs::is_symlink(place, error)) {
         words.insert(words.end(), {"--symlink", fs::read_symlink(place, error).string(), place});
@@ -204,7 +204,7 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
   job.command = command;
   if (confinement_ != Confinement::kLandlock) return launch(job);
   std::vector<fs::path> seen = compiler_files();
-  seen.insert(seen.end(), old_places().begin(), old_places().end());
+  seen.insert(seen.end(), traditional_directories().begin(), traditional_directories().end());
   seen.insert(seen.end(), readable.begin(), readable.end());
   std::vector<fs::path> written;
   if (may_write) {
@@ -241,10 +241,10 @@ RunOutcome Sandbox::run_sanitized(const fs::path& program,
   return launch_confined(command, "/", false, {program}, environment, own);
 }
 
-bool Sandbox::is_compilers(const fs::path& file, const std::vector<fs::path>& readable) {
+bool Sandbox::compiler_may_read(const fs::path& file, const std::vector<fs::path>& readable) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(file, error);
-  for (const auto* places : {&compiler_files(), &old_places(), &readable}) {
+  for (const auto* places : {&compiler_files(), &traditional_directories(), &readable}) {
     for (const fs::path& place : *places) {
       const fs::path relative = whole.lexically_relative(fs::weakly_canonical(place, error));
       if (!relative.empty() && *relative.begin() != "..") return true;
@@ -278,19 +278,19 @@ RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>&
   return launch(job);
 }
 
-double TimeLeft::of(double most) const {
+double TimeBudget::remaining(double most) const {
   const std::lock_guard lock(mutex_);
   return limited_ ? std::clamp(left_, 0.0, most) : most;
 }
 
-void TimeLeft::spend(double seconds) {
+void TimeBudget::spend(double seconds) {
   const std::lock_guard lock(mutex_);
   left_ -= seconds;
 }
 
 RunOutcome SandboxRunner::run(const RunRequest& request) {
   Limits limits = limits_;
-  if (time_ != nullptr) limits.seconds = time_->of(limits_.seconds);
+  if (time_ != nullptr) limits.seconds = time_->remaining(limits_.seconds);
   RunOutcome outcome;
   if (limits.seconds <= 0) {
     outcome.ending = RunOutcome::Ending::kTimeout;

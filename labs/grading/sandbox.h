@@ -39,10 +39,10 @@ public:
 
   Confinement confinement() const { return confinement_; }
   // The confinement in one sentence.
-  std::string in_force() const;
+  std::string description() const;
   // Gives `path` to the user that owns the files which a submission's processes write. Does nothing
   // where that user is the caller.
-  bool hand_over(const std::filesystem::path& path) const;
+  bool give_to_sandbox_user(const std::filesystem::path& path) const;
 
   // Runs a compiler in the directory `build`, which it may write to; otherwise it sees only its own
   // files and `readable`.
@@ -51,8 +51,8 @@ public:
                      const Limits& limits) const;
   // Whether a compiler may read the file: the rule that compile() enforces where the machine can do
   // so. Elsewhere the caller checks it afterwards.
-  static bool is_compilers(const std::filesystem::path& file,
-                           const std::vector<std::filesystem::path>& readable);
+  static bool compiler_may_read(const std::filesystem::path& file,
+                                const std::vector<std::filesystem::path>& readable);
   // Runs a statically linked program, which sees no file at all, except the one that `input` is
   // open for: its standard input (-1: empty).
   RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -65,7 +65,7 @@ public:
 
 private:
   // The reason why this confinement does not work here; empty if it works.
-  std::string trouble(const std::filesystem::path& scratch) const;
+  std::string failure_reason(const std::filesystem::path& scratch) const;
   RunOutcome launch_confined(const std::vector<std::string>& command,
                              const std::filesystem::path& directory, bool may_write,
                              const std::vector<std::filesystem::path>& readable,
@@ -79,11 +79,11 @@ private:
 };
 
 // The time that all processes of a submission have together. Safe to use from several threads.
-class TimeLeft {
+class TimeBudget {
 public:
-  explicit TimeLeft(double seconds) : limited_(seconds > 0), left_(seconds) {}
+  explicit TimeBudget(double seconds) : limited_(seconds > 0), left_(seconds) {}
   // The remaining time, but at most `most`; 0 when all is used up.
-  double of(double most) const;
+  double remaining(double most) const;
   void spend(double seconds);
 
 private:
@@ -96,7 +96,7 @@ private:
 class SandboxRunner : public Runner {
 public:
   SandboxRunner(const Sandbox& sandbox, Limits limits, bool sanitized = false,
-                TimeLeft* time = nullptr)
+                TimeBudget* time = nullptr)
       : sandbox_(sandbox), limits_(limits), sanitized_(sanitized), time_(time) {}
   RunOutcome run(const RunRequest& request) override;
 
@@ -107,7 +107,7 @@ private:
   const Sandbox& sandbox_;
   Limits limits_;
   bool sanitized_;
-  TimeLeft* time_;
+  TimeBudget* time_;
   std::vector<RunOutcome> processes_;
 };
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/grading/kit.h"
+#include "labs/grading/build_kit.h"
 
 namespace glassbox::labs::grading {
 
@@ -39,8 +39,8 @@ std::string kind_of(const std::string& line) {
 
 }  // namespace
 
-std::optional<std::string> sanitizer_finding(const std::string& said) {
-  std::istringstream lines(said);
+std::optional<std::string> sanitizer_finding(const std::string& printed) {
+  std::istringstream lines(printed);
   std::string kind;
   for (std::string line; std::getline(lines, line);) {
     if (kind.empty()) {

@@ -8,6 +8,6 @@ namespace glassbox::labs::grading {
 
 // The first report in a program's output, as "heap-buffer-overflow, student.cpp:24, in
 // is_back_face". Nothing if there is no report.
-std::optional<std::string> sanitizer_finding(const std::string& said);
+std::optional<std::string> sanitizer_finding(const std::string& printed);
 
 }  // namespace glassbox::labs::grading

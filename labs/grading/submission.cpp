@@ -100,7 +100,7 @@ std::optional<fs::path> only_archive(const fs::path& folder) {
 
 }  // namespace
 
-tl::unexpected<Error> missing(const std::string& name, std::vector<fs::path> found) {
+tl::unexpected<Error> missing_file_error(const std::string& name, std::vector<fs::path> found) {
   constexpr std::size_t kNamed = 8;
   std::sort(found.begin(), found.end());
   std::string names;
@@ -115,25 +115,25 @@ Result<std::string> read_source(const fs::path& path) {
   return read_ordinary(path);
 }
 
-Result<std::string> read_submitted(const fs::path& submission, const std::string& name) {
+Result<std::string> read_submitted_file(const fs::path& submission, const std::string& name) {
   const fs::file_type type = type_of(submission);
   if (type == fs::file_type::symlink) return refused(submission, "is a link");
   if (type == fs::file_type::regular && is_archive(submission))
     return read_from_archive(submission, name);
   if (type != fs::file_type::directory) {
     if (name == "student.cpp") return read_ordinary(submission);
-    return missing(name, {submission.filename()});
+    return missing_file_error(name, {submission.filename()});
   }
   if (is_there(submission / name)) return read_ordinary(submission / name);
   std::error_code error;
   const std::vector<fs::path> inner = folders_in(submission, error);
   if (inner.size() == 1 && is_there(inner[0] / name)) return read_ordinary(inner[0] / name);
   if (const auto archive = only_archive(submission)) return read_from_archive(*archive, name);
-  return missing(name, files_below(submission));
+  return missing_file_error(name, files_below(submission));
 }
 
 Result<std::string> read_submission(const fs::path& submission) {
-  return read_submitted(submission, "student.cpp");
+  return read_submitted_file(submission, "student.cpp");
 }
 
 std::string submission_name(const fs::path& path) {

@@ -24,11 +24,12 @@ Result<std::string> read_submission(const std::filesystem::path& submission);
 Result<std::string> read_source(const std::filesystem::path& path);
 
 // The text of the file `name`, found and refused by the rules of read_submission().
-Result<std::string> read_submitted(const std::filesystem::path& submission,
-                                   const std::string& name);
+Result<std::string> read_submitted_file(const std::filesystem::path& submission,
+                                        const std::string& name);
 
 // The error for a submission without the file; `found` are the files that it has.
-tl::unexpected<Error> missing(const std::string& name, std::vector<std::filesystem::path> found);
+tl::unexpected<Error> missing_file_error(const std::string& name,
+                                         std::vector<std::filesystem::path> found);
 
 // The name of a submission in a class: the name of its folder, or of its file without the ending.
 std::string submission_name(const std::filesystem::path& path);

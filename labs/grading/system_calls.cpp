@@ -131,7 +131,7 @@ struct Release {
 };
 using Context = std::unique_ptr<void, Release>;
 
-auto failure(const std::string& what) {
+auto filter_error(const std::string& what) {
   return fail("the system-call filter", what + " was refused by libseccomp",
               "grade on Linux on x86-64 or AArch64");
 }
@@ -150,9 +150,9 @@ scmp_arg_cmp equals(unsigned argument, scmp_datum_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
 
-Result<SystemCallFilter> exported(const Context& context) {
+Result<SystemCallFilter> export_filter(const Context& context) {
   const int file = ::memfd_create("filter", MFD_CLOEXEC);
-  if (file < 0) return failure("a file in memory");
+  if (file < 0) return filter_error("a file in memory");
   SystemCallFilter filter;
   if (seccomp_export_bpf(context.get(), file) == 0) {
     const off_t bytes = ::lseek(file, 0, SEEK_END);
@@ -160,7 +160,7 @@ Result<SystemCallFilter> exported(const Context& context) {
     if (::pread(file, filter.data(), static_cast<std::size_t>(bytes), 0) != bytes) filter.clear();
   }
   ::close(file);
-  if (filter.empty()) return failure("the filter's program");
+  if (filter.empty()) return filter_error("the filter's program");
   return filter;
 }
 
@@ -172,7 +172,7 @@ bool can_filter_system_calls() {
 
 Result<SystemCallFilter> runner_filter(bool in_namespace) {
   const Context context(seccomp_init(SCMP_ACT_TRAP));
-  if (!context) return failure("an empty filter");
+  if (!context) return filter_error("an empty filter");
   bool fine = true;
   for (const char* name : kRunnerMay) fine = add(context, SCMP_ACT_ALLOW, name) && fine;
   // abort() and assert() send a signal to the process itself.
@@ -193,17 +193,17 @@ Result<SystemCallFilter> runner_filter(bool in_namespace) {
   fine = add(context, SCMP_ACT_ERRNO(ENOTTY), "ioctl") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlink") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlinkat") && fine;
-  if (!fine) return failure("a rule");
-  return exported(context);
+  if (!fine) return filter_error("a rule");
+  return export_filter(context);
 }
 
 Result<SystemCallFilter> compiler_filter() {
   const Context context(seccomp_init(SCMP_ACT_ALLOW));
-  if (!context) return failure("an empty filter");
+  if (!context) return filter_error("an empty filter");
   bool fine = true;
   for (const char* name : kCompilerMayNot) fine = add(context, SCMP_ACT_ERRNO(EPERM), name) && fine;
-  if (!fine) return failure("a rule");
-  return exported(context);
+  if (!fine) return filter_error("a rule");
+  return export_filter(context);
 }
 
 std::string system_call_name(int number) {
@@ -219,17 +219,17 @@ bool can_filter_system_calls() {
 }
 
 namespace {
-Result<SystemCallFilter> absent() {
+Result<SystemCallFilter> no_seccomp_error() {
   return fail("the system-call filter", "glassbox was built without libseccomp",
               "install libseccomp-dev and build again");
 }
 }  // namespace
 
 Result<SystemCallFilter> runner_filter(bool) {
-  return absent();
+  return no_seccomp_error();
 }
 Result<SystemCallFilter> compiler_filter() {
-  return absent();
+  return no_seccomp_error();
 }
 std::string system_call_name(int number) {
   return fmt::format("system call {}", number);
@@ -237,7 +237,7 @@ std::string system_call_name(int number) {
 
 #endif
 
-void put_own_pid(SystemCallFilter& filter, unsigned pid) {
+void set_own_pid(SystemCallFilter& filter, unsigned pid) {
   for (sock_filter& instruction : filter) {
     if (BPF_CLASS(instruction.code) == BPF_JMP && instruction.k == kOwnPid) instruction.k = pid;
   }

@@ -22,7 +22,7 @@ bool can_filter_system_calls();
 //
 // `in_namespace`: whether the process is in a process namespace of its own, where there is no other
 // process to signal. Elsewhere the filter contains kOwnPid in the place of the process's own
-// number; put_own_pid replaces it.
+// number; set_own_pid replaces it.
 Result<SystemCallFilter> runner_filter(bool in_namespace);
 
 // The filter for a compiler, which needs files and processes: no network, no tracing, no mounts, no
@@ -31,7 +31,7 @@ Result<SystemCallFilter> compiler_filter();
 
 inline constexpr unsigned kOwnPid = 0x3ead1dea;  // above the kernel's largest process number, 2^22
 // allocates nothing, so it can be used after fork
-void put_own_pid(SystemCallFilter& filter, unsigned pid);
+void set_own_pid(SystemCallFilter& filter, unsigned pid);
 
 // The name of a system call, "openat"; or "system call 257" where the name is not known.
 std::string system_call_name(int number);

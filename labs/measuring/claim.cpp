@@ -41,13 +41,13 @@ std::string name_of(const ClaimedPoint& point) {
 }
 
 // Thrown with the reason why a file is no claim.
-struct Unread {
+struct ClaimFormatError {
   std::string cause;
 };
 
 const Json& field(const Json& json, const char* name) {
   if (const auto found = json.find(name); found != json.end()) return *found;
-  throw Unread{fmt::format("has no '{}'", name)};
+  throw ClaimFormatError{fmt::format("has no '{}'", name)};
 }
 
 ClaimedPoint point_of(const Json& json) {
@@ -93,7 +93,7 @@ Claim claim_of(const std::string& lab, const std::string& code, const study::Ori
     for (const auto& other : result.configurations) {
       const study::Timing* const theirs = study::timing_of(other, 1);
       if (is_one_of(other.series, series) || theirs == nullptr ||
-          !study::compete(result, each, other))
+          !study::are_competitors(result, each, other))
         continue;
       if (mine->ns.upper < theirs->ns.lower) point.faster_than.push_back(other.series);
       if (theirs->ns.upper < mine->ns.lower) point.slower_than.push_back(other.series);
@@ -137,7 +137,7 @@ Result<Claim> read_claim(const std::string& path, const std::string& text) {
                 {}};
     for (const Json& each : field(json, "points")) claim.points.push_back(point_of(each));
     return claim;
-  } catch (const Unread& unread) {
+  } catch (const ClaimFormatError& unread) {
     return refused(unread.cause);
   } catch (const Json::exception&) {
     return refused("has a value of the wrong type");

@@ -37,7 +37,7 @@ DrawnStage stage_of(const LabMeasure& lab) {
   return {"measured", "", lab.functions, {}, {}};
 }
 
-Ask asker(const DrawnStage& stage, StudentAnswers& student) {
+Ask ask_function(const DrawnStage& stage, StudentAnswers& student) {
   return [&stage, &student](const std::vector<Numbers>& questions) {
     std::vector<Question> asked;
     asked.reserve(questions.size());
@@ -47,19 +47,19 @@ Ask asker(const DrawnStage& stage, StudentAnswers& student) {
 }
 
 // A digest of all answers that `measure` asks for; nothing where the code breaks.
-std::optional<std::string> answered(const Ask& ask,
-                                    const std::function<void(const Ask& recorded)>& measure) {
+std::optional<std::string> answers_digest(const Ask& ask,
+                                          const std::function<void(const Ask& recorded)>& measure) {
   Digest digest;
-  bool broke = false;
+  bool failed = false;
   measure([&](const std::vector<Numbers>& questions) {
     auto answers = ask(questions);
-    broke = broke || !answers;
+    failed = failed || !answers;
     if (!answers) return answers;
     for (const Numbers& each : *answers)
       digest.add({reinterpret_cast<const char*>(each.data()), each.size() * sizeof(double)});
     return answers;
   });
-  if (broke) return std::nullopt;
+  if (failed) return std::nullopt;
   return digest.text();
 }
 
@@ -81,7 +81,7 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
   return timing;
 }
 
-// Gives each place that was not timed by itself the times of its series at that place.
+// Gives each point that was not timed by itself the times of its series at the same parameter.
 void share_times(std::vector<study::ConfigurationResult>& all) {
   const auto timed = all;
   for (study::ConfigurationResult& each : all) {
@@ -103,41 +103,41 @@ std::optional<LabMeasure> measure_of(int lab) {
   return std::nullopt;
 }
 
-Result<std::vector<study::ConfigurationResult>> measure_places(
+Result<std::vector<study::ConfigurationResult>> measure_points(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase) {
   const DrawnStage stage = stage_of(lab);
-  const Ask ask = asker(stage, student);
-  const std::vector<MeasuredPlace> places = lab.places();
+  const Ask ask = ask_function(stage, student);
+  const std::vector<MeasuredPoint> points = lab.points();
   std::vector<study::ConfigurationResult> all;
-  for (const MeasuredPlace& place : places) {
+  for (const MeasuredPoint& point : points) {
     phase(fmt::format("{}: your functions, error {} of {}", lab.experiment, all.size() + 1,
-                      places.size()));
+                      points.size()));
     study::ConfigurationResult result;
-    result.series = place.series;
-    result.parameter = place.parameter;
-    result.scene = place.scene;
-    result.measure = place.measure;
-    const auto error = place.error(ask);
+    result.series = point.series;
+    result.parameter = point.parameter;
+    result.scene = point.scene;
+    result.measure = point.measure;
+    const auto error = point.error(ask);
     if (!error) return tl::unexpected(error.error());
     result.error = *error;
     all.push_back(std::move(result));
   }
-  for (std::size_t i = 0; i < places.size() && rounds > 0; ++i) {
-    if (places[i].timed.empty()) continue;
+  for (std::size_t i = 0; i < points.size() && rounds > 0; ++i) {
+    if (points[i].timed.empty()) continue;
     // A question that was timed before is not timed again.
     const auto same = std::find_if(
-        places.begin(), places.begin() + std::ptrdiff_t(i), [&](const MeasuredPlace& other) {
-          return other.timed == places[i].timed && other.items == places[i].items;
+        points.begin(), points.begin() + std::ptrdiff_t(i), [&](const MeasuredPoint& other) {
+          return other.timed == points[i].timed && other.items == points[i].items;
         });
-    if (const auto j = std::size_t(same - places.begin()); j < i) {
+    if (const auto j = std::size_t(same - points.begin()); j < i) {
       all[i].timings = all[j].timings;
       continue;
     }
-    phase(fmt::format("{}: your functions, time {} of {}", lab.experiment, i + 1, places.size()));
-    const auto taken = student.time(stage, {places[i].timed}, rounds);
+    phase(fmt::format("{}: your functions, time {} of {}", lab.experiment, i + 1, points.size()));
+    const auto taken = student.time(stage, {points[i].timed}, rounds);
     if (!taken) return tl::unexpected(taken.error());
-    const auto timing = timing_of(*taken, places[i].items);
+    const auto timing = timing_of(*taken, points[i].items);
     if (!timing) return tl::unexpected(timing.error());
     all[i].timings.push_back(*timing);
   }
@@ -153,24 +153,26 @@ Result<std::vector<std::string>> untouched_series(
   // a series, and whether the student has written it
   std::vector<std::pair<std::string, bool>> all;
   // A starter may say by an exception that nothing is written yet.
-  const auto breaks_alike = [&] { return student.broke() && student.broke() == starter.broke(); };
-  const auto answers_of = [&](const MeasuredPlace& place, StudentAnswers& whose) {
-    return answered(asker(measured, whose),
-                    [&](const Ask& ask) { static_cast<void>(place.error(ask)); });
+  const auto breaks_alike = [&] {
+    return student.failure() && student.failure() == starter.failure();
   };
-  // Places may store their answers, so the student and the starter each get their own. One answer
+  const auto answers_of = [&](const MeasuredPoint& point, StudentAnswers& whose) {
+    return answers_digest(ask_function(measured, whose),
+                          [&](const Ask& ask) { static_cast<void>(point.error(ask)); });
+  };
+  // Points may store their answers, so the student and the starter each get their own. One answer
   // that differs from the starter's is enough.
-  const std::vector<MeasuredPlace> places = lab.places(), starters = lab.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const MeasuredPlace& place = places[i];
+  const std::vector<MeasuredPoint> points = lab.points(), starters = lab.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const MeasuredPoint& point = points[i];
     auto found = std::find_if(all.begin(), all.end(),
-                              [&](const auto& each) { return each.first == place.series; });
-    if (found == all.end()) found = all.insert(all.end(), {place.series, false});
+                              [&](const auto& each) { return each.first == point.series; });
+    if (found == all.end()) found = all.insert(all.end(), {point.series, false});
     if (!found->second) {
-      const auto mine = answers_of(place, student);
+      const auto mine = answers_of(point, student);
       const auto starters_own = answers_of(starters[i], starter);
       if (!mine && !breaks_alike())
-        return fail("student.cpp", student.broke().value_or("gave no answer"), "");
+        return fail("student.cpp", student.failure().value_or("gave no answer"), "");
       found->second = mine && mine != starters_own;
     }
   }

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "labs/drawing/program.h"
+#include "labs/drawing/stage_program.h"
 #include "labs/framework/stages.h"
 #include "study/experiment/results.h"
 
@@ -26,7 +26,7 @@ using Ask = std::function<Result<std::vector<Numbers>>(const std::vector<Numbers
 
 // A point of the chart, at a place where the experiment has others. Its error is NaN for an answer
 // of the wrong form, so that doing nothing does not count as exact.
-struct MeasuredPlace {
+struct MeasuredPoint {
   std::string series;
   double parameter = 0;
   std::string scene = {}, measure = {};
@@ -40,21 +40,21 @@ struct MeasuredPlace {
 struct LabMeasure {
   std::string experiment;  // "D-3"
   std::string functions;   // the functions of student.h: "edge, owns_edge, covered_pixels"
-  // The places of a quick run of the experiment.
-  std::function<std::vector<MeasuredPlace>()> places;
+  // The points of a quick run of the experiment.
+  std::function<std::vector<MeasuredPoint>()> points;
 };
 
 // Returns nothing for a lab that has no such measurement.
 std::optional<LabMeasure> measure_of(int lab);
 
-// Measures every place in the same way as the experiment measures its own ways. Without `rounds`
+// Measures every point in the same way as the experiment measures its own ways. Without `rounds`
 // nothing is timed. An error says what prevented the measurement; if it comes from the student's
 // code, `student` has the details.
-Result<std::vector<study::ConfigurationResult>> measure_places(
+Result<std::vector<study::ConfigurationResult>> measure_points(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase);
 
-// The series for which the student has written nothing yet: at all their places the student's
+// The series for which the student has written nothing yet: at all their points the student's
 // functions answer as the starter's do (which may throw).
 Result<std::vector<std::string>> untouched_series(
     const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,

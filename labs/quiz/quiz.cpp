@@ -12,8 +12,8 @@ namespace glassbox::labs {
 namespace {
 
 using Map = Transform<World, Object>;
-using Place = Point<World, double>;
-using Arrow = Vector<World, double>;
+using WorldPoint = Point<World, double>;
+using WorldVector = Vector<World, double>;
 
 // ---- samples ----
 
@@ -37,38 +37,38 @@ std::vector<Point<Object, double>> sample_points() {
 
 // A perspective with a field of view of a right angle, the near plane at 1 and no far plane: x and
 // y divided by the distance.
-Place in_picture(const Place& p) {
+WorldPoint project_to_picture(const WorldPoint& p) {
   const auto m = *perspective_degrees(90, 1, {1});
   const auto clip = m * Point<Eye, double>(p.x, p.y, p.z);
   return {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
 }
 
 // Places in front of the eye, at various distances.
-std::vector<Place> seen() {
+std::vector<WorldPoint> visible_points() {
   return {{0, 0, -2}, {1, 0, -2}, {1, 1, -4}, {-2, 1, -3}, {0.5, -1, -8}, {3, 2, -5}};
 }
-std::vector<Arrow> directions() {
+std::vector<WorldVector> directions() {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 1, 0}, {1, 0, -2}, {-1, 2, -1}};
 }
 
 // ---- comparisons ----
 
-bool same(double a, double b) {
+bool nearly_equal(double a, double b) {
   return std::abs(a - b) <=
          1e-12 * (1 + std::abs(a) + std::abs(b));  // some thousand roundings of double
 }
-bool same(const Arrow& a, const Arrow& b) {
-  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+bool nearly_equal(const WorldVector& a, const WorldVector& b) {
+  return nearly_equal(a.x, b.x) && nearly_equal(a.y, b.y) && nearly_equal(a.z, b.z);
 }
-Arrow flat(const Arrow& v) {
+WorldVector without_depth(const WorldVector& v) {
   return {v.x, v.y, 0};
 }
-bool parallel(const Arrow& a, const Arrow& b) {
-  return same(cross(a, b), {0, 0, 0});
+bool parallel(const WorldVector& a, const WorldVector& b) {
+  return nearly_equal(cross(a, b), {0, 0, 0});
 }
 
 template <class Items, class Test>
-bool for_all(const Items& items, const Test& test) {
+bool holds_for_all(const Items& items, const Test& test) {
   for (const auto& each : items) {
     if (!test(each)) return false;
   }
@@ -77,18 +77,18 @@ bool for_all(const Items& items, const Test& test) {
 
 // Whether the test holds for every map and every two places.
 template <class Test>
-bool of_pairs(const Test& test) {
-  return for_all(affine_maps(), [&](const Map& m) {
-    return for_all(sample_points(), [&](const auto& p) {
-      return for_all(sample_points(), [&](const auto& q) { return test(m, p, q); });
+bool holds_for_all_pairs(const Test& test) {
+  return holds_for_all(affine_maps(), [&](const Map& m) {
+    return holds_for_all(sample_points(), [&](const auto& p) {
+      return holds_for_all(sample_points(), [&](const auto& q) { return test(m, p, q); });
     });
   });
 }
 
-Point<Object, double> half_way(const Point<Object, double>& a, const Point<Object, double>& b) {
+Point<Object, double> midpoint(const Point<Object, double>& a, const Point<Object, double>& b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
-Place half_way(const Place& a, const Place& b) {
+WorldPoint midpoint(const WorldPoint& a, const WorldPoint& b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
 
@@ -105,8 +105,9 @@ Quiz affine_quiz() {
             "is a linear map followed by a translation.",
             "step --point 0,0,0 " + shift + eye,
             [] {
-              return for_all(affine_maps(), [](const Map& m) {
-                return same(m * Point<Object, double>(0, 0, 0) - Place(0, 0, 0), {0, 0, 0});
+              return holds_for_all(affine_maps(), [](const Map& m) {
+                return nearly_equal(m * Point<Object, double>(0, 0, 0) - WorldPoint(0, 0, 0),
+                                    {0, 0, 0});
               });
             }},
            {"An affine map is a combination of linear transformations.", false,
@@ -116,16 +117,16 @@ Quiz affine_quiz() {
             "step --point 0,0,0 --point 1,0,0 " + shift + eye,
             [] {
               // Linear maps take a sum to a sum; tested on the sum of p and q, and on the origin.
-              return of_pairs([](const Map& m, const auto& p, const auto& q) {
-                const Place sum = m * Point<Object, double>(p.x + q.x, p.y + q.y, p.z + q.z);
-                return same(sum - (m * p), (m * q) - Place(0, 0, 0));
+              return holds_for_all_pairs([](const Map& m, const auto& p, const auto& q) {
+                const WorldPoint sum = m * Point<Object, double>(p.x + q.x, p.y + q.y, p.z + q.z);
+                return nearly_equal(sum - (m * p), (m * q) - WorldPoint(0, 0, 0));
               });
             }},
            {"The last row of an affine map of space, with column vectors, is (0, 0, 0, 1).", true,
             "This row keeps w = 1. With row vectors it would be the last column.",
             "step --point 1,2,3 " + shear + eye,
             [] {
-              return for_all(affine_maps(), [](const Map& m) {
+              return holds_for_all(affine_maps(), [](const Map& m) {
                 return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
               });
             }},
@@ -133,15 +134,15 @@ Quiz affine_quiz() {
             "Its last row gives 0 x + 0 y + 0 z + 1 w, which is w.",
             "step --point 1,2,3 " + shift + eye,
             [] {
-              return for_all(affine_maps(), [](const Map& m) {
-                return !same(m.at(3, 0) + m.at(3, 1) + m.at(3, 2) + m.at(3, 3), 1);
+              return holds_for_all(affine_maps(), [](const Map& m) {
+                return !nearly_equal(m.at(3, 0) + m.at(3, 1) + m.at(3, 2) + m.at(3, 3), 1);
               });
             }},
            {"Affine maps keep parallel lines parallel.", true,
             "Two lines with the same direction d both have the direction A d afterwards.",
             "step --point 0,0,0 --point 0,1,0 --point 1,0,0 --point 1,1,0 " + shear + eye,
             [] {
-              return of_pairs([](const Map& m, const auto& p, const auto& q) {
+              return holds_for_all_pairs([](const Map& m, const auto& p, const auto& q) {
                 const Point<Object, double> p2(p.x + 1, p.y + 2, p.z + 3),
                     q2(q.x + 1, q.y + 2, q.z + 3);
                 return parallel((m * p2) - (m * p), (m * q2) - (m * q));
@@ -151,19 +152,19 @@ Quiz affine_quiz() {
             "They keep sums whose weights add up to 1: A (p + q)/2 + t = (A p + t + A q + t)/2.",
             "step --point 0,0,0 --point 1,1,0 --point 2,2,0 " + shear + eye,
             [] {
-              return of_pairs([](const Map& m, const auto& p, const auto& q) {
-                return same((m * half_way(p, q)) - half_way(m * p, m * q), {0, 0, 0});
+              return holds_for_all_pairs([](const Map& m, const auto& p, const auto& q) {
+                return nearly_equal((m * midpoint(p, q)) - midpoint(m * p, m * q), {0, 0, 0});
               });
             }},
            {"Affine maps carry right angles to right angles.", false,
             "A shear tilts one axis and leaves the other, so the angle between them changes.",
             "step --point 0,0,0 --point 1,0,0 --point 0,1,0 " + shear + eye,
             [] {
-              return for_all(affine_maps(), [](const Map& m) {
-                const Place o = m * Point<Object, double>(0, 0, 0);
-                return same(dot((m * Point<Object, double>(1, 0, 0)) - o,
-                                (m * Point<Object, double>(0, 1, 0)) - o),
-                            0);
+              return holds_for_all(affine_maps(), [](const Map& m) {
+                const WorldPoint o = m * Point<Object, double>(0, 0, 0);
+                return nearly_equal(dot((m * Point<Object, double>(1, 0, 0)) - o,
+                                        (m * Point<Object, double>(0, 1, 0)) - o),
+                                    0);
               });
             }},
            {"It does not matter whether an object is first rotated and then translated, or the "
@@ -189,8 +190,8 @@ Quiz affine_quiz() {
 
 Quiz perspective_quiz() {
   const std::string eye = " --proj '1 0 0 0  0 1 0 0  0 0 -1 -1  0 0 -1 0' --dialect glassbox";
-  const auto along = [](const Place& p, const Arrow& d) {
-    return in_picture(p + d) - in_picture(p);
+  const auto along = [](const WorldPoint& p, const WorldVector& d) {
+    return project_to_picture(p + d) - project_to_picture(p);
   };
   return {
       4,
@@ -200,15 +201,15 @@ Quiz perspective_quiz() {
         "d.y) / -d.z.",
         "step --point 1,0,-2 --point 1,0,-200 --point -1,0,-2 --point -1,0,-200" + eye,
         [] {
-          return for_all(directions(), [](const Arrow& d) {
+          return holds_for_all(directions(), [](const WorldVector& d) {
             if (d.z == 0) return true;
-            const Place goal = in_picture({d.x, d.y, d.z});
+            const WorldPoint goal = project_to_picture({d.x, d.y, d.z});
             // Each point is half as far from the vanishing point when its distance is doubled.
-            return for_all(seen(), [&](const Place& p) {
+            return holds_for_all(visible_points(), [&](const WorldPoint& p) {
               const auto from_goal = [&](double t) {
-                return flat(in_picture(p + d * t) - goal) * (-p.z - t * d.z);
+                return without_depth(project_to_picture(p + d * t) - goal) * (-p.z - t * d.z);
               };
-              return same(from_goal(0), from_goal(3));
+              return nearly_equal(from_goal(0), from_goal(3));
             });
           });
         }},
@@ -216,9 +217,10 @@ Quiz perspective_quiz() {
         "Lines parallel to the picture's plane stay parallel: w is the same all along them.",
         "step --point 0,0,-2 --point 1,0,-2 --point 0,1,-2 --point 1,1,-2" + eye,
         [along] {
-          return for_all(directions(), [&](const Arrow& d) {
-            return for_all(seen(), [&](const Place& p) {
-              return !parallel(flat(along(p, d)), flat(along({p.x, p.y + 1, p.z}, d)));
+          return holds_for_all(directions(), [&](const WorldVector& d) {
+            return holds_for_all(visible_points(), [&](const WorldPoint& p) {
+              return !parallel(without_depth(along(p, d)),
+                               without_depth(along({p.x, p.y + 1, p.z}, d)));
             });
           });
         }},
@@ -226,19 +228,22 @@ Quiz perspective_quiz() {
         "x and y are divided by w, which is the distance.",
         "step --point 1,1,-2 --point 1,1,-4" + eye,
         [] {
-          return for_all(seen(), [](const Place& p) {
-            const Place near = in_picture(p), far = in_picture({p.x, p.y, 2 * p.z});
-            return same(near.x, 2 * far.x) && same(near.y, 2 * far.y);
+          return holds_for_all(visible_points(), [](const WorldPoint& p) {
+            const WorldPoint near = project_to_picture(p),
+                             far = project_to_picture({p.x, p.y, 2 * p.z});
+            return nearly_equal(near.x, 2 * far.x) && nearly_equal(near.y, 2 * far.y);
           });
         }},
        {"Perspective carries the middle of a segment to the middle of its picture.", false,
         "The nearer half looks longer: foreshortening is not uniform.",
         "step --point 1,0,-2 --point 1,0,-4 --point 1,0,-6" + eye,
         [] {
-          return for_all(seen(), [](const Place& p) {
-            return for_all(seen(), [&](const Place& q) {
-              return same(flat(in_picture(half_way(p, q)) - half_way(in_picture(p), in_picture(q))),
-                          {0, 0, 0});
+          return holds_for_all(visible_points(), [](const WorldPoint& p) {
+            return holds_for_all(visible_points(), [&](const WorldPoint& q) {
+              return nearly_equal(
+                  without_depth(project_to_picture(midpoint(p, q)) -
+                                midpoint(project_to_picture(p), project_to_picture(q))),
+                  {0, 0, 0});
             });
           });
         }},
@@ -247,9 +252,9 @@ Quiz perspective_quiz() {
         "project the ends of an edge.",
         "step --point 0,0,-2 --point 1,1,-4 --point 2,2,-6" + eye,
         [along] {
-          return for_all(directions(), [&](const Arrow& d) {
-            return for_all(seen(), [&](const Place& p) {
-              return parallel(flat(along(p, d)), flat(along(p, d * 3.0)));
+          return holds_for_all(directions(), [&](const WorldVector& d) {
+            return holds_for_all(visible_points(), [&](const WorldPoint& p) {
+              return parallel(without_depth(along(p, d)), without_depth(along(p, d * 3.0)));
             });
           });
         }},
@@ -257,8 +262,9 @@ Quiz perspective_quiz() {
         "The right angle of a square on the floor is not a right angle in the picture.",
         "step --point 0,-1,-2 --point 1,-1,-2 --point 0,-1,-4" + eye,
         [along] {
-          return for_all(seen(), [&](const Place& p) {
-            return same(dot(flat(along(p, {1, 0, 0})), flat(along(p, {0, 0, -1}))), 0);
+          return holds_for_all(visible_points(), [&](const WorldPoint& p) {
+            return nearly_equal(
+                dot(without_depth(along(p, {1, 0, 0})), without_depth(along(p, {0, 0, -1}))), 0);
           });
         }},
        {"The last row of a perspective projection is (0, 0, 0, 1).", false,
@@ -273,7 +279,7 @@ Quiz perspective_quiz() {
         "step --point 1,1,-2 --proj '1 0 0 0  0 1 0 0  0 0 -0.1 0  0 0 0 1' --dialect glassbox",
         [] {
           const auto m = *orthographic({-1, 1, -1, 1}, {0, 10});
-          return for_all(seen(), [&](const Place& p) {
+          return holds_for_all(visible_points(), [&](const WorldPoint& p) {
             return (m * Point<Eye, double>(p.x, p.y, p.z)).w == 1;
           });
         }},
@@ -282,8 +288,8 @@ Quiz perspective_quiz() {
         "before the divide.",
         "step --point 0.5,0.5,2" + eye,
         [] {
-          return for_all(seen(), [](const Place& p) {
-            const Place behind = in_picture({p.x, p.y, -p.z});
+          return holds_for_all(visible_points(), [](const WorldPoint& p) {
+            const WorldPoint behind = project_to_picture({p.x, p.y, -p.z});
             return std::abs(behind.x) > 1 || std::abs(behind.y) > 1;
           });
         }},
@@ -291,8 +297,8 @@ Quiz perspective_quiz() {
         "It is linear in 1/distance: half of all depths are nearer than twice the distance of the "
         "near plane.",
         "step --point 0,0,-1 --point 0,0,-2 --point 0,0,-3" + eye, [] {
-          return same(in_picture({0, 0, -3}).z - in_picture({0, 0, -2}).z,
-                      in_picture({0, 0, -2}).z - in_picture({0, 0, -1}).z);
+          return nearly_equal(project_to_picture({0, 0, -3}).z - project_to_picture({0, 0, -2}).z,
+                              project_to_picture({0, 0, -2}).z - project_to_picture({0, 0, -1}).z);
         }}}};
 }
 

@@ -92,7 +92,7 @@ Scene make_forest() {
     const double girth = height * (0.4 + 0.3 * random_unit(4, i));
     const double turn_degrees = 360 * random_unit(5, i);
     const Transform<World, Object> stand =
-        place({spots[i].x, 0, spots[i].z}, turn_degrees, {girth, height, girth});
+        placement_transform({spots[i].x, 0, spots[i].z}, turn_degrees, {girth, height, girth});
     const std::string number = std::to_string(i);
     add_instance(scene, trunk, "trunk " + number, stand);
     add_instance(scene, crown, "crown " + number, stand);

@@ -30,8 +30,9 @@ Transform<World, Eye> look_at_pose(const Point<World, double>& eye,
   return pose;
 }
 
-Transform<World, Object> place(const std::array<double, 3>& translation, double turn_degrees,
-                               const std::array<double, 3>& scale) {
+Transform<World, Object> placement_transform(const std::array<double, 3>& translation,
+                                             double turn_degrees,
+                                             const std::array<double, 3>& scale) {
   const SinCos turn = sin_cos_degrees(turn_degrees);
   Transform<World, Object> m;
   m.at(0, 0) = turn.cos * scale[0];

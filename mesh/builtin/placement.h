@@ -15,8 +15,9 @@ Transform<World, Eye> look_at_pose(const Point<World, double>& eye,
 
 // A transform that scales, then rotates about y (degrees, counter-clockwise seen from above), then
 // translates.
-Transform<World, Object> place(const std::array<double, 3>& translation, double turn_degrees = 0,
-                               const std::array<double, 3>& scale = {1, 1, 1});
+Transform<World, Object> placement_transform(const std::array<double, 3>& translation,
+                                             double turn_degrees = 0,
+                                             const std::array<double, 3>& scale = {1, 1, 1});
 
 // The vector scaled to unit length.
 Vector<World, double> unit(const Vector<World, double>& v);

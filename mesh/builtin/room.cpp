@@ -189,15 +189,15 @@ Scene make_room() {
   add_object(scene, with_material(make_window_frame(), paint));
   add_object(scene, with_material(make_sky(), sky));
   add_object(scene, with_material(make_table("table", 1.6, 0.9, 0.75, 0.07), oak),
-             place({-0.4, 0, -2.9}, 12));
+             placement_transform({-0.4, 0, -2.9}, 12));
   const std::uint32_t stool =
       add_object(scene, with_material(make_table("stool", 0.4, 0.4, 0.45, 0.05), oak),
-                 place({0.9, 0, -2.3}, 25));
-  add_instance(scene, stool, "second stool", place({-1.0, 0, -1.9}, -20));
-  const Transform<World, Object> by_the_wall = place({-1.9, 0, -4.83});
+                 placement_transform({0.9, 0, -2.3}, 25));
+  add_instance(scene, stool, "second stool", placement_transform({-1.0, 0, -1.9}, -20));
+  const Transform<World, Object> by_the_wall = placement_transform({-1.9, 0, -4.83});
   add_object(scene, with_material(make_shelf(), oak), by_the_wall);
   add_object(scene, with_material(make_books(), covers), by_the_wall);
-  add_object(scene, with_material(make_lampshade(), cloth), place({-0.4, 0, -2.9}));
+  add_object(scene, with_material(make_lampshade(), cloth), placement_transform({-0.4, 0, -2.9}));
 
   add_perspective(scene, "door", 55, 0.05, look_at_pose({1.6, 1.6, -0.25}, {-0.35, 1.15, -4}));
   add_lights(scene);

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include <glassbox/base/near_word.h>
+#include <glassbox/base/closest_word.h>
 #include <glassbox/mesh/builtin/checker.h>
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/mesh/builtin/depth_ladder.h>
@@ -81,7 +81,7 @@ std::optional<std::string_view> nearest_builtin(std::string_view name) {
   std::optional<std::string_view> nearest;
   std::size_t fewest = kMaxEdits + 1;
   for (const BuiltinScene& scene : kScenes) {
-    const std::size_t edits = edits_between(name, scene.name);
+    const std::size_t edits = edit_distance(name, scene.name);
     if (edits < fewest) {
       fewest = edits;
       nearest = scene.name;

@@ -81,8 +81,8 @@ Scene make_thicket() {
     const double height = 1.2 + random_unit(9, number);
     const double girth = 1.5 + random_unit(10, number);
     add_instance(scene, twig, "twig " + std::to_string(i),
-                 place({side, 0.4 * height * random_unit(11, number), -distance},
-                       360 * random_unit(12, number), {girth, height, girth}));
+                 placement_transform({side, 0.4 * height * random_unit(11, number), -distance},
+                                     360 * random_unit(12, number), {girth, height, girth}));
   }
 
   add_perspective(scene, "path", 45, 0.25, look_at_pose({0, 1.4, 0}, {0, 1.3, -8}));

@@ -154,10 +154,10 @@ void Asset::warn(std::string text) {
 }
 
 void Asset::warn_at(const std::string& place, const std::string& text, std::uint64_t amount) {
-  auto same = std::ranges::find(repeated, text, &Repeated::text);
+  auto same = std::ranges::find(repeated, text, &RepeatedWarning::text);
   if (same == repeated.end()) {
     if (repeated.size() >= kMaxWarnings) return warn("further warnings were left out");
-    same = repeated.insert(same, Repeated{text, place, 0, 0});
+    same = repeated.insert(same, RepeatedWarning{text, place, 0, 0});
   }
   ++same->places;
   same->amount += amount;
@@ -165,7 +165,7 @@ void Asset::warn_at(const std::string& place, const std::string& text, std::uint
 
 std::vector<std::string> Asset::all_warnings() const {
   std::vector<std::string> all = warnings;
-  for (const Repeated& one : repeated) {
+  for (const RepeatedWarning& one : repeated) {
     std::string text = one.text;
     if (const std::size_t at = text.find("{}"); at != std::string::npos) {
       text.replace(at, 2, std::to_string(one.amount));

@@ -29,12 +29,12 @@ struct Asset {
   std::vector<std::string> extensions = {};
 
   // A warning about many places, stated in one sentence.
-  struct Repeated {
+  struct RepeatedWarning {
     std::string text, first_place;
     std::uint64_t places = 0, amount = 0;
   };
   std::vector<std::string> warnings;
-  std::vector<Repeated> repeated = {};
+  std::vector<RepeatedWarning> repeated = {};
 
   // Whether the file lists the extension as used or required.
   bool uses(const std::string& extension) const;

@@ -9,8 +9,8 @@
 #include <glassbox/mesh/gltf/accessors.h>
 #include <glassbox/mesh/gltf/asset.h>
 #include <glassbox/mesh/gltf/cameras_lights.h>
-#include <glassbox/mesh/gltf/left_out.h>
 #include <glassbox/mesh/gltf/materials.h>
+#include <glassbox/mesh/gltf/missing_features.h>
 #include <glassbox/mesh/gltf/nodes.h>
 #include <glassbox/mesh/gltf/primitive.h>
 #include <glassbox/mesh/gltf/text.h>
@@ -161,7 +161,7 @@ Result<Scene> build_scene(Asset& asset) {
   if (auto done = place_cameras_and_lights(asset, *tree, scene); !done)
     return tl::unexpected(done.error());
   scene.extensions = asset.extensions;
-  name_left_out(asset, *tree, *materials);
+  warn_about_missing_features(asset, *tree, *materials);
   scene.warnings = asset.all_warnings();
   return scene;
 }

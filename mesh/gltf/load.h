@@ -14,7 +14,7 @@ namespace glassbox {
 // Reads the default scene of a .gltf or .glb file (the first scene if the file names no default,
 // every root node if there are no scenes). Morph targets have their default weights, skins the pose
 // of their nodes. Features of the file that the scene does not have are named in Scene::warnings,
-// one line for each kind (left_out.h).
+// one line for each kind (missing_features.h).
 //
 // Metallic-roughness materials become Blinn-Phong ones:
 //   specular  = mix(0.2, base colour, metallic) * (1 - roughness)^2

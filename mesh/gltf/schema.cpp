@@ -91,7 +91,7 @@ private:
     json checked = json::array();
     for (std::size_t i = 0; i < value.size(); ++i) {
       const bool named = top && property.type == Type::kObject;
-      const Place item = named ? Place{entry(property.of, i), ""} : place.item(i);
+      const Place item = named ? Place{entry(property.refers_to, i), ""} : place.item(i);
       Result<json> member = check_value(value[i], property, item);
       if (!member) return member;
       checked.push_back(std::move(*member));
@@ -111,9 +111,9 @@ private:
       case Type::kString:
         return check_string(value, property, place);
       case Type::kObject:
-        return check_object(value, property.of, place);
+        return check_object(value, property.refers_to, place);
       case Type::kIndex:
-        return check_index(value, property.of, place);
+        return check_index(value, property.refers_to, place);
       case Type::kDictionary:
         return check_dictionary(value, property, place);
       case Type::kPresence:
@@ -166,7 +166,7 @@ private:
     if (!value.is_object()) return refuse(place, "is not a JSON object");
     json checked = json::object();
     for (const auto& [name, member] : value.items()) {
-      Result<json> index = check_index(member, property.of, place.below(printable(name)));
+      Result<json> index = check_index(member, property.refers_to, place.below(printable(name)));
       if (!index) return index;
       checked[name] = std::move(*index);
     }

@@ -15,14 +15,14 @@ Property integer(const char* name) {
 Property string(const char* name) {
   return {name, Type::kString};
 }
-Property object(const char* name, const char* of) {
-  return {name, Type::kObject, of};
+Property object(const char* name, const char* refers_to) {
+  return {name, Type::kObject, refers_to};
 }
-Property index(const char* name, const char* of) {
-  return {name, Type::kIndex, of};
+Property index(const char* name, const char* refers_to) {
+  return {name, Type::kIndex, refers_to};
 }
-Property dictionary(const char* name, const char* of) {
-  return {name, Type::kDictionary, of};
+Property dictionary(const char* name, const char* refers_to) {
+  return {name, Type::kDictionary, refers_to};
 }
 Property presence(const char* name) {
   return {name, Type::kPresence};
@@ -36,7 +36,7 @@ const Tables& schema_tables() {
   const double kMaxCount = 4294967294.0;  // the largest index is reserved for "none"
   static const Tables all = {
       {"document",
-       {object("asset", "asset").needed(), string("extensionsUsed").list(),
+       {object("asset", "asset").as_required(), string("extensionsUsed").list(),
         string("extensionsRequired").list(), object("extensions", "document.extensions"),
         index("scene", "scenes"), object("accessors", "accessor").list(),
         object("animations", "animation").list(), object("buffers", "buffer").list(),
@@ -46,11 +46,11 @@ const Tables& schema_tables() {
         object("samplers", "sampler").list(), object("scenes", "scene").list(),
         object("skins", "skin").list(), object("textures", "texture").list()}},
       {"animation", {string("name"), presence("channels").list()}},
-      {"asset", {string("version").needed(), string("minVersion")}},
+      {"asset", {string("version").as_required(), string("minVersion")}},
       {"document.extensions", {object("KHR_lights_punctual", "lights")}},
-      {"lights", {object("lights", "light").list().needed()}},
+      {"lights", {object("lights", "light").list().as_required()}},
       {"light",
-       {string("name"), string("type").one_of({"directional", "point", "spot"}).needed(),
+       {string("name"), string("type").one_of({"directional", "point", "spot"}).as_required(),
         number("color").list(3, 3).within(0, kInfinity), number("intensity").within(0, kInfinity),
         number("range").within(std::numeric_limits<double>::min(), kInfinity),
         object("spot", "spot")}},
@@ -60,32 +60,39 @@ const Tables& schema_tables() {
         number("outerConeAngle").within(0, 1.5707963267948968)}},
       {"accessor",
        {string("name"), index("bufferView", "bufferViews"), integer("byteOffset"),
-        integer("componentType").within(5120, 5126).needed(), boolean("normalized"),
-        integer("count").within(0, kMaxCount).needed(),
-        string("type").one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"}).needed(),
+        integer("componentType").within(5120, 5126).as_required(), boolean("normalized"),
+        integer("count").within(0, kMaxCount).as_required(),
+        string("type")
+            .one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})
+            .as_required(),
         object("sparse", "sparse")}},
       {"sparse",
-       {integer("count").within(0, 2147483647).needed(),
-        object("indices", "sparse.indices").needed(), object("values", "sparse.values").needed()}},
+       {integer("count").within(0, 2147483647).as_required(),
+        object("indices", "sparse.indices").as_required(),
+        object("values", "sparse.values").as_required()}},
       {"sparse.indices",
-       {index("bufferView", "bufferViews").needed(), integer("byteOffset").within(0, 2147483647),
-        integer("componentType").within(5121, 5125).needed()}},
+       {index("bufferView", "bufferViews").as_required(),
+        integer("byteOffset").within(0, 2147483647),
+        integer("componentType").within(5121, 5125).as_required()}},
       {"sparse.values",
-       {index("bufferView", "bufferViews").needed(), integer("byteOffset").within(0, 2147483647)}},
+       {index("bufferView", "bufferViews").as_required(),
+        integer("byteOffset").within(0, 2147483647)}},
       {"buffer",
-       {string("name"), string("uri"), integer("byteLength").within(1, kLargestInteger).needed()}},
+       {string("name"), string("uri"),
+        integer("byteLength").within(1, kLargestInteger).as_required()}},
       {"bufferView",
-       {string("name"), index("buffer", "buffers").needed(), integer("byteOffset"),
-        integer("byteLength").within(1, kLargestInteger).needed(),
+       {string("name"), index("buffer", "buffers").as_required(), integer("byteOffset"),
+        integer("byteLength").within(1, kLargestInteger).as_required(),
         integer("byteStride").within(4, 252)}},
       {"camera",
-       {string("name"), string("type").one_of({"perspective", "orthographic"}).needed(),
+       {string("name"), string("type").one_of({"perspective", "orthographic"}).as_required(),
         object("perspective", "perspective"), object("orthographic", "orthographic")}},
       {"perspective",
-       {number("yfov").needed(), number("znear").needed(), number("zfar"), number("aspectRatio")}},
+       {number("yfov").as_required(), number("znear").as_required(), number("zfar"),
+        number("aspectRatio")}},
       {"orthographic",
-       {number("xmag").needed(), number("ymag").needed(), number("znear").needed(),
-        number("zfar").needed()}},
+       {number("xmag").as_required(), number("ymag").as_required(), number("znear").as_required(),
+        number("zfar").as_required()}},
       {"image",
        {string("name"), string("uri"), string("mimeType"), index("bufferView", "bufferViews")}},
       {"sampler",
@@ -105,7 +112,7 @@ const Tables& schema_tables() {
         object("baseColorTexture", "textureInfo"), number("metallicFactor").within(0, 1),
         number("roughnessFactor").within(0, 1), object("metallicRoughnessTexture", "textureInfo")}},
       {"textureInfo",
-       {index("index", "textures").needed(), integer("texCoord").within(0, 2147483647),
+       {index("index", "textures").as_required(), integer("texCoord").within(0, 2147483647),
         object("extensions", "textureInfo.extensions")}},
       {"textureInfo.extensions", {object("KHR_texture_transform", "textureTransform")}},
       {"textureTransform",
@@ -117,14 +124,14 @@ const Tables& schema_tables() {
       {"emissiveStrength", {number("emissiveStrength").within(0, kInfinity)}},
       {"material.extras", {object("glassbox", "material.glassbox")}},
       {"material.glassbox",
-       {number("specular").list(3, 3).within(0, 1).needed(),
-        integer("shininess").within(1, 1024).needed(),
+       {number("specular").list(3, 3).within(0, 1).as_required(),
+        integer("shininess").within(1, 1024).as_required(),
         number("emission").list(3, 3).within(0, kInfinity)}},
       {"mesh",
-       {string("name"), object("primitives", "primitive").list().needed(),
+       {string("name"), object("primitives", "primitive").list().as_required(),
         number("weights").list()}},
       {"primitive",
-       {dictionary("attributes", "accessors").needed(), index("indices", "accessors"),
+       {dictionary("attributes", "accessors").as_required(), index("indices", "accessors"),
         index("material", "materials"), integer("mode").within(0, 6),
         dictionary("targets", "accessors").list(), object("extensions", "primitive.extensions")}},
       {"primitive.extensions", {presence("KHR_draco_mesh_compression")}},
@@ -134,11 +141,11 @@ const Tables& schema_tables() {
         number("rotation").list(4, 4), number("scale").list(3, 3), number("translation").list(3, 3),
         number("weights").list(), object("extensions", "node.extensions")}},
       {"node.extensions", {object("KHR_lights_punctual", "node.light")}},
-      {"node.light", {index("light", "lights").needed()}},
+      {"node.light", {index("light", "lights").as_required()}},
       {"scene", {string("name"), index("nodes", "nodes").list()}},
       {"skin",
        {string("name"), index("inverseBindMatrices", "accessors"), index("skeleton", "nodes"),
-        index("joints", "nodes").list(1).needed()}},
+        index("joints", "nodes").list(1).as_required()}},
   };
   return all;
 }

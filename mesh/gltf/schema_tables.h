@@ -20,16 +20,16 @@ enum class Type {
   kInteger,
   kNumber,
   kString,
-  kObject,      // `of` names its table
-  kIndex,       // into the top-level array `of`
-  kDictionary,  // any names, the values are indices into `of`
+  kObject,      // `refers_to` names its table
+  kIndex,       // into the top-level array `refers_to`
+  kDictionary,  // any names, the values are indices into `refers_to`
   kPresence,    // anything; only its presence matters
 };
 
 struct Property {
   const char* name;
   Type type;
-  const char* of = "";
+  const char* refers_to = "";
   bool required = false;
   bool array = false;
   std::size_t min_items = 0;
@@ -38,7 +38,7 @@ struct Property {
   double high = kInfinity;
   std::vector<const char*> words = {};  // kString: the allowed values, where there is a list
 
-  Property needed() const {
+  Property as_required() const {
     Property copy = *this;
     copy.required = true;
     return copy;
@@ -63,7 +63,7 @@ struct Property {
   }
 };
 
-// The tables by the names that Property::of uses; the document itself is "document".
+// The tables by the names that Property::refers_to uses; the document itself is "document".
 using Tables = std::map<std::string, std::vector<Property>, std::less<>>;
 
 const Tables& schema_tables();

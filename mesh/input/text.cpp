@@ -140,7 +140,7 @@ std::vector<std::string> Warnings::take() {
   return std::move(kept_);
 }
 
-void Tally::report(const char* what, Warnings& warnings, const char* where) const {
+void OccurrenceCount::report(const char* what, Warnings& warnings, const char* where) const {
   if (count_ == 0) return;
   warnings.add(std::to_string(count_) + " " + what + " (first" + where + " " +
                std::to_string(first_) + ")");

@@ -78,7 +78,7 @@ private:
 };
 
 // Counts the occurrences of one problem, for one warning that names the first.
-class Tally {
+class OccurrenceCount {
 public:
   void add(std::uint64_t number) {
     if (count_++ == 0) first_ = number;

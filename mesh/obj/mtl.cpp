@@ -53,7 +53,7 @@ void read_option(const MapOption& option, Words& words, MapStatement& map) {
 }
 
 // Whether the statement names a map that changes the look of a surface but is not drawn here.
-bool names_map_left_out(std::string_view keyword) {
+bool is_unsupported_map(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {"map_Ka", "map_Ks", "map_Ns", "map_bump", "map_Bump",
                                             "bump",   "disp",   "decal",  "refl",     "norm",
                                             "map_Pr", "map_Pm", "map_Ps"};
@@ -100,7 +100,7 @@ private:
     if (keyword == "map_Kd") read_map(words, material.diffuse_map);
     if (keyword == "map_d") read_map(words, material.opacity_map);
     if (keyword == "map_Ke") read_map(words, material.emission_map);
-    if (names_map_left_out(keyword)) ++left_out_[keyword];
+    if (is_unsupported_map(keyword)) ++left_out_[keyword];
   }
 
   // r [g b]: g and b equal r if they are left out. The forms "spectral" and "xyz" are not read.
@@ -135,7 +135,7 @@ private:
   std::string_view library_;
   std::vector<MtlMaterial>& materials_;
   Warnings& warnings_;
-  Tally unreadable_;
+  OccurrenceCount unreadable_;
   std::map<std::string_view, int> left_out_;  // by keyword: the number of its occurrences
 };
 

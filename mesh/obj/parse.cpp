@@ -298,7 +298,7 @@ private:
                   "vertex " + std::to_string(vertex->index + 1) + " does not have three numbers",
                   "export the file again or correct the line");
     }
-    Tally unreadable;
+    OccurrenceCount unreadable;
     for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
     unreadable.report("unused vertices do not have three numbers", warnings_);
     return {};
@@ -350,8 +350,8 @@ private:
   IndexedTable texcoords_{"texture coordinate"};
   IndexedTable normals_{"normal"};
 
-  Tally short_faces_, short_lines_, free_form_, unknown_, odd_texcoords_, odd_normals_, weights_,
-      odd_colors_, more_numbers_, many_libraries_;
+  OccurrenceCount short_faces_, short_lines_, free_form_, unknown_, odd_texcoords_, odd_normals_,
+      weights_, odd_colors_, more_numbers_, many_libraries_;
   std::string first_unknown_;
 };
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <glassbox/base/counted.h>
-#include <glassbox/mesh/ply/places.h>
+#include <glassbox/mesh/ply/property_indices.h>
 #include <glassbox/mesh/ply/values.h>
 
 namespace glassbox::ply {
@@ -20,7 +20,7 @@ public:
           obj::Warnings& warnings)
       : header_(header), limits_(limits), warnings_(warnings), values_(file, header) {}
 
-  Result<Built> run() {
+  Result<PlyMesh> run() {
     if (auto done = check_elements(); !done) return tl::unexpected(done.error());
     for (const Element& element : header_.elements) {
       auto done = element.name == "vertex" ? read_vertices(element)
@@ -43,8 +43,8 @@ private:
     if (vertices == nullptr || vertices->count == 0) {
       return fail("header", "there are no vertices", "choose a file with a mesh");
     }
-    for (const Place& place : VertexPlaces(*vertices).position) {
-      if (!place) {
+    for (const PropertyIndex& index : VertexPropertyIndices(*vertices).position) {
+      if (!index) {
         return fail("element 'vertex'", "has no numbers x, y and z", "export the file again");
       }
     }
@@ -63,8 +63,9 @@ private:
 
   tl::unexpected<Error> refuse(const char* of, std::uint64_t index, std::string cause,
                                std::string remedy) const {
-    return fail(std::string(of) + " " + std::to_string(index) + " (" + values_.place() + ")",
-                std::move(cause), std::move(remedy));
+    return fail(
+        std::string(of) + " " + std::to_string(index) + " (" + values_.position_text() + ")",
+        std::move(cause), std::move(remedy));
   }
 
   // Reads the numbers of one element: row_ has one for each property (for a list, its length);
@@ -113,28 +114,29 @@ private:
   // ---- vertices ----
 
   Result<void> read_vertices(const Element& element) {
-    const VertexPlaces places(element);
-    name_unread(element, "vertex properties",
-                {places.position[0], places.position[1], places.position[2], places.normal[0],
-                 places.normal[1], places.normal[2], places.texcoord[0], places.texcoord[1],
-                 places.color.red, places.color.green, places.color.blue, places.color.alpha});
+    const VertexPropertyIndices indices(element);
+    warn_about_unread(
+        element, "vertex properties",
+        {indices.position[0], indices.position[1], indices.position[2], indices.normal[0],
+         indices.normal[1], indices.normal[2], indices.texcoord[0], indices.texcoord[1],
+         indices.color.red, indices.color.green, indices.color.blue, indices.color.alpha});
     built_.mesh.positions.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_row(element)) return refuse("vertex", i, problem_, "export the file again");
-      if (auto done = add_position(places, i); !done) return done;
-      if (places.has_normals()) add_normal(places, i);
-      if (places.has_texcoords())
-        add_texcoord(row_[*places.texcoord[0]], row_[*places.texcoord[1]], i);
-      if (places.color.complete()) add_color(element, places.color);
+      if (auto done = add_position(indices, i); !done) return done;
+      if (indices.has_normals()) add_normal(indices, i);
+      if (indices.has_texcoords())
+        add_texcoord(row_[*indices.texcoord[0]], row_[*indices.texcoord[1]], i);
+      if (indices.color.complete()) add_color(element, indices.color);
     }
-    vertex_colors_ = places.color.complete();
+    vertex_colors_ = indices.color.complete();
     return {};
   }
 
-  Result<void> add_position(const VertexPlaces& places, std::uint64_t index) {
+  Result<void> add_position(const VertexPropertyIndices& indices, std::uint64_t index) {
     std::array<float, 3> p{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const double number = row_[*places.position[k]];
+      const double number = row_[*indices.position[k]];
       p[k] = float(number);
       if (!std::isfinite(p[k])) {
         const char* what = std::isnan(number)   ? "not a number (NaN)"
@@ -148,9 +150,9 @@ private:
     return {};
   }
 
-  void add_normal(const VertexPlaces& places, std::uint64_t index) {
-    const double x = row_[*places.normal[0]], y = row_[*places.normal[1]],
-                 z = row_[*places.normal[2]];
+  void add_normal(const VertexPropertyIndices& indices, std::uint64_t index) {
+    const double x = row_[*indices.normal[0]], y = row_[*indices.normal[1]],
+                 z = row_[*indices.normal[2]];
     const double squared = x * x + y * y + z * z;
     const bool good = squared > 0x1p-1000 && std::isfinite(squared);
     const double length = std::sqrt(squared);
@@ -172,13 +174,13 @@ private:
     return std::uint32_t(built_.mesh.texcoords.size() - 1);
   }
 
-  std::uint32_t add_color(const Element& element, const ColorPlaces& places) {
-    const auto type = [&](const Place& place) { return element.properties[*place].type; };
-    Rgba color{light_of(row_[*places.red], type(places.red)),
-               light_of(row_[*places.green], type(places.green)),
-               light_of(row_[*places.blue], type(places.blue)), 1.0f};
-    if (places.alpha) {
-      color.a = float(kept_within(fraction_of(row_[*places.alpha], type(places.alpha))));
+  std::uint32_t add_color(const Element& element, const ColorPropertyIndices& indices) {
+    const auto type = [&](const PropertyIndex& index) { return element.properties[*index].type; };
+    Rgba color{light_of(row_[*indices.red], type(indices.red)),
+               light_of(row_[*indices.green], type(indices.green)),
+               light_of(row_[*indices.blue], type(indices.blue)), 1.0f};
+    if (indices.alpha) {
+      color.a = float(clamp_to_unit(fraction_of(row_[*indices.alpha], type(indices.alpha))));
     }
     built_.mesh.colors.push_back(color);
     return std::uint32_t(built_.mesh.colors.size() - 1);
@@ -187,16 +189,16 @@ private:
   // ---- faces ----
 
   Result<void> read_faces(const Element& element) {
-    const Place indices = element.find({"vertex_indices", "vertex_index"});
+    const PropertyIndex indices = element.find({"vertex_indices", "vertex_index"});
     if (!indices || !element.properties[*indices].count_type ||
         !is_integer(element.properties[*indices].type)) {
       return fail("element 'face'", "has no list 'vertex_indices' of integers",
                   "export the file again");
     }
-    const Place texcoords = element.find({"texcoord"});
-    const ColorPlaces color(element);
-    name_unread(element, "face properties",
-                {indices, texcoords, color.red, color.green, color.blue, color.alpha});
+    const PropertyIndex texcoords = element.find({"texcoord"});
+    const ColorPropertyIndices color(element);
+    warn_about_unread(element, "face properties",
+                      {indices, texcoords, color.red, color.green, color.blue, color.alpha});
     Mesh& mesh = built_.mesh;
     const auto max_corners = std::min(limits_.max_corners, std::uint64_t(kNone));
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -253,9 +255,9 @@ private:
     }
   }
 
-  void add_face_color(const Element& element, const ColorPlaces& places) {
+  void add_face_color(const Element& element, const ColorPropertyIndices& indices) {
     std::swap(built_.mesh.colors, face_colors_);
-    const std::uint32_t color = add_color(element, places);
+    const std::uint32_t color = add_color(element, indices);
     std::swap(built_.mesh.colors, face_colors_);
     const Face& last = built_.mesh.faces.back();
     for (std::uint32_t k = 0; k < last.count; ++k) {
@@ -303,9 +305,10 @@ private:
     known->second += (known->second.empty() ? "" : ", ") + printable(name);
   }
 
-  void name_unread(const Element& element, const char* kind, std::initializer_list<Place> read) {
+  void warn_about_unread(const Element& element, const char* kind,
+                         std::initializer_list<PropertyIndex> read) {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (std::ranges::find(read, Place(i)) == read.end()) {
+      if (std::ranges::find(read, PropertyIndex(i)) == read.end()) {
         not_drawn(kind, element.properties[i].name);
       }
     }
@@ -326,7 +329,7 @@ private:
   const LoadLimits& limits_;
   obj::Warnings& warnings_;
   Values values_;
-  Built built_;
+  PlyMesh built_;
 
   std::vector<double> row_;
   std::vector<std::vector<double>> lists_;
@@ -335,14 +338,14 @@ private:
   std::vector<TexCoord> wedges_;
   std::vector<Rgba> face_colors_;
   bool vertex_colors_ = false;
-  obj::Tally short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
+  obj::OccurrenceCount short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
   std::vector<std::pair<std::string, std::string>> unread_;
 };
 
 }  // namespace
 
-Result<Built> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
-                         obj::Warnings& warnings) {
+Result<PlyMesh> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
+                           obj::Warnings& warnings) {
   return Builder(file, header, limits, warnings).run();
 }
 

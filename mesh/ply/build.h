@@ -14,14 +14,14 @@
 
 namespace glassbox::ply {
 
-struct Built {
+struct PlyMesh {
   Mesh mesh;
   bool translucent = false;  // some vertex or face has an alpha below 1
 };
 
 // Reads all elements after the header. Errors name the vertex or face and its place in the file;
 // things that are ignored are warnings.
-Result<Built> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
-                         obj::Warnings& warnings);
+Result<PlyMesh> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
+                           obj::Warnings& warnings);
 
 }  // namespace glassbox::ply

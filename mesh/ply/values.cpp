@@ -84,7 +84,7 @@ bool parse_integer(std::string_view word, double& number) {
 
 }  // namespace
 
-std::string Values::place() const {
+std::string Values::position_text() const {
   if (format_ == Format::kAscii) return "line " + std::to_string(line_);
   return "byte " + std::to_string(size_ - rest_.size());
 }

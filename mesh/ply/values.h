@@ -32,7 +32,7 @@ public:
   }
 
   // The current place in the file: "line 12", or "byte 300" of a binary file.
-  std::string place() const;
+  std::string position_text() const;
   const std::string& problem() const { return problem_; }
 
 private:

@@ -34,7 +34,7 @@ Outcode stereo_outcode(const StereoClipPoint& p, const View& centre) {
          bit(7, p.right_x > p.w) | bit(8, !left_finite) | bit(9, !right_finite);
 }
 
-bool unseen_by_both(std::span<const Outcode> outcodes) {
+bool is_outside_both_views(std::span<const Outcode> outcodes) {
   Outcode all = ~Outcode{0}, any = 0;
   for (const Outcode code : outcodes) {
     all &= code;
@@ -45,10 +45,10 @@ bool unseen_by_both(std::span<const Outcode> outcodes) {
   return left && right;
 }
 
-bool box_unseen_by_both(const Box<Object>& box,
-                        const Transform<Clip, Object, float>& left_clip_from_object,
-                        const Transform<Clip, Object, float>& right_clip_from_object,
-                        const StereoPlanes& planes) {
+bool is_box_outside_both_views(const Box<Object>& box,
+                               const Transform<Clip, Object, float>& left_clip_from_object,
+                               const Transform<Clip, Object, float>& right_clip_from_object,
+                               const StereoPlanes& planes) {
   const auto outside = [&](const auto& clip_from_object, std::span<const ClipPlane> some) {
     return classify_box(box, clip_from_object, some) == ClipVerdict::kReject;
   };

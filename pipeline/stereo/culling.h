@@ -47,14 +47,14 @@ Outcode stereo_outcode(const StereoClipPoint& point, const View& centre);
 inline constexpr Outcode kStereoSides = 0xfc;  // bits 2 to 7
 
 // Whether neither eye can see anything of the triangle (or segment, or point) with these outcodes.
-bool unseen_by_both(std::span<const Outcode> outcodes);
+bool is_outside_both_views(std::span<const Outcode> outcodes);
 
 // The same for everything in a box of object space. To cull by the centre camera alone, pass its
 // matrix twice.
-bool box_unseen_by_both(const Box<Object>& box,
-                        const Transform<Clip, Object, float>& left_clip_from_object,
-                        const Transform<Clip, Object, float>& right_clip_from_object,
-                        const StereoPlanes& planes);
+bool is_box_outside_both_views(const Box<Object>& box,
+                               const Transform<Clip, Object, float>& left_clip_from_object,
+                               const Transform<Clip, Object, float>& right_clip_from_object,
+                               const StereoPlanes& planes);
 
 // The number of columns, px, at one edge of each eye's picture that culling by the centre camera
 // leaves empty at this distance: half the parallax. The left eye loses its right edge behind the

@@ -18,19 +18,20 @@ double inverse_difference(double f, double z) {
 }
 
 // A point as the slopes x/z and y/z of its line of sight, and s/z: defined at infinity too.
-struct Sight {
+struct LineOfSight {
   double x = 0, y = 0, half_separation = 0;
 };
 
-double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair, const Sight& sight) {
+double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
+                                   const LineOfSight& line) {
   if (!centre.perspective) return 0;
   // The sine and cosine of the angle whose tangent is s/f.
   const double tangent = pair.half_separation / pair.window;
   const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
-  const double left = cosine + (sight.x + sight.half_separation) * sine;   // zL/z
-  const double right = cosine - (sight.x - sight.half_separation) * sine;  // zR/z
+  const double left = cosine + (line.x + line.half_separation) * sine;   // zL/z
+  const double right = cosine - (line.x - line.half_separation) * sine;  // zR/z
   const double half_heights =
-      -centre.clip_from_eye.at(1, 1) * sight.y * 2 * sight.x * sine / (left * right);
+      -centre.clip_from_eye.at(1, 1) * line.y * 2 * line.x * sine / (left * right);
   return half_heights * double(centre.viewport.height()) / 2;
 }
 
@@ -53,7 +54,7 @@ ParallaxTable parallax_table(const View& centre, const StereoPair& pair) {
           parallax_at(centre, pair, centre.far)};
 }
 
-DisplayedParallax on_display(const Parallax& parallax, const Display& display) {
+DisplayedParallax displayed_parallax(const Parallax& parallax, const Display& display) {
   DisplayedParallax shown;
   shown.mm = parallax.percent / 100 * display.width_mm;
   const auto convergence = [&](double mm) {
@@ -67,8 +68,8 @@ DisplayedParallax on_display(const Parallax& parallax, const Display& display) {
 double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                    const Point<Eye, double>& point) {
   const double z = -point.z;
-  return toe_in_vertical_parallax_px(centre, pair,
-                                     Sight{point.x / z, point.y / z, pair.half_separation / z});
+  return toe_in_vertical_parallax_px(
+      centre, pair, LineOfSight{point.x / z, point.y / z, pair.half_separation / z});
 }
 
 double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
@@ -77,9 +78,10 @@ double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair&
   for (const double x_ndc : {-1.0, 1.0}) {
     for (const double y_ndc : {-1.0, 1.0}) {
       // x_clip = a x + b z_eye and w = -z_eye, so x/z = (x_ndc + b)/a.
-      const Sight corner{(x_ndc + centre.clip_from_eye.at(0, 2)) / centre.clip_from_eye.at(0, 0),
-                         (y_ndc + centre.clip_from_eye.at(1, 2)) / centre.clip_from_eye.at(1, 1),
-                         pair.half_separation / distance};
+      const LineOfSight corner{
+          (x_ndc + centre.clip_from_eye.at(0, 2)) / centre.clip_from_eye.at(0, 0),
+          (y_ndc + centre.clip_from_eye.at(1, 2)) / centre.clip_from_eye.at(1, 1),
+          pair.half_separation / distance};
       largest = std::max(largest, std::abs(toe_in_vertical_parallax_px(centre, pair, corner)));
     }
   }

@@ -26,7 +26,7 @@ struct Parallax {
 Parallax parallax_at(const View& centre, const StereoPair& pair, double distance);
 
 // The parallax at the near plane, at the window and at the far plane: the values that the budget of
-// comfort.h and the user's printout use.
+// parallax_budget.h and the user's printout use.
 struct ParallaxTable {
   Parallax near, window, far;
 };
@@ -50,7 +50,7 @@ struct DisplayedParallax {
   double degrees = 0;
   bool diverges = false;  // mm > kPupilDistanceMm
 };
-DisplayedParallax on_display(const Parallax& parallax, const Display& display);
+DisplayedParallax displayed_parallax(const Parallax& parallax, const Display& display);
 
 // ---- cameras that are toed in (constructions.h) ----
 

@@ -2,6 +2,6 @@
 
 // c = c_s a + c_d (1 - a). For alpha itself the source channel is 1.
 template <Number F>
-inline F laid_over(F source, F alpha, F stored) {
+inline F blended_channel(F source, F alpha, F stored) {
   return source * alpha + stored * (1.0f - alpha);
 }

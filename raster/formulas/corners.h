@@ -7,7 +7,7 @@
 
 // The attributes that the mesh has at a corner; position and normal in eye space.
 template <class Tables>
-inline auto corner_as_modelled(const Tables& tables, const Corner& corner) {
+inline auto modelled_corner_attributes(const Tables& tables, const Corner& corner) {
   using F = typename Tables::Float;
   const Mesh& mesh = tables.mesh();
   VaryingsOf<F> at;
@@ -26,7 +26,7 @@ inline auto corner_as_modelled(const Tables& tables, const Corner& corner) {
 
 // A surface seen from behind is lit as if its normals pointed the other way.
 template <class Condition, Number F>
-inline std::array<F, 3> facing_viewer(Condition back, const std::array<F, 3>& n) {
+inline std::array<F, 3> normal_facing_viewer(Condition back, const std::array<F, 3>& n) {
   return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};
 }
 
@@ -59,12 +59,12 @@ inline void light_corner(const Tables& tables, const Place& place, Attributes& a
 // The attributes at a corner of a face, as the fragments interpolate them. With shading per face or
 // per vertex they include the light. `front`: whether the front of the face is visible.
 template <class Tables>
-inline auto corner_of_face(const Tables& tables, std::uint32_t face, const Corner& corner,
-                           bool front) {
-  auto at = corner_as_modelled(tables, corner);
+inline auto face_corner_attributes(const Tables& tables, std::uint32_t face, const Corner& corner,
+                                   bool front) {
+  auto at = modelled_corner_attributes(tables, corner);
   if (!tables.is_lit()) return at;
   if (tables.is_lit_by_face() || corner.normal == kNone) at.normal = tables.face_normal(face);
-  at.normal = facing_viewer(!front, at.normal);
+  at.normal = normal_facing_viewer(!front, at.normal);
   if (tables.is_lit_by_face()) light_corner(tables, centre_of_face(tables.corners(face)), at);
   if (tables.is_lit_by_vertex()) light_corner(tables, at.position, at);
   return at;
@@ -72,8 +72,9 @@ inline auto corner_of_face(const Tables& tables, std::uint32_t face, const Corne
 
 // The weighted sum of three attributes, computed in double precision and rounded once.
 template <Number F, std::size_t N, class Weight>
-inline std::array<F, N> weigh(const std::array<F, N>& a, const std::array<F, N>& b,
-                              const std::array<F, N>& c, const std::array<Weight, 3>& weights) {
+inline std::array<F, N> weighted_sum(const std::array<F, N>& a, const std::array<F, N>& b,
+                                     const std::array<F, N>& c,
+                                     const std::array<Weight, 3>& weights) {
   std::array<F, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     result[i] = rounded(weights[0] * widened(a[i]) + weights[1] * widened(b[i]) +
@@ -86,13 +87,13 @@ inline std::array<F, N> weigh(const std::array<F, N>& a, const std::array<F, N>&
 // Most vertices are still corners, with one weight of 1 and two of 0. They keep the corner's
 // attributes: the sum would be the same, except for the sign of a zero, which no later stage reads.
 template <class Attributes, class Weight>
-inline Attributes weighed(const std::array<Attributes, 3>& corners,
-                          const std::array<Weight, 3>& weights) {
+inline Attributes clipped_vertex_attributes(const std::array<Attributes, 3>& corners,
+                                            const std::array<Weight, 3>& weights) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Weight &own = weights[k], &second = weights[(k + 1) % 3], &third = weights[(k + 2) % 3];
     if (none(own != 1.0) && none(second != 0.0) && none(third != 0.0)) return corners[k];
   }
   return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
-    return weigh(a, b, c, weights);
+    return weighted_sum(a, b, c, weights);
   });
 }

@@ -53,8 +53,8 @@ struct WeightsInSpace {
 };
 
 template <Number F>
-inline WeightsInSpace<F> perspective(const std::array<F, 3>& lambda,
-                                     const std::array<F, 3>& inverse_w) {
+inline WeightsInSpace<F> perspective_weights(const std::array<F, 3>& lambda,
+                                             const std::array<F, 3>& inverse_w) {
   const F share0 = lambda[0] * inverse_w[0];
   const F share1 = lambda[1] * inverse_w[1];
   const F share2 = lambda[2] * inverse_w[2];
@@ -73,7 +73,7 @@ template <Number F>
 inline WeightsInSpace<F> weights_in_space(const std::array<F, 3>& lambda,
                                           const std::array<F, 3>& inverse_w) {
   const auto affine = is_affine(inverse_w);
-  const WeightsInSpace<F> seen = perspective(lambda, inverse_w);
+  const WeightsInSpace<F> seen = perspective_weights(lambda, inverse_w);
   return {select(affine, lambda[0], seen.weight0), select(affine, lambda[1], seen.weight1),
           select(affine, lambda[2], seen.weight2), select(affine, inverse_w[0], seen.inverse_w)};
 }

@@ -16,13 +16,13 @@ inline F power(F base, int exponent) {
 // The light that arrives at a point: its direction, and the fraction that distance, range and cone
 // leave of it.
 template <Number F>
-struct Arrival {
+struct IncidentLight {
   std::array<F, 3> towards;  // unit vector from the point to the light
   F fraction;
 };
 
 template <Number F>
-inline Arrival<F> arrive(const EyeLight& light, const std::array<F, 3>& at) {
+inline IncidentLight<F> incident_light(const EyeLight& light, const std::array<F, 3>& at) {
   const std::array<F, 3> axis{F(light.towards.x), F(light.towards.y), F(light.towards.z)};
   if (light.kind == LightKind::kDirectional) return {axis, F(1.0f)};
 
@@ -61,17 +61,17 @@ inline ReflectionOf<F, kChannels> reflected_light(const Lighting& lighting,
   reflection.diffuse.fill(ambient);
   reflection.specular.fill(zero);
   for (const EyeLight& light : lighting.lights) {
-    const Arrival<F> arrival = arrive(light, position);
-    const F facing = dot(n, arrival.towards);
+    const IncidentLight<F> incident = incident_light(light, position);
+    const F facing = dot(n, incident.towards);
     const auto lit = facing > 0.0f;
     if (none(lit)) continue;
     F highlight = zero;
     if (highlights) {
-      const F cosine = dot(n, unit(sum(arrival.towards, viewer)));
+      const F cosine = dot(n, unit(sum(incident.towards, viewer)));
       highlight = power(least(F(1.0f), greatest(zero, cosine)), shininess);
     }
     for (std::size_t i = 0; i < kChannels; ++i) {
-      const F incoming = light.radiance[first + i] * arrival.fraction;
+      const F incoming = light.radiance[first + i] * incident.fraction;
       const F diffuse = reflection.diffuse[i], specular = reflection.specular[i];
       reflection.diffuse[i] = select(lit, diffuse + incoming * facing, diffuse);
       if (highlights) {
@@ -86,10 +86,11 @@ inline ReflectionOf<F, kChannels> reflected_light(const Lighting& lighting,
 // shows its base colour unlit (glTF 2.0, 3.7.2.1). Without `highlights` the specular part is left
 // out.
 template <Number F, std::size_t kChannels>
-inline std::array<F, kChannels> lit(const std::array<F, kChannels>& base,
-                                    const std::array<F, 3>& normal,
-                                    const ReflectionOf<F, kChannels>& light,
-                                    const std::array<float, kChannels>& specular, bool highlights) {
+inline std::array<F, kChannels> reflected_color(const std::array<F, kChannels>& base,
+                                                const std::array<F, 3>& normal,
+                                                const ReflectionOf<F, kChannels>& light,
+                                                const std::array<float, kChannels>& specular,
+                                                bool highlights) {
   const auto has_normal = normal[0] != 0.0f || normal[1] != 0.0f || normal[2] != 0.0f;
   std::array<F, kChannels> color;
   for (std::size_t i = 0; i < kChannels; ++i) {

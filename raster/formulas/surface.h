@@ -25,7 +25,7 @@
 
 // The base class of fragments. An observer can change the emitted light in emitted(). Here it does
 // nothing; a fragment that is watched has its own.
-struct UnwatchedFragment {
+struct UnobservedFragment {
   template <class Light>
   void emitted(Light& /*own*/) const {}
 };
@@ -81,16 +81,16 @@ inline auto light_at(const Fragment& at, const Normal& normal) {
 
 // The surface's colour after lighting.
 template <class Fragment, class Color>
-inline Color in_light(const Fragment& at, const Color& surface) {
+inline Color lit_color(const Fragment& at, const Color& surface) {
   if (!at.is_lit()) return surface;
   const auto normal = at.normal();
-  return lit(surface, normal, light_at(at, normal), at.wanted(at.material().specular),
-             at.has_highlights());
+  return reflected_color(surface, normal, light_at(at, normal), at.wanted(at.material().specular),
+                         at.has_highlights());
 }
 
 // The light that the surface emits: its emission times the emission texture.
 template <class Fragment>
-inline auto own_light(const Fragment& at) {
+inline auto emitted_light(const Fragment& at) {
   using F = typename Fragment::Float;
   const std::array<float, 3>& whole = at.emission();
   auto own = at.wanted(std::array<F, 3>{F(whole[0]), F(whole[1]), F(whole[2])});
@@ -100,10 +100,10 @@ inline auto own_light(const Fragment& at) {
 
 // The surface's colour after lighting, with its emission added.
 template <class Fragment, class Color>
-inline Color shining(const Fragment& at, const Color& surface) {
-  Color color = in_light(at, surface);
+inline Color shaded_color(const Fragment& at, const Color& surface) {
+  Color color = lit_color(at, surface);
   if (at.emits()) {
-    auto own = own_light(at);
+    auto own = emitted_light(at);
     at.emitted(own);
     color = sum(color, own);
   }

@@ -21,7 +21,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 // Returns one lane's number, in all lanes.
-HWY_INLINE Floats in_all_lanes(Floats x, std::size_t lane) {
+HWY_INLINE Floats broadcast_lane(Floats x, std::size_t lane) {
   HWY_ALIGN float lanes[kLanes];
   store(x, lanes);
   return lanes[lane];
@@ -110,12 +110,12 @@ private:
 
 // A table for a triangle of one colour: the result of blending it over each possible byte, in all
 // four channels. It is worth making once as many vectors have been blended as the table has.
-struct BlendedBytes {
+struct BlendTable {
   static constexpr std::size_t kBytes = 256;
   std::size_t vectors = 0;  // blended so far
   HWY_ALIGN std::int32_t after[kBytes];
 
-  bool made() const { return vectors >= kBytes / kLanes; }
+  bool is_filled() const { return vectors >= kBytes / kLanes; }
 };
 
 // The tile keeps no fragment: they are blended into the picture, in the order in which they come.
@@ -124,9 +124,9 @@ public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
   static constexpr CountOf kOthers = &FragmentCounts::blended;
 
-  // `bytes`: the table of a triangle of one colour if only colours are wanted, otherwise null.
-  HWY_INLINE explicit Blended(const BlendJob& job, BlendedBytes* bytes = nullptr)
-      : job_(job), bytes_(bytes), mask_(bytes_of(job.resolve->mask)) {}
+  // `table`: the table of a triangle of one colour if only colours are wanted, otherwise null.
+  HWY_INLINE explicit Blended(const BlendJob& job, BlendTable* table = nullptr)
+      : job_(job), table_(table), mask_(bytes_of(job.resolve->mask)) {}
 
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - job_.draw->first_reference);
@@ -137,8 +137,8 @@ public:
   }
   HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
                             std::size_t k) const {
-    if (bytes_ != nullptr && bytes_->made()) {
-      replace(lanes, x, y, k, [&](Ints before) HWY_ATTR { return looked_up(before); });
+    if (table_ != nullptr && table_->is_filled()) {
+      replace(lanes, x, y, k, [&](Ints before) HWY_ATTR { return blended_from_table(before); });
     } else {
       blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
     }
@@ -170,29 +170,29 @@ private:
   HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
                                const Source& source) const {
     const DrawTextures textures(*job_.draw);
-    const auto surface = shining<AllChannels>(*job_.draw, textures, *job_.resolve, source);
+    const auto surface = shaded_surface<AllChannels>(*job_.draw, textures, *job_.resolve, source);
     const Floats alpha = clamped(surface.alpha, Floats(0.0f), Floats(1.0f));
     replace(lanes, x, y, k,
-            [&](Ints before) HWY_ATTR { return laid_over_bytes(surface.color, alpha, before); });
-    if (bytes_ == nullptr) return;
-    ++bytes_->vectors;
-    if (!bytes_->made()) return;
+            [&](Ints before) HWY_ATTR { return blended_bytes(surface.color, alpha, before); });
+    if (table_ == nullptr) return;
+    ++table_->vectors;
+    if (!table_->is_filled()) return;
     const auto any = std::size_t(hn::FindFirstTrue(kI, lanes.m));
-    make_bytes({in_all_lanes(surface.color[0], any), in_all_lanes(surface.color[1], any),
-                in_all_lanes(surface.color[2], any)},
-               in_all_lanes(alpha, any));
+    fill_table({broadcast_lane(surface.color[0], any), broadcast_lane(surface.color[1], any),
+                broadcast_lane(surface.color[2], any)},
+               broadcast_lane(alpha, any));
   }
 
-  HWY_INLINE void make_bytes(const Rgb& color, Floats alpha) const {
-    for (std::size_t first = 0; first < BlendedBytes::kBytes; first += kLanes) {
+  HWY_INLINE void fill_table(const Rgb& color, Floats alpha) const {
+    for (std::size_t first = 0; first < BlendTable::kBytes; first += kLanes) {
       const Ints byte = hn::Iota(kI, std::int32_t(first));
       const Ints two = byte | shifted_left<8>(byte);
-      store(laid_over_bytes(color, alpha, two | shifted_left<16>(two)), bytes_->after + first);
+      store(blended_bytes(color, alpha, two | shifted_left<16>(two)), table_->after + first);
     }
   }
 
-  HWY_INLINE Ints looked_up(Ints before) const {
-    const auto after = [&](Ints byte) HWY_ATTR { return gather(bytes_->after, byte & 255); };
+  HWY_INLINE Ints blended_from_table(Ints before) const {
+    const auto after = [&](Ints byte) HWY_ATTR { return gather(table_->after, byte & 255); };
     const Ints color = (after(before) & 0xff) | (after(shifted_right<8>(before)) & 0xff00) |
                        (after(shifted_right<16>(before)) & 0xff0000);
     if (!job_.resolve->mask.a) return color;
@@ -233,17 +233,17 @@ private:
   }
 
   // Vectorised blend_over(); channels that are not wanted are 0.
-  HWY_INLINE Ints laid_over_bytes(const Rgb& color, Floats alpha, Ints before) const {
+  HWY_INLINE Ints blended_bytes(const Rgb& color, Floats alpha, Ints before) const {
     const ResolveJob& resolve = *job_.resolve;
     const Transfer transfer = resolve.transfer;
     const Rgb stored = decoded(transfer, before);
     const auto byte = [&](bool wanted, std::size_t i) HWY_ATTR {
-      return wanted ? encode(transfer, laid_over(color[i], alpha, stored[i])) : Ints(0);
+      return wanted ? encode(transfer, blended_channel(color[i], alpha, stored[i])) : Ints(0);
     };
     Ints after = byte(resolve.channels.r, 0) | shifted_left<8>(byte(resolve.channels.g, 1)) |
                  shifted_left<16>(byte(resolve.channels.b, 2));
     if (resolve.mask.a) {
-      const Floats a = laid_over(Floats(1.0f), alpha, decoded_alpha(before));
+      const Floats a = blended_channel(Floats(1.0f), alpha, decoded_alpha(before));
       after = after | shifted_left<24>(encode_unorm8(a));
     }
     return after;
@@ -262,7 +262,7 @@ private:
   }
 
   const BlendJob& job_;
-  BlendedBytes* bytes_;
+  BlendTable* table_;
   std::int32_t mask_;
 };
 

@@ -21,17 +21,17 @@ namespace HWY_NAMESPACE {
 struct AllChannels {
   static constexpr std::size_t kCount = 3;
   static constexpr bool kHasAlpha = true;
-  using Texels = Shorts;
+  using Texels = Int16x4;
 
   AllChannels() = default;
   HWY_INLINE explicit AllChannels(const ResolveJob&) {}
   static constexpr std::size_t first() { return 0; }
   template <class T>
-  HWY_INLINE const std::array<T, 3>& of(const std::array<T, 3>& three) const {
+  HWY_INLINE const std::array<T, 3>& pick(const std::array<T, 3>& three) const {
     return three;
   }
   HWY_INLINE Texels texels(const std::int64_t* table, Ints at) const {
-    return gather_shorts(table, at);
+    return gather_int16x4(table, at);
   }
 };
 
@@ -40,17 +40,17 @@ class TwoChannels {
 public:
   static constexpr std::size_t kCount = 2;
   static constexpr bool kHasAlpha = false;
-  using Texels = ShortPairs;
+  using Texels = Int16x2;
 
-  static bool have_all_of(const ResolveJob& job) { return !(job.channels.r && job.channels.b); }
+  static bool are_enough_for(const ResolveJob& job) { return !(job.channels.r && job.channels.b); }
   HWY_INLINE explicit TwoChannels(const ResolveJob& job) : first_(job.channels.r ? 0 : 1) {}
   std::size_t first() const { return first_; }
   template <class T>
-  HWY_INLINE std::array<T, 2> of(const std::array<T, 3>& three) const {
+  HWY_INLINE std::array<T, 2> pick(const std::array<T, 3>& three) const {
     return {three[first_], three[first_ + 1]};
   }
   HWY_INLINE Texels texels(const std::int64_t* table, Ints at) const {
-    return gather_short_pairs(table, at, first_);
+    return gather_int16x2(table, at, first_);
   }
 
 private:
@@ -67,7 +67,7 @@ using SurfaceOf = SurfaceColorOf<Floats, Channels::kCount>;
 template <class Channels>
 HWY_INLINE LightOf<Channels> light_of(const Channels& channels,
                                       const ReflectionOf<Floats>& reflection) {
-  return {channels.of(reflection.diffuse), channels.of(reflection.specular)};
+  return {channels.pick(reflection.diffuse), channels.pick(reflection.specular)};
 }
 
 HWY_INLINE std::array<Floats, 2> sum(const std::array<Floats, 2>& a,
@@ -80,17 +80,17 @@ HWY_INLINE std::array<Floats, 2> product(const std::array<Floats, 2>& a,
 }
 
 // The light and alpha of texels.
-HWY_INLINE std::array<Floats, 3> color_of(const Shorts& texels) {
-  return {light_of_texel(short_of<0>(texels)), light_of_texel(short_of<1>(texels)),
-          light_of_texel(short_of<2>(texels))};
+HWY_INLINE std::array<Floats, 3> color_of(const Int16x4& texels) {
+  return {light_of_texel(int16_at<0>(texels)), light_of_texel(int16_at<1>(texels)),
+          light_of_texel(int16_at<2>(texels))};
 }
-HWY_INLINE Floats alpha_of(const Shorts& texels) {
-  return alpha_of_texel(short_of<3>(texels));
+HWY_INLINE Floats alpha_of(const Int16x4& texels) {
+  return alpha_of_texel(int16_at<3>(texels));
 }
-HWY_INLINE std::array<Floats, 2> color_of(const ShortPairs& texels) {
+HWY_INLINE std::array<Floats, 2> color_of(const Int16x2& texels) {
   return {light_of_texel(first_of(texels)), light_of_texel(second_of(texels))};
 }
-HWY_INLINE Floats alpha_of(const ShortPairs&) {
+HWY_INLINE Floats alpha_of(const Int16x2&) {
   return 1.0f;  // two channels have no alpha; the value is not used
 }
 

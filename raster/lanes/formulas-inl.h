@@ -8,7 +8,7 @@
 #endif
 
 #include <glassbox/raster/lanes/doubles-inl.h>
-#include <glassbox/raster/lanes/shorts-inl.h>
+#include <glassbox/raster/lanes/int16x4-inl.h>
 #include <glassbox/raster/shading.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/raster/texture.h>
@@ -41,11 +41,11 @@ HWY_INLINE auto surface_color(const Fragment& at);
 template <class Fragment, class Normal>
 HWY_INLINE auto light_at(const Fragment& at, const Normal& normal);
 template <class Fragment, class Color>
-HWY_INLINE Color in_light(const Fragment& at, const Color& surface);
+HWY_INLINE Color lit_color(const Fragment& at, const Color& surface);
 template <class Fragment>
-HWY_INLINE auto own_light(const Fragment& at);
+HWY_INLINE auto emitted_light(const Fragment& at);
 template <class Fragment, class Color>
-HWY_INLINE Color shining(const Fragment& at, const Color& surface);
+HWY_INLINE Color shaded_color(const Fragment& at, const Color& surface);
 // This function is not inlined: it is large, and a call costs little beside it.
 template <Number F, class Texture>
 HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,

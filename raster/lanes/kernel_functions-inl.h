@@ -21,23 +21,24 @@ void transform_positions(const EyePositionJob& job);
 std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
                              SelectCounts& counts);
 
-void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                std::span<TileBuffer> tiles, FragmentCounts& counts);
-void draw_small_masked(const SmallJob& job, const AlphaTest& test, const std::uint32_t* triangles,
-                       std::size_t count, TileBuffer& tile, FragmentCounts& counts);
-void draw_small_behind(const SmallJob& job, const BehindTest& test, const std::uint32_t* triangles,
-                       std::size_t count, TileBuffer& tile, FragmentCounts& counts);
-void draw_small_blended(const SmallJob& job, const BlendJob& blend, const std::uint32_t* triangles,
-                        std::size_t count, TileBuffer& tile, FragmentCounts& counts);
-
+void draw_small(const SmallJob& job, TriangleNumbers triangles, std::span<TileBuffer> tiles,
+                FragmentCounts& counts);
 void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                 FragmentCounts& counts);
-void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& test, Reference reference,
-                       TileBuffer& tile, FragmentCounts& counts);
-void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test, Reference reference,
-                       TileBuffer& tile, FragmentCounts& counts);
-void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
-                        TileBuffer& tile, FragmentCounts& counts);
+
+// Those of DrawKernels<Test>.
+void draw_small(const SmallJob& job, const AlphaTest& test, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts);
+void draw_small(const SmallJob& job, const BehindTest& test, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts);
+void draw_small(const SmallJob& job, const BlendJob& blend, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts);
+void draw_large(const LargeTriangle& triangle, const AlphaTest& test, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts);
+void draw_large(const LargeTriangle& triangle, const BehindTest& test, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts);
+void draw_large(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts);
 
 // For an anaglyph's eye (two channels) only pixel centres are resolved.
 void resolve_all_channels(const ResolveJob& job, std::span<TileBuffer> tiles);

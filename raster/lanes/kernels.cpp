@@ -17,7 +17,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
-  if (job.points.empty() && TwoChannels::have_all_of(job)) {
+  if (job.points.empty() && TwoChannels::are_enough_for(job)) {
     resolve_two_channels(job, tiles);
   } else {
     resolve_all_channels(job, tiles);
@@ -31,12 +31,9 @@ const Kernels kKernels{.transform_vertices = transform_vertices,
                        .select_triangles = select_triangles,
                        .draw_small = draw_small,
                        .draw_large = draw_large,
-                       .draw_small_masked = draw_small_masked,
-                       .draw_large_masked = draw_large_masked,
-                       .draw_small_behind = draw_small_behind,
-                       .draw_large_behind = draw_large_behind,
-                       .draw_small_blended = draw_small_blended,
-                       .draw_large_blended = draw_large_blended,
+                       .masked = {draw_small, draw_large},
+                       .behind = {draw_small, draw_large},
+                       .blended = {draw_small, draw_large},
                        .resolve_tile = resolve_tile};
 
 }  // namespace HWY_NAMESPACE

@@ -12,6 +12,19 @@
 
 namespace glassbox {
 
+// Which of a job's triangles to draw: the numbers that SmallJob gives them.
+using TriangleNumbers = std::span<const std::uint32_t>;
+
+// Both kernels for a draw whose fragments are not all kept or not simply stored. `Test` says what
+// becomes of a fragment that passes the depth test.
+template <class Test>
+struct DrawKernels {
+  void (*small)(const SmallJob& job, const Test& test, TriangleNumbers triangles, TileBuffer& tile,
+                FragmentCounts& counts);
+  void (*large)(const LargeTriangle& triangle, const Test& test, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts);
+};
+
 struct Kernels {
   void (*transform_vertices)(const VertexJob& job);
   void (*transform_normals)(const NormalJob& job);
@@ -20,32 +33,18 @@ struct Kernels {
   // returns their number.
   std::size_t (*select_triangles)(const SelectJob& job, const BinColumns& selected,
                                   SelectCounts& counts);
-  // Draws into each of `tiles`, which cover the same part of the screen: one for each sample of a
-  // pixel.
-  void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                     std::span<TileBuffer> tiles, FragmentCounts& counts);
+  // An opaque draw. draw_small draws into each of `tiles`, which cover the same part of the screen:
+  // one for each sample of a pixel.
+  void (*draw_small)(const SmallJob& job, TriangleNumbers triangles, std::span<TileBuffer> tiles,
+                     FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
-  // The same for a draw whose alpha is tested.
-  void (*draw_small_masked)(const SmallJob& job, const AlphaTest& test,
-                            const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                            FragmentCounts& counts);
-  void (*draw_large_masked)(const LargeTriangle& triangle, const AlphaTest& test,
-                            Reference reference, TileBuffer& tile, FragmentCounts& counts);
-  // The same for an opaque or alpha-tested draw, behind given depths. The tile's points are pixel
-  // centres.
-  void (*draw_small_behind)(const SmallJob& job, const BehindTest& test,
-                            const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                            FragmentCounts& counts);
-  void (*draw_large_behind)(const LargeTriangle& triangle, const BehindTest& test,
-                            Reference reference, TileBuffer& tile, FragmentCounts& counts);
-  // For a blended draw: into the picture, which must already have the colours of what was drawn
-  // before.
-  void (*draw_small_blended)(const SmallJob& job, const BlendJob& blend,
-                             const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                             FragmentCounts& counts);
-  void (*draw_large_blended)(const LargeTriangle& triangle, const BlendJob& blend,
-                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
+  // A draw whose alpha is tested.
+  DrawKernels<AlphaTest> masked;
+  // An opaque or alpha-tested draw, behind given depths. The tile's points are pixel centres.
+  DrawKernels<BehindTest> behind;
+  // A blended draw: into the picture, which must already have the colours of what was drawn before.
+  DrawKernels<BlendJob> blended;
   // `tiles`: one for each of job.points, or a single one for pixel centres.
   void (*resolve_tile)(const ResolveJob& job, std::span<TileBuffer> tiles);
 };

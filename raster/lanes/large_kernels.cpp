@@ -18,22 +18,22 @@ void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& til
                 FragmentCounts& counts) {
   draw_large(setup, nullptr, reference, Opaque(), tile, counts);
 }
-void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& test, Reference reference,
-                       TileBuffer& tile, FragmentCounts& counts) {
+void draw_large(const LargeTriangle& triangle, const AlphaTest& test, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
   draw_large(triangle.setup, &shape, reference, Masked(test), tile, counts);
 }
-void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test, Reference reference,
-                       TileBuffer& tile, FragmentCounts& counts) {
+void draw_large(const LargeTriangle& triangle, const BehindTest& test, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
   draw_large(triangle.setup, &shape, reference, Behind(test), tile, counts);
 }
-void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
-                        TileBuffer& tile, FragmentCounts& counts) {
+void draw_large(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
+                TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
   const bool colors_alone =
       blend.colors != nullptr && blend.resolve->distance == nullptr && blend.resolve->id == nullptr;
-  BlendedBytes bytes;
+  BlendTable bytes;
   const Blended blended(blend, triangle.one_color && colors_alone ? &bytes : nullptr);
   draw_large(triangle.setup, &shape, reference, blended, tile, counts);
 }

@@ -7,7 +7,7 @@
 #define GLASSBOX_LARGE_SOURCE_INL_H_
 #endif
 
-#include <glassbox/raster/lanes/shading_places-inl.h>
+#include <glassbox/raster/lanes/shading_points-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -31,7 +31,7 @@ struct LargeShape {
 };
 
 // The part of a fragment's data that its attributes need.
-struct LargePlace {
+struct PointInLargeTriangle {
   const LargeTriangle* triangle = nullptr;
   Floats weight1, weight2;  // in space, of vertices 1 and 2
 };
@@ -68,30 +68,31 @@ private:
 
   const Self& self() const { return static_cast<const Self&>(*this); }
 };
-struct LargeFragments : LargePlace, LargeAttributes<LargeFragments> {};
+struct LargeFragments : PointInLargeTriangle, LargeAttributes<LargeFragments> {};
 
 // The fragments of one large triangle in all lanes. The lanes begin at pixel `i` of the quad at (x,
 // y).
-class LargeSource : public LargePlace, public LargeAttributes<LargeSource> {
+class LargeSource : public PointInLargeTriangle, public LargeAttributes<LargeSource> {
 public:
   using Fragments = LargeFragments;
 
-  template <class Place>
-  HWY_INLINE LargeSource(const LargeShape& shape, int x, int y, std::size_t i, const Place& place)
-      : LargePlace{shape.triangle, {}, {}} {
+  template <class ShadingPoint>
+  HWY_INLINE LargeSource(const LargeShape& shape, int x, int y, std::size_t i,
+                         const ShadingPoint& point)
+      : PointInLargeTriangle{shape.triangle, {}, {}} {
     const TriangleSetup& setup = triangle->setup;
     const std::size_t vector = i / kLanes;
     std::array<Doubles, 3> e{shape.offsets0[vector] + edge_at_pixel(setup.edges[0], x, y),
                              shape.offsets1[vector] + edge_at_pixel(setup.edges[1], x, y),
                              shape.offsets2[vector] + edge_at_pixel(setup.edges[2], x, y)};
-    place.move(setup, e);
+    point.move_edges(setup, e);
     const Floats inverse_area = setup.inverse_area;
     const Floats lambda0 = screen_weight(rounded(e[0]), inverse_area);
     lambda1_ = screen_weight(rounded(e[1]), inverse_area);
     lambda2_ = screen_weight(rounded(e[2]), inverse_area);
     const Floats w0 = setup.inverse_w[0], w1 = setup.inverse_w[1], w2 = setup.inverse_w[2];
     at_ = setup.affine ? WeightsInSpace<Floats>{lambda0, lambda1_, lambda2_, w0}
-                       : perspective<Floats>({lambda0, lambda1_, lambda2_}, {w0, w1, w2});
+                       : perspective_weights<Floats>({lambda0, lambda1_, lambda2_}, {w0, w1, w2});
     weight1 = at_.weight1;
     weight2 = at_.weight2;
   }

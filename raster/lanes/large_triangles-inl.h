@@ -80,20 +80,20 @@ public:
     const PixelRect& window = tile_.window();
     const PixelRect box = intersect(pixels_reached(), window);
     if (box.empty()) return;
-    const Place tile_place = place_of(window.x0, window.y0, tile_.side());
-    if (tile_place == Place::kOutside) return;
+    const Overlap tile_overlap = overlap_of(window.x0, window.y0, tile_.side());
+    if (tile_overlap == Overlap::kOutside) return;
     const int first_x = (box.x0 - window.x0) / kBlockSide,
               last_x = (box.x1 - 1 - window.x0) / kBlockSide;
     const int first_y = (box.y0 - window.y0) / kBlockSide,
               last_y = (box.y1 - 1 - window.y0) / kBlockSide;
     for (int by = first_y; by <= last_y; ++by) {
-      for (int bx = first_x; bx <= last_x; ++bx) draw_block(bx, by, tile_place);
+      for (int bx = first_x; bx <= last_x; ++bx) draw_block(bx, by, tile_overlap);
     }
-    if (fills(tile_place)) tile_.lower_farthest(codes_.farthest);
+    if (fills(tile_overlap)) tile_.lower_farthest(codes_.farthest);
   }
 
 private:
-  enum class Place { kOutside, kCrossed, kInside };
+  enum class Overlap { kOutside, kCrossed, kInside };
 
   HWY_INLINE PixelRect pixels_reached() const {
     const bool at_centres = point_.x == 0 && point_.y == 0;
@@ -101,21 +101,23 @@ private:
   }
 
   // Whether every pixel of the block gets a fragment.
-  HWY_INLINE static bool fills(Place place) { return Alpha::kKeepsAll && place == Place::kInside; }
+  HWY_INLINE static bool fills(Overlap overlap) {
+    return Alpha::kKeepsAll && overlap == Overlap::kInside;
+  }
 
   // Classifies the square of `side` pixels at (x, y): the extremes of an edge function over it are
   // at its corners.
-  HWY_INLINE Place place_of(int x, int y, int side) const {
+  HWY_INLINE Overlap overlap_of(int x, int y, int side) const {
     bool inside = true;
     for (const LargeEdge& e : edges_) {
       const std::int64_t first = edge_in_pixel(e.edge, x, y, point_);
-      if (first + e.above * (side - 1) < e.least) return Place::kOutside;
+      if (first + e.above * (side - 1) < e.least) return Overlap::kOutside;
       inside = inside && first + e.below * (side - 1) >= e.least;
     }
-    return inside ? Place::kInside : Place::kCrossed;
+    return inside ? Overlap::kInside : Overlap::kCrossed;
   }
 
-  HWY_INLINE void draw_block(int bx, int by, Place tile_place) {
+  HWY_INLINE void draw_block(int bx, int by, Overlap tile_overlap) {
     const PixelRect& window = tile_.window();
     const int x = window.x0 + bx * kBlockSide, y = window.y0 + by * kBlockSide;
     const std::size_t index = tile_.block_index(bx, by);
@@ -124,11 +126,12 @@ private:
       ++counts_.hidden_blocks;
       return;
     }
-    const Place place = tile_place == Place::kInside ? tile_place : place_of(x, y, kBlockSide);
-    if (place == Place::kOutside) return;
+    const Overlap overlap =
+        tile_overlap == Overlap::kInside ? tile_overlap : overlap_of(x, y, kBlockSide);
+    if (overlap == Overlap::kOutside) return;
     const bool whole =
-        place == Place::kInside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
-    if (whole && fills(place) && codes_.farthest < block.nearest) {
+        overlap == Overlap::kInside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
+    if (whole && fills(overlap) && codes_.farthest < block.nearest) {
       block = {codes_.nearest, codes_.farthest, true, reference_,
                codes_.nearest == codes_.farthest ? nullptr : &setup_};
       counts_.covered += kBlockPixels;
@@ -141,7 +144,7 @@ private:
       draw_quad(index, quad, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide, whole);
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
-    if (whole && fills(place)) block.farthest = std::min(block.farthest, codes_.farthest);
+    if (whole && fills(overlap)) block.farthest = std::min(block.farthest, codes_.farthest);
     // Several triangles may cover the block together, each without knowing of the others. So the
     // farthest depth is computed from the pixels if the next triangles are likely to be behind it,
     // too.
@@ -171,7 +174,8 @@ private:
       if (!whole) {
         covered = covers(edges_[0].offsets[k] + first0, edges_[0].least) &&
                   covers(e1, edges_[1].least) && covers(e2, edges_[2].least);
-        if (tile_.is_ragged()) covered = covered && on_screen(tile_.window(), x, y, k * kLanes);
+        if (tile_.is_partly_off_screen())
+          covered = covered && on_screen(tile_.window(), x, y, k * kLanes);
         if (none(covered)) continue;
       }
       const Ints code = code_of_(depth_.at(e1, e2));

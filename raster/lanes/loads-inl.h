@@ -21,8 +21,8 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 
 // The index of each lane.
-struct Places {
-  HWY_INLINE explicit Places(Ints at) { store(at, lane); }
+struct LaneIndices {
+  HWY_INLINE explicit LaneIndices(Ints at) { store(at, lane); }
   HWY_ALIGN std::int32_t lane[kLanes];
 };
 
@@ -57,7 +57,7 @@ HWY_INLINE hn::Vec<DBlock> two_words(const void* table, std::int32_t first, std:
 
 // Returns the vector whose block beginning with lane k is `of_lane`(k).
 template <class OfLane>
-HWY_INLINE hn::Vec<DI> of_blocks(const OfLane& of_lane) {
+HWY_INLINE hn::Vec<DI> combine_blocks(const OfLane& of_lane) {
   if constexpr (kLanes == 4) {
     return of_lane(0);
   } else if constexpr (kLanes == 8) {

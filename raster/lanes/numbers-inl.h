@@ -16,7 +16,7 @@
 #include <cstdint>
 
 #include <glassbox/base/numbers.h>
-#include <glassbox/raster/lanes/kept_lanes.h>
+#include <glassbox/raster/lanes/lane_compaction.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -257,7 +257,7 @@ HWY_INLINE void store_where(IntMask where, Ints i, std::int32_t* to) {
 HWY_INLINE Ints first_kept(Ints i, IntMask keep) {
 #if HWY_TARGET == HWY_AVX2
   // (With Highway 1.0.3 g++ copies the whole table to the stack for each call.)
-  const auto* lanes = reinterpret_cast<const __m128i*>(&kKeptLanes[bits_of(keep)]);
+  const auto* lanes = reinterpret_cast<const __m128i*>(&kCompactedLanes[bits_of(keep)]);
   const __m256i from = _mm256_cvtepu8_epi32(_mm_loadl_epi64(lanes));
   return hn::Vec<DI>{_mm256_permutevar8x32_epi32(i.v.raw, from)};
 #else
@@ -265,7 +265,7 @@ HWY_INLINE Ints first_kept(Ints i, IntMask keep) {
 #endif
 }
 // The integers must be in [0, 2^16).
-HWY_INLINE void store_shorts(Ints i, std::uint16_t* to) {
+HWY_INLINE void store_int16(Ints i, std::uint16_t* to) {
   const hn::Rebind<std::uint16_t, DI> d;
   hn::StoreU(hn::DemoteTo(d, i.v), d, to);
 }
@@ -275,10 +275,10 @@ HWY_INLINE void store_shorts(Ints i, std::uint16_t* to) {
 HWY_INLINE Ints pair_of(Ints first, Ints second) {
   return (first & 0xffff) | shifted_left<16>(second);
 }
-HWY_INLINE Ints first_short(Ints pair) {
+HWY_INLINE Ints first_int16(Ints pair) {
   return shifted_right<16>(shifted_left<16>(pair));
 }
-HWY_INLINE Ints second_short(Ints pair) {
+HWY_INLINE Ints second_int16(Ints pair) {
   return shifted_right<16>(pair);
 }
 // The sum of the products of the first halves and of the second halves: a single instruction with
@@ -291,7 +291,7 @@ HWY_INLINE Ints sum_of_products(Ints a, Ints b) {
 #elif HWY_TARGET == HWY_SSE4
   return hn::Vec<DI>{_mm_madd_epi16(a.v.raw, b.v.raw)};
 #else
-  return first_short(a) * first_short(b) + second_short(a) * second_short(b);
+  return first_int16(a) * first_int16(b) + second_int16(a) * second_int16(b);
 #endif
 }
 

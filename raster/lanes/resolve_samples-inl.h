@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <bit>
 
-#include <glassbox/raster/lanes/rows-inl.h>
-#include <glassbox/raster/lanes/seen-inl.h>
 #include <glassbox/raster/lanes/shared_samples-inl.h>
+#include <glassbox/raster/lanes/tile_rows-inl.h>
+#include <glassbox/raster/lanes/visible_shader-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
@@ -21,29 +21,30 @@ namespace HWY_NAMESPACE {
 class SampleResolver {
 public:
   SampleResolver(const ResolveJob& job, std::span<TileBuffer> tiles,
-                 SeenShader<AllChannels>& shader)
+                 VisibleShader<AllChannels>& shader)
       : job_(job), tiles_(tiles), shader_(shader), mask_(bytes_of(job.mask)) {}
 
   // Resolves a block's samples. Each triangle that is seen at some of a pixel's samples is shaded
   // once in that pixel.
   HWY_NOINLINE void resolve(std::size_t block, int x, int y, const Rows& rows) {
-    const ListedAtSamples listed(tiles_, block);
+    const TrianglesAtSamples listed(tiles_, block);
     if (listed.count > 0) {
       const ShadeDraw& draw = shader_.draw_of(Reference(hn::GetLane(listed.references.v)));
-      if (SharedTriangles::can_have(draw)) {
-        return resolve(block, x, y, rows, SharedAtSamples(draw, listed, x, y));
+      if (SharedTriangles::can_share(draw)) {
+        return resolve(block, x, y, rows, SharedTrianglesAtSamples(draw, listed, x, y));
       }
     }
-    resolve(block, x, y, rows, NoneShared());
+    resolve(block, x, y, rows, NoSharedTriangles());
   }
 
 private:
   struct ToSample {
-    HWY_INLINE AtSamples place(IntMask lanes) const { return {job.points, lanes}; }
+    HWY_INLINE AtSamples shading_point(IntMask lanes) const { return {job.points, lanes}; }
     template <class Source>
-    HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
-                         IntMask lanes) const {
-      const Ints shaded = encoded(shining_by_call<AllChannels>(draw, textures, job, source), job);
+    HWY_INLINE void shade_and_store(const ShadeDraw& draw, const DrawTextures& textures,
+                                    const Source& source, IntMask lanes) const {
+      const Ints shaded =
+          encoded(shaded_color_by_call<AllChannels>(draw, textures, job, source), job);
       color = select(lanes, shaded, color);
     }
     const ResolveJob& job;
@@ -54,7 +55,7 @@ private:
   HWY_NOINLINE void resolve(std::size_t block, int x, int y, const Rows& rows,
                             const Shared& shared) {
     SampleColors colors;
-    FurtherSamples further;
+    RemainingSamples remaining;
     HWY_ALIGN std::int32_t means[kBlockPixels];
     for_each_quad(x, y, [&](int quad, int qx, int qy) HWY_ATTR {
       std::int32_t* const background = means + quad * kQuadPixels;
@@ -64,18 +65,18 @@ private:
         std::fill_n(background, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
       }
       for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        shade_samples(block, quad, qx, qy, k, load(background + k), shared, colors, further);
+        shade_samples(block, quad, qx, qy, k, load(background + k), shared, colors, remaining);
       }
     });
-    shade_further(further, x, y, shared, colors);
+    shade_remaining(remaining, x, y, shared, colors);
     for_each_quad(x, y, [&](int quad, int qx, int qy) HWY_ATTR {
       for (std::size_t k = 0; k < kQuadPixels; k += kLanes)
         copy_equal_samples(block, quad, k, colors);
-      if (job_.samples != nullptr) return leave_samples(block, quad, qx, qy, colors);
+      if (job_.samples != nullptr) return store_samples(block, quad, qx, qy, colors);
       const std::size_t first = std::size_t(quad) * kQuadPixels;
       for (std::size_t k = first; k < first + kQuadPixels; k += kLanes) {
         const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
-        store((mean & mask_) | (load(means + k) & ~mask_), means + k);
+        store(merged_channels(mean, load(means + k), mask_), means + k);
       }
       store_quad(means + first, rows, tiles_.front().window(), qx, qy);
     });
@@ -91,22 +92,22 @@ private:
   }
 
   // Shades pixels k .. k + kLanes - 1 of a quad: the first samples, and the other samples that show
-  // large triangles. Those that show small triangles are collected in `further`, because few lanes
-  // have any. `background` is the colour of samples that show nothing.
+  // large triangles. Those that show small triangles are collected in `remaining`, because few
+  // lanes have any. `background` is the colour of samples that show nothing.
   template <class Shared>
   HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
                                 Ints background, const Shared& shared, SampleColors& colors,
-                                FurtherSamples& further) {
+                                RemainingSamples& remaining) {
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
     Ints seen[kMostSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
-      seen[s] = seen_in(tiles_[s], block, quad, k);
+      seen[s] = visible_references(tiles_[s], block, quad, k);
       Ints color = background;
       IntMask pending = is_to_be_shaded(seen[s]);
       for (std::size_t t = 0; t < s; ++t) pending = pending && seen[s] != seen[t];
       if (s > 0) {
         const IntMask small = pending && seen[s] >= 0;  // the sign bit is kLargeReference
-        if (!none(small)) further.add(seen[s], small, s, pixel);
+        if (!none(small)) remaining.add(seen[s], small, s, pixel);
         pending = pending && !small;
       } else {
         shared.shade(job_, seen[s], block_columns(pixel / kLanes), block_rows(pixel / kLanes),
@@ -119,13 +120,13 @@ private:
   // A vector's lanes may be any pixels of the block at (x, y); the small triangle is looked up for
   // each lane.
   template <class Shared>
-  HWY_NOINLINE void shade_further(const FurtherSamples& further, int x, int y, const Shared& shared,
-                                  SampleColors& colors) {
-    for (std::size_t i = 0; i < further.count; i += kLanes) {
-      const Ints seen = load(further.references + i), place = load(further.places + i);
-      const Ints column = (place & 3) | (shifted_right<2>(place) & 4);
-      const Ints row = (shifted_right<2>(place) & 3) | (shifted_right<3>(place) & 4);
-      IntMask pending = first_lanes(std::min(kLanes, further.count - i));
+  HWY_NOINLINE void shade_remaining(const RemainingSamples& remaining, int x, int y,
+                                    const Shared& shared, SampleColors& colors) {
+    for (std::size_t i = 0; i < remaining.count; i += kLanes) {
+      const Ints seen = load(remaining.references + i), index = load(remaining.color_indices + i);
+      const Ints column = (index & 3) | (shifted_right<2>(index) & 4);
+      const Ints row = (shifted_right<2>(index) & 3) | (shifted_right<3>(index) & 4);
+      IntMask pending = first_lanes(std::min(kLanes, remaining.count - i));
       Ints color = 0;
       shared.shade(job_, seen, column, row, pending, color);
       while (!none(pending)) {
@@ -138,18 +139,18 @@ private:
         const Ints reference = select(same, seen, std::int32_t(first));
         const SmallSource source(draw, reference - begin, column + x, row + y,
                                  AtSamples{job_.points, same});
-        color = select(
-            same,
-            encoded(shining_by_call<AllChannels>(draw, shader_.textures_of(draw), job_, source),
-                    job_),
-            color);
+        color = select(same,
+                       encoded(shaded_color_by_call<AllChannels>(draw, shader_.textures_of(draw),
+                                                                 job_, source),
+                               job_),
+                       color);
         pending = pending && !same;
       }
       HWY_ALIGN std::int32_t shaded[kLanes];
       store(color, shaded);
-      const std::size_t count = std::min(kLanes, further.count - i);
+      const std::size_t count = std::min(kLanes, remaining.count - i);
       for (std::size_t lane = 0; lane < count; ++lane) {
-        colors.colors[further.places[i + lane]] = shaded[lane];
+        colors.colors[remaining.color_indices[i + lane]] = shaded[lane];
       }
     }
   }
@@ -160,7 +161,7 @@ private:
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
     Ints seen[kMostSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
-      seen[s] = seen_in(tiles_[s], block, quad, k);
+      seen[s] = visible_references(tiles_[s], block, quad, k);
       Ints color = load(colors.at(s) + pixel);
       for (std::size_t t = 0; t < s; ++t) {
         color = select(seen[s] == seen[t], load(colors.at(t) + pixel), color);
@@ -171,7 +172,7 @@ private:
 
   // Keeps the samples' colours and all depths for later draws. (This is rare, and so done pixel by
   // pixel.)
-  void leave_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
+  void store_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       TileBuffer& tile = tiles_[s];
       make_plain_block_full(tile, block);
@@ -194,7 +195,7 @@ private:
 
   const ResolveJob& job_;
   std::span<TileBuffer> tiles_;  // one for each sample
-  SeenShader<AllChannels>& shader_;
+  VisibleShader<AllChannels>& shader_;
   std::int32_t mask_;
 };
 

@@ -18,8 +18,8 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 // Loads the indices of kLanes triangles, beginning with triangle `first`.
-HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t first) {
-  OfVertices<Ints> indices;
+HWY_INLINE PerVertex<Ints> load_indices(IndexTriples triples, std::uint32_t first) {
+  PerVertex<Ints> indices;
   hn::LoadInterleaved3(kI, reinterpret_cast<const std::int32_t*>(triples) + std::size_t(first) * 3,
                        indices[0].v, indices[1].v, indices[2].v);
   return indices;
@@ -40,11 +40,11 @@ std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
     if (job.keep != nullptr) live = live && Ints(hn::LoadU(kI, job.keep + i)) > 0;
     const Ints triangle = least(hn::Iota(kI, std::int32_t(job.first + i)),
                                 Ints(std::int32_t(job.first + job.count - 1)));
-    const OfVertices<Ints> vertices = job.count - i >= kLanes
-                                          ? load_indices(job.positions, job.first + i)
-                                          : gather_indices(job.positions, triangle);
+    const PerVertex<Ints> vertices = job.count - i >= kLanes
+                                         ? load_indices(job.positions, job.first + i)
+                                         : gather_indices(job.positions, triangle);
     const ScreenColumns columns(job.screen, vertices);
-    const OfVertices<Ints>&x = columns.x, &y = columns.y;
+    const PerVertex<Ints>&x = columns.x, &y = columns.y;
     const Ints left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
 
     // A difference that wraps around is negative: the triangle is not small.
@@ -77,7 +77,7 @@ std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
                              HWY_ATTR { return Ints(hn::ShiftRightSame(pixel.v, job.tile_shift)); };
     const auto in_one_word = [&](Ints tile_x, Ints tile_y)
                                  HWY_ATTR { return tile_x | shifted_left<16>(tile_y); };
-    const BinColumns to = selected.from(kept);
+    const BinColumns to = selected.starting_at(kept);
     store_kept(triangle | select(is_large, std::int32_t(kLarge), 0), keep, to.entries);
     store_kept(in_one_word(to_tile(x0), to_tile(y0)), keep, to.first);
     store_kept(in_one_word(to_tile(x1 - 1), to_tile(y1 - 1)), keep, to.last);

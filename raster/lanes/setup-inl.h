@@ -27,18 +27,18 @@ HWY_INLINE Floats gather(const float* table, Ints at) {
 }
 
 // Words `at` and `at` + 1 of a table, each in a vector of its own.
-struct Pair {
+struct WordPair {
   Ints first, second;
 };
-HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
+HWY_INLINE WordPair gather_pair(const std::int32_t* table, Ints at) {
 #if HWY_TARGET == HWY_SCALAR
   return {gather(table, at), gather(table + 1, at)};
 #else
-  const Places places(at);
+  const LaneIndices indices(at);
   // Loads two lanes of each block of four.
   const auto two = [&](int first) HWY_ATTR {
-    return of_blocks([&](int block) HWY_ATTR {
-      const std::int32_t* at_two = places.lane + block + first;
+    return combine_blocks([&](int block) HWY_ATTR {
+      const std::int32_t* at_two = indices.lane + block + first;
       return two_words<4>(table, at_two[0], at_two[1]);
     });
   };
@@ -50,35 +50,35 @@ HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
 
 // One entry for each vertex of a triangle.
 template <class T>
-using OfVertices = std::array<T, 3>;
+using PerVertex = std::array<T, 3>;
 
 // Returns the indices of triangle `triangle` in each lane.
-HWY_INLINE OfVertices<Ints> gather_indices(IndexTriples triples, Ints triangle) {
+HWY_INLINE PerVertex<Ints> gather_indices(IndexTriples triples, Ints triangle) {
   const auto* from = reinterpret_cast<const std::int32_t*>(triples);
   const Ints at = triangle + triangle + triangle;
-  const Pair two = gather_pair(from, at);
+  const WordPair two = gather_pair(from, at);
   return {two.first, two.second, gather(from + 2, at)};
 }
 template <class T>
-HWY_INLINE auto gather(const T* table, const OfVertices<Ints>& at) {
-  return OfVertices<decltype(gather(table, at[0]))>{gather(table, at[0]), gather(table, at[1]),
-                                                    gather(table, at[2])};
+HWY_INLINE auto gather(const T* table, const PerVertex<Ints>& at) {
+  return PerVertex<decltype(gather(table, at[0]))>{gather(table, at[0]), gather(table, at[1]),
+                                                   gather(table, at[2])};
 }
 
 // Four words of a table, beginning at word `at`, each in a vector of its own; unused ones cost
 // nothing.
-struct Four {
+struct FourWords {
   Ints first, second, third, fourth;
 };
-HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
+HWY_INLINE FourWords gather_four(const std::int32_t* table, Ints at) {
 #if HWY_TARGET == HWY_SCALAR
   return {gather(table, at), gather(table + 1, at), gather(table + 2, at), gather(table + 3, at)};
 #else
-  const Places places(at);
+  const LaneIndices indices(at);
   // Loads one lane of each block of four.
   const auto one = [&](int first) HWY_ATTR {
-    return of_blocks([&](int block)
-                         HWY_ATTR { return four_words(table, places.lane[block + first]); });
+    return combine_blocks([&](int block)
+                              HWY_ATTR { return four_words(table, indices.lane[block + first]); });
   };
   // Transposed within each block, as a matrix of 4 x 4.
   const auto a = one(0), b = one(1), c = one(2), d = one(3);
@@ -91,13 +91,13 @@ HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
 
 // Columns of the screen's table, at the triangles' vertices.
 struct ScreenColumns {
-  OfVertices<Ints> x, y;
-  OfVertices<Floats> z, inverse_w;
+  PerVertex<Ints> x, y;
+  PerVertex<Floats> z, inverse_w;
 
-  HWY_INLINE ScreenColumns(const SnappedEntry* screen, const OfVertices<Ints>& vertices) {
+  HWY_INLINE ScreenColumns(const SnappedEntry* screen, const PerVertex<Ints>& vertices) {
     static_assert(sizeof(SnappedEntry) == 4 * sizeof(std::int32_t));
     for (std::size_t k = 0; k < 3; ++k) {
-      const Four entry = gather_four(&screen->x, shifted_left<2>(vertices[k]));
+      const FourWords entry = gather_four(&screen->x, shifted_left<2>(vertices[k]));
       x[k] = entry.first;
       y[k] = entry.second;
       z[k] = float_of(entry.third);
@@ -111,12 +111,12 @@ struct ScreenColumns {
 // The order of the vertices in setup_triangle(): clockwise, beginning with the one of smallest
 // depth. It is implemented a second time, because vector code selects where code for one triangle
 // sorts. tests/raster/lanes compares the two.
-struct Order {
+struct VertexOrder {
   IntMask swapped;                  // vertices 1 and 2 were exchanged
   IntMask from_second, from_third;  // then rotated to begin with that vertex
 };
 
-HWY_INLINE Order order_of(Ints area, const OfVertices<Floats>& z) {
+HWY_INLINE VertexOrder vertex_order(Ints area, const PerVertex<Floats>& z) {
   const IntMask swapped = area < 0;
   const FloatMask swapped_f = float_mask(swapped);
   const Floats second = select(swapped_f, z[2], z[1]);
@@ -127,7 +127,7 @@ HWY_INLINE Order order_of(Ints area, const OfVertices<Floats>& z) {
 }
 
 // Converts an order to a number below kReferenceStep, and back.
-HWY_INLINE Ints code_of(const Order& order) {
+HWY_INLINE Ints code_of(const VertexOrder& order) {
   const Ints none = 0;
   return select(order.swapped, 1, none) |
          (select(order.from_second, 2, none) | select(order.from_third, 4, none));
@@ -135,23 +135,23 @@ HWY_INLINE Ints code_of(const Order& order) {
 HWY_INLINE IntMask has_bit(Ints code, std::int32_t bit) {
   return {hn::TestBit(code.v, hn::Set(kI, bit))};
 }
-HWY_INLINE Order order_of_code(Ints code) {
+HWY_INLINE VertexOrder vertex_order_of_code(Ints code) {
   return {has_bit(code, 1), has_bit(code, 2), has_bit(code, 4)};
 }
 
 template <class V, class Mask>
-HWY_INLINE OfVertices<V> put_in_order(Mask swapped, Mask from_second, Mask from_third,
-                                      const OfVertices<V>& v) {
+HWY_INLINE PerVertex<V> put_in_order(Mask swapped, Mask from_second, Mask from_third,
+                                     const PerVertex<V>& v) {
   const V one = select(swapped, v[2], v[1]);
   const V two = select(swapped, v[1], v[2]);
   return {select(from_third, two, select(from_second, one, v[0])),
           select(from_third, v[0], select(from_second, two, one)),
           select(from_third, one, select(from_second, v[0], two))};
 }
-HWY_INLINE OfVertices<Ints> put_in_order(const Order& order, const OfVertices<Ints>& v) {
+HWY_INLINE PerVertex<Ints> put_in_order(const VertexOrder& order, const PerVertex<Ints>& v) {
   return put_in_order(order.swapped, order.from_second, order.from_third, v);
 }
-HWY_INLINE OfVertices<Floats> put_in_order(const Order& order, const OfVertices<Floats>& v) {
+HWY_INLINE PerVertex<Floats> put_in_order(const VertexOrder& order, const PerVertex<Floats>& v) {
   return put_in_order(float_mask(order.swapped), float_mask(order.from_second),
                       float_mask(order.from_third), v);
 }
@@ -160,21 +160,21 @@ HWY_INLINE OfVertices<Floats> put_in_order(const Order& order, const OfVertices<
 
 // Edge k is opposite vertex k, as in TriangleSetup.
 template <std::size_t kEdge>
-HWY_INLINE EdgeSlopes<Ints> edge_of(const OfVertices<Ints>& x, const OfVertices<Ints>& y) {
+HWY_INLINE EdgeSlopes<Ints> edge_of(const PerVertex<Ints>& x, const PerVertex<Ints>& y) {
   constexpr std::size_t from = (kEdge + 1) % 3, to = (kEdge + 2) % 3;
   return edge_slopes(x[from], y[from], x[to], y[to]);
 }
 template <std::size_t kEdge>
-HWY_INLINE Ints value_of(const EdgeSlopes<Ints>& edge, const OfVertices<Ints>& x,
-                         const OfVertices<Ints>& y, Ints at_x, Ints at_y) {
+HWY_INLINE Ints value_of(const EdgeSlopes<Ints>& edge, const PerVertex<Ints>& x,
+                         const PerVertex<Ints>& y, Ints at_x, Ints at_y) {
   constexpr std::size_t from = (kEdge + 1) % 3;
   return edge_value(edge, x[from], y[from], at_x, at_y);
 }
 
-HWY_INLINE Ints smallest(const OfVertices<Ints>& v) {
+HWY_INLINE Ints smallest(const PerVertex<Ints>& v) {
   return least(v[0], least(v[1], v[2]));
 }
-HWY_INLINE Ints largest(const OfVertices<Ints>& v) {
+HWY_INLINE Ints largest(const PerVertex<Ints>& v) {
   return greatest(v[0], greatest(v[1], v[2]));
 }
 

@@ -88,7 +88,7 @@ struct TexelsOfSource {
 // A vector of fragments, with the members that formulas/surface.h needs. Unused results are
 // optimised away.
 template <class Channels, class Attributes, class Texels>
-struct FragmentInLanes : UnwatchedFragment {
+struct FragmentInLanes : UnobservedFragment {
   using Float = Floats;
   static constexpr std::size_t kChannels = Channels::kCount;
 
@@ -102,13 +102,13 @@ struct FragmentInLanes : UnwatchedFragment {
   HWY_INLINE std::size_t first_channel() const { return channels.first(); }
   template <class T>
   HWY_INLINE std::array<T, kChannels> wanted(const std::array<T, 3>& three) const {
-    return channels.of(three);
+    return channels.pick(three);
   }
 
   HWY_INLINE const Material& material() const { return *draw.material; }
   HWY_INLINE bool has_vertex_color() const { return draw.color_indices != nullptr; }
   HWY_INLINE SurfaceOf<Channels> vertex_color() const {
-    return {channels.of(attributes.color()), attributes.alpha()};
+    return {channels.pick(attributes.color()), attributes.alpha()};
   }
   HWY_INLINE bool has_texture() const { return textures.color != nullptr; }
   HWY_INLINE SurfaceOf<Channels> texel() const {
@@ -135,29 +135,31 @@ struct FragmentInLanes : UnwatchedFragment {
 // The surface's colour after lighting, with its emission added. Its alpha has no meaning where only
 // some of the channels are computed.
 template <class Channels, class Attributes, class Texels>
-HWY_INLINE SurfaceOf<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                       const ResolveJob& job, const Attributes& attributes,
-                                       const Texels& texels) {
+HWY_INLINE SurfaceOf<Channels> shaded_surface(const ShadeDraw& draw, const DrawTextures& textures,
+                                              const ResolveJob& job, const Attributes& attributes,
+                                              const Texels& texels) {
   const Channels channels(job);
   using Fragment = FragmentInLanes<Channels, Attributes, Texels>;
   const Fragment at{{}, channels, draw, textures, job.lighting, attributes, texels};
   SurfaceOf<Channels> surface = surface_color(at);
-  surface.color = shining(at, surface.color);
+  surface.color = shaded_color(at, surface.color);
   return surface;
 }
 template <class Channels, class Source>
-HWY_INLINE SurfaceOf<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                       const ResolveJob& job, const Source& source) {
+HWY_INLINE SurfaceOf<Channels> shaded_surface(const ShadeDraw& draw, const DrawTextures& textures,
+                                              const ResolveJob& job, const Source& source) {
   const Channels channels(job);
-  return shining<Channels>(draw, textures, job, source,
-                           TexelsOfSource<Channels, Source>{channels, draw, textures, source});
+  return shaded_surface<Channels>(
+      draw, textures, job, source,
+      TexelsOfSource<Channels, Source>{channels, draw, textures, source});
 }
 
 // The colour alone, for callers that shade fewer pixels than resolving does: compiled only once.
 template <class Channels, class Source>
-HWY_NOINLINE ColorOf<Channels> shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
-                                               const ResolveJob& job, const Source& source) {
-  return shining<Channels>(draw, textures, job, source).color;
+HWY_NOINLINE ColorOf<Channels> shaded_color_by_call(const ShadeDraw& draw,
+                                                    const DrawTextures& textures,
+                                                    const ResolveJob& job, const Source& source) {
+  return shaded_surface<Channels>(draw, textures, job, source).color;
 }
 
 // Packs a colour's bytes into one integer, opaque; channels that are not wanted are 0.
@@ -185,15 +187,15 @@ struct TexturePoints {
   TexturePoint color, emission;
 };
 template <class Channels>
-struct FoundTexels {
+struct SampledTexels {
   typename Channels::Texels color() const { return of_color; }
   typename Channels::Texels emission() const { return of_emission; }
   typename Channels::Texels of_color, of_emission;
 };
 
 template <class Source>
-HWY_INLINE void find_points(const ShadeDraw& draw, const DrawTextures& textures,
-                            const Source& source, TexturePoints& points) {
+HWY_INLINE void find_texture_points(const ShadeDraw& draw, const DrawTextures& textures,
+                                    const Source& source, TexturePoints& points) {
   if (textures.color != nullptr) {
     points.color = texture_point(*textures.color, *draw.sampler, source);
   }
@@ -204,7 +206,7 @@ HWY_INLINE void find_points(const ShadeDraw& draw, const DrawTextures& textures,
 template <class Channels>
 HWY_INLINE void find_texels(const Channels& channels, const ShadeDraw& draw,
                             const DrawTextures& textures, const TexturePoints& points,
-                            FoundTexels<Channels>& texels) {
+                            SampledTexels<Channels>& texels) {
   if (textures.color != nullptr) {
     texels.of_color = sampled(channels, *textures.color, *draw.sampler, points.color);
   }
@@ -228,18 +230,18 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
                                Ints* colors) {
   typename Source::Fragments fragments[kBlockVectors];
   TexturePoints points[kBlockVectors];
-  FoundTexels<Channels> texels[kBlockVectors];
+  SampledTexels<Channels> texels[kBlockVectors];
   const Channels channels(job);
   for (std::size_t i = 0; i < count; ++i) {
     const Source source = source_of(i);
     fragments[i] = source.fragments();
-    find_points(draw, textures, source, points[i]);
+    find_texture_points(draw, textures, source, points[i]);
   }
   for (std::size_t i = 0; i < count; ++i) {
     find_texels(channels, draw, textures, points[i], texels[i]);
   }
   if constexpr (Channels::kHasAlpha) {
-    using Fragment = FragmentInLanes<Channels, typename Source::Fragments, FoundTexels<Channels>>;
+    using Fragment = FragmentInLanes<Channels, typename Source::Fragments, SampledTexels<Channels>>;
     const Fragment any{{}, channels, draw, textures, job.lighting, fragments[0], texels[0]};
     if (stores_linear_light(job) && is_texel_alone(any)) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -249,7 +251,8 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    colors[i] = encoded(shining<Channels>(draw, textures, job, fragments[i], texels[i]).color, job);
+    colors[i] =
+        encoded(shaded_surface<Channels>(draw, textures, job, fragments[i], texels[i]).color, job);
   }
 }
 
@@ -263,14 +266,14 @@ HWY_INLINE void shade_vectors(const ShadeDraw& draw, const DrawTextures& texture
     return shade_in_steps<Channels, Source>(draw, textures, job, count, source_of, colors);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    colors[i] = encoded(shining_by_call<Channels>(draw, textures, job, source_of(i)), job);
+    colors[i] = encoded(shaded_color_by_call<Channels>(draw, textures, job, source_of(i)), job);
   }
 }
 
 template <class Channels, class Source>
 HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
                       const Source& source) {
-  return encoded(shining<Channels>(draw, textures, job, source).color, job);
+  return encoded(shaded_surface<Channels>(draw, textures, job, source).color, job);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -21,25 +21,25 @@ namespace HWY_NAMESPACE {
 
 // A list of small triangles that are seen at samples of a block's pixels, each with the index of
 // the sample's colour: sample * kBlockPixels + pixel.
-struct FurtherSamples {
+struct RemainingSamples {
   // (With room for the lanes that a vector writes beyond the end.)
   static constexpr std::size_t kMost = std::size_t(kMostSamples) * kBlockPixels + kLanes;
   HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t pixel) {
-    const Ints place = hn::Iota(kI, std::int32_t(sample * kBlockPixels + pixel));
+    const Ints index = hn::Iota(kI, std::int32_t(sample * kBlockPixels + pixel));
     hn::StoreU(first_kept(seen, lanes).v, kI, references + count);
-    hn::StoreU(first_kept(place, lanes).v, kI, places + count);
+    hn::StoreU(first_kept(index, lanes).v, kI, color_indices + count);
     count += count_of(lanes);
   }
 
   std::size_t count = 0;
   HWY_ALIGN std::int32_t references[kMost];
-  HWY_ALIGN std::int32_t places[kMost];
+  HWY_ALIGN std::int32_t color_indices[kMost];
 };
 
 // The small triangles that came to a block at any of its samples; none if they are more than there
 // are lanes.
-struct ListedAtSamples {
-  HWY_INLINE ListedAtSamples(std::span<const TileBuffer> tiles, std::size_t block) {
+struct TrianglesAtSamples {
+  HWY_INLINE TrianglesAtSamples(std::span<const TileBuffer> tiles, std::size_t block) {
     for (const TileBuffer& tile : tiles) {
       const std::uint32_t listed = tile.block(block).listed;
       bool all = listed <= BlockTriangles::kMost;
@@ -66,12 +66,13 @@ private:
 };
 
 // Gathers the data of what is seen for each sample of a block ...
-struct NoneShared {
+struct NoSharedTriangles {
   HWY_INLINE void shade(const ResolveJob&, Ints, Ints, Ints, IntMask&, Ints&) const {}
 };
 // ... or once for the block, if all of it shows a few triangles of one draw.
-struct SharedAtSamples {
-  HWY_INLINE SharedAtSamples(const ShadeDraw& draw, const ListedAtSamples& of_block, int x, int y)
+struct SharedTrianglesAtSamples {
+  HWY_INLINE SharedTrianglesAtSamples(const ShadeDraw& draw, const TrianglesAtSamples& of_block,
+                                      int x, int y)
       : begin(std::int32_t(draw.first_reference)),
         end(std::int32_t(draw.end_reference)),
         listed(of_block),
@@ -89,7 +90,7 @@ struct SharedAtSamples {
 
 private:
   // References minus the draw's first; unused lanes get 0, the draw's first.
-  HWY_INLINE static Ints triangles_of(const ShadeDraw& draw, const ListedAtSamples& listed) {
+  HWY_INLINE static Ints triangles_of(const ShadeDraw& draw, const TrianglesAtSamples& listed) {
     const Ints r = listed.references, first = std::int32_t(draw.first_reference);
     return select(r >= first && r < std::int32_t(draw.end_reference), r - first, 0);
   }
@@ -105,13 +106,13 @@ private:
     const ShadeDraw& draw = *triangles.draw;
     const DrawTextures textures(draw);
     if (textures.color != nullptr || textures.emission != nullptr) {
-      return encoded(shining_by_call<AllChannels>(draw, textures, job, source), job);
+      return encoded(shaded_color_by_call<AllChannels>(draw, textures, job, source), job);
     }
     return glassbox::HWY_NAMESPACE::shade<AllChannels>(draw, DrawTextures(), job, source);
   }
 
   Ints begin, end;
-  ListedAtSamples listed;
+  TrianglesAtSamples listed;
   SharedTriangles triangles;
 };
 

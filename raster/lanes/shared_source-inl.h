@@ -17,14 +17,15 @@ namespace HWY_NAMESPACE {
 
 // An attribute at vertex 0, and the differences of the other vertices from it.
 template <std::size_t N>
-struct AtVertices {
-  std::array<Floats, N> first, more1, more2;
+struct AttributeDifferences {
+  std::array<Floats, N> first, difference1, difference2;
 
-  AtVertices() = default;
-  HWY_INLINE explicit AtVertices(const OfVertices<std::array<Floats, N>>& a) : first(a[0]) {
+  AttributeDifferences() = default;
+  HWY_INLINE explicit AttributeDifferences(const PerVertex<std::array<Floats, N>>& a)
+      : first(a[0]) {
     for (std::size_t i = 0; i < N; ++i) {
-      more1[i] = a[1][i] - a[0][i];
-      more2[i] = a[2][i] - a[0][i];
+      difference1[i] = a[1][i] - a[0][i];
+      difference2[i] = a[2][i] - a[0][i];
     }
   }
 };
@@ -37,20 +38,20 @@ struct SharedTriangles {
   Ints right1, right2, down1, down2;  // the change of e1 and e2 from one pixel to the next
   Ints area;
   Floats inverse_area;
-  OfVertices<Floats> inverse_w;
+  PerVertex<Floats> inverse_w;
   bool none_is_affine;
-  AtVertices<3> normal, position, color;
-  AtVertices<1> alpha;
-  AtVertices<2> texcoord;
+  AttributeDifferences<3> normal, position, color;
+  AttributeDifferences<1> alpha;
+  AttributeDifferences<2> texcoord;
   TexturePlanesOf<Floats> texture_planes;
 
   // Not for draws that are lit at the vertices, because there the faces influence what pixels show.
-  static bool can_have(const ShadeDraw& draw) { return draw.light != LightAt::kVertices; }
+  static bool can_share(const ShadeDraw& draw) { return draw.light != LightAt::kVertices; }
 
   // `reference`: the triangle's reference minus the draw's first.
   HWY_INLINE SharedTriangles(const ShadeDraw& of_draw, Ints reference, int x, int y)
       : draw(&of_draw) {
-    const SmallFragments at{place_of(of_draw, reference), {}};
+    const SmallFragments at{point_in_small_triangle(of_draw, reference), {}};
     const SmallOnScreen screen(draw->screen, at.vertices, x, y, AtCentre());
     e1 = screen.e1;
     e2 = screen.e2;
@@ -62,22 +63,22 @@ struct SharedTriangles {
     inverse_area = screen.inverse_area;
     inverse_w = screen.inverse_w;
     none_is_affine = none(is_affine(inverse_w));
-    if (draw->light != LightAt::kNowhere) normal = AtVertices<3>(at.normals());
-    if (draw->eye_positions != nullptr) position = AtVertices<3>(at.positions());
+    if (draw->light != LightAt::kNowhere) normal = AttributeDifferences<3>(at.normals());
+    if (draw->eye_positions != nullptr) position = AttributeDifferences<3>(at.positions());
     if (draw->color_indices != nullptr) {
-      color = AtVertices<3>(at.colors());
-      alpha = AtVertices<1>(at.alphas());
+      color = AttributeDifferences<3>(at.colors());
+      alpha = AttributeDifferences<1>(at.alphas());
     }
     if (draw->texcoord_indices != nullptr) {
-      const OfVertices<Float2> texcoords = at.texcoords();
-      texcoord = AtVertices<2>(texcoords);
+      const PerVertex<Float2> texcoords = at.texcoords();
+      texcoord = AttributeDifferences<2>(texcoords);
       texture_planes = screen.texture_planes(texcoords);
     }
   }
 };
 
 // The part of a pixel's data that its attributes need.
-struct SharedPlace {
+struct PointInSharedTriangle {
   const SharedTriangles* triangles = nullptr;
   Ints lane;                // the lane of the pixel's triangle
   Floats weight1, weight2;  // in space, of vertices 1 and 2
@@ -85,16 +86,17 @@ struct SharedPlace {
 template <class Self>
 class SharedAttributes {
 public:
-  HWY_INLINE Float3 normal() const { return here(self().triangles->normal); }
+  HWY_INLINE Float3 normal() const { return interpolated(self().triangles->normal); }
   HWY_INLINE Float3 position() const {
-    if (self().triangles->draw->eye_positions != nullptr) return here(self().triangles->position);
+    if (self().triangles->draw->eye_positions != nullptr)
+      return interpolated(self().triangles->position);
     const Floats zero = 0.0f;
     return {zero, zero, zero};
   }
-  HWY_INLINE Rgb color() const { return here(self().triangles->color); }
-  HWY_INLINE Floats alpha() const { return here(self().triangles->alpha)[0]; }
-  HWY_INLINE Float2 texcoord() const { return here(self().triangles->texcoord); }
-  // (SharedTriangles::can_have)
+  HWY_INLINE Rgb color() const { return interpolated(self().triangles->color); }
+  HWY_INLINE Floats alpha() const { return interpolated(self().triangles->alpha)[0]; }
+  HWY_INLINE Float2 texcoord() const { return interpolated(self().triangles->texcoord); }
+  // (SharedTriangles::can_share)
   static constexpr bool is_lit_at_vertices(const ShadeDraw&) { return false; }
   HWY_INLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw&, const Lighting&) const {
     return {};
@@ -102,45 +104,45 @@ public:
 
 protected:
   // Looks up the value of the pixel's own triangle.
-  HWY_INLINE Ints own(Ints of_triangles) const {
+  HWY_INLINE Ints lookup(Ints of_triangles) const {
     return hn::TableLookupLanes(of_triangles.v, hn::IndicesFromVec(kI, self().lane.v));
   }
-  HWY_INLINE Floats own(Floats of_triangles) const {
+  HWY_INLINE Floats lookup(Floats of_triangles) const {
     return hn::TableLookupLanes(of_triangles.v, hn::IndicesFromVec(kF, self().lane.v));
   }
 
 private:
   template <std::size_t N>
-  HWY_INLINE std::array<Floats, N> here(const AtVertices<N>& a) const {
+  HWY_INLINE std::array<Floats, N> interpolated(const AttributeDifferences<N>& a) const {
     std::array<Floats, N> attribute;
     for (std::size_t i = 0; i < N; ++i) {
-      attribute[i] = interpolate(own(a.first[i]), own(a.more1[i]), own(a.more2[i]), self().weight1,
-                                 self().weight2);
+      attribute[i] = interpolate(lookup(a.first[i]), lookup(a.difference1[i]),
+                                 lookup(a.difference2[i]), self().weight1, self().weight2);
     }
     return attribute;
   }
 
   const Self& self() const { return static_cast<const Self&>(*this); }
 };
-struct SharedFragments : SharedPlace, SharedAttributes<SharedFragments> {};
+struct SharedFragments : PointInSharedTriangle, SharedAttributes<SharedFragments> {};
 
 // Pixels at columns and rows of the block.
-class SharedSource : public SharedPlace, public SharedAttributes<SharedSource> {
+class SharedSource : public PointInSharedTriangle, public SharedAttributes<SharedSource> {
 public:
   using Fragments = SharedFragments;
 
-  template <class Place>
+  template <class ShadingPoint>
   HWY_INLINE SharedSource(const SharedTriangles& shared, Ints of_pixels, Ints column, Ints row,
-                          const Place& place)
-      : SharedPlace{&shared, of_pixels, {}, {}} {
-    const Ints area = own(shared.area);
-    const Ints right1 = own(shared.right1), down1 = own(shared.down1);
-    const Ints right2 = own(shared.right2), down2 = own(shared.down2);
-    Ints e1 = own(shared.e1) + right1 * column + down1 * row;
-    Ints e2 = own(shared.e2) + right2 * column + down2 * row;
-    place.move(edges_of(right1, down1, right2, down2), area, e1, e2);
+                          const ShadingPoint& point)
+      : PointInSharedTriangle{&shared, of_pixels, {}, {}} {
+    const Ints area = lookup(shared.area);
+    const Ints right1 = lookup(shared.right1), down1 = lookup(shared.down1);
+    const Ints right2 = lookup(shared.right2), down2 = lookup(shared.down2);
+    Ints e1 = lookup(shared.e1) + right1 * column + down1 * row;
+    Ints e2 = lookup(shared.e2) + right2 * column + down2 * row;
+    point.move_edges(edges_of(right1, down1, right2, down2), area, e1, e2);
     const Ints e0 = area - e1 - e2;
-    const Floats inverse_area = own(shared.inverse_area);
+    const Floats inverse_area = lookup(shared.inverse_area);
     const Float3 lambda{screen_weight(to_float(e0), inverse_area),
                         screen_weight(to_float(e1), inverse_area),
                         screen_weight(to_float(e2), inverse_area)};
@@ -153,10 +155,10 @@ public:
   const WeightsInSpace<Floats>& at() const { return at_; }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
     const TexturePlanesOf<Floats>& p = triangles->texture_planes;
-    return {
-        {own(p.origin[0]), own(p.origin[1])},
-        {{{own(p.over_w[0][0]), own(p.over_w[0][1])}, {own(p.over_w[1][0]), own(p.over_w[1][1])}}},
-        {own(p.inverse_w[0]), own(p.inverse_w[1])}};
+    return {{lookup(p.origin[0]), lookup(p.origin[1])},
+            {{{lookup(p.over_w[0][0]), lookup(p.over_w[0][1])},
+              {lookup(p.over_w[1][0]), lookup(p.over_w[1][1])}}},
+            {lookup(p.inverse_w[0]), lookup(p.inverse_w[1])}};
   }
 
 private:
@@ -171,10 +173,10 @@ private:
     return {{{0 - edge1.a - edge2.a, 0 - edge1.b - edge2.b}, edge1, edge2}};
   }
   HWY_INLINE WeightsInSpace<Floats> in_space(const Float3& lambda) const {
-    const OfVertices<Floats>& w = triangles->inverse_w;
-    if (triangles->draw->w_is_one) return {lambda[0], lambda[1], lambda[2], own(w[0])};
-    const Float3 inverse_w{own(w[0]), own(w[1]), own(w[2])};
-    return triangles->none_is_affine ? perspective<Floats>(lambda, inverse_w)
+    const PerVertex<Floats>& w = triangles->inverse_w;
+    if (triangles->draw->w_is_one) return {lambda[0], lambda[1], lambda[2], lookup(w[0])};
+    const Float3 inverse_w{lookup(w[0]), lookup(w[1]), lookup(w[2])};
+    return triangles->none_is_affine ? perspective_weights<Floats>(lambda, inverse_w)
                                      : weights_in_space<Floats>(lambda, inverse_w);
   }
 

@@ -14,21 +14,21 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                std::span<TileBuffer> tiles, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Opaque(), tiles, counts);
+void draw_small(const SmallJob& job, TriangleNumbers triangles, std::span<TileBuffer> tiles,
+                FragmentCounts& counts) {
+  draw_small(job, triangles, Opaque(), tiles, counts);
 }
-void draw_small_masked(const SmallJob& job, const AlphaTest& test, const std::uint32_t* triangles,
-                       std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Masked(test), {&tile, 1}, counts);
+void draw_small(const SmallJob& job, const AlphaTest& test, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, Masked(test), {&tile, 1}, counts);
 }
-void draw_small_behind(const SmallJob& job, const BehindTest& test, const std::uint32_t* triangles,
-                       std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Behind(test), {&tile, 1}, counts);
+void draw_small(const SmallJob& job, const BehindTest& test, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, Behind(test), {&tile, 1}, counts);
 }
-void draw_small_blended(const SmallJob& job, const BlendJob& blend, const std::uint32_t* triangles,
-                        std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Blended(blend), {&tile, 1}, counts);
+void draw_small(const SmallJob& job, const BlendJob& blend, TriangleNumbers triangles,
+                TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, Blended(blend), {&tile, 1}, counts);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -58,10 +58,10 @@ inline constexpr std::int32_t kMaskSide = 4;  // quads
 HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
                        std::size_t at) {
   const ScreenColumns columns(job.screen, gather_indices(job.positions, triangle));
-  OfVertices<Ints> x = columns.x, y = columns.y;
-  OfVertices<Floats> z = columns.z;
+  PerVertex<Ints> x = columns.x, y = columns.y;
+  PerVertex<Floats> z = columns.z;
   const Ints signed_area = double_area(x, y);
-  const Order order = order_of(signed_area, z);
+  const VertexOrder order = vertex_order(signed_area, z);
   x = put_in_order(order, x);
   y = put_in_order(order, y);
   z = put_in_order(order, z);
@@ -164,8 +164,8 @@ HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at,
   live = live && !wide;
 
   const Ints slopes1 = load(s.slopes1 + at), slopes2 = load(s.slopes2 + at);
-  const Ints a1 = first_short(slopes1), a2 = first_short(slopes2);
-  const Ints b1 = second_short(slopes1), b2 = second_short(slopes2);
+  const Ints a1 = first_int16(slopes1), a2 = first_int16(slopes2);
+  const Ints b1 = second_int16(slopes1), b2 = second_int16(slopes2);
   const Ints e1 = load(s.e1 + at), e2 = load(s.e2 + at);
   GreatestInQuad row0(points, load(s.area + at) - e1 - e2, 0 - a1 - a2, 0 - b1 - b2,
                       load(s.above0 + at));
@@ -189,7 +189,7 @@ HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at,
     row1.next_row();
     row2.next_row();
   }
-  store_shorts(quads, s.quads + at);
+  store_int16(quads, s.quads + at);
 }
 
 // The same for one triangle, wide or not, and the 4 x 4 quads of its box that begin at column x,
@@ -223,8 +223,8 @@ HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups
 // screen is `window`. (An edge function at the tile's first pixel may not fit in 32 bits. At the
 // triangle's own pixels it fits, and sums that wrap around still give the right value there.)
 template <class Points>
-HWY_INLINE void place(const PixelRect& window, const Points& points, SmallSetups& s, std::size_t at,
-                      IntMask live) {
+HWY_INLINE void place_in_tile(const PixelRect& window, const Points& points, SmallSetups& s,
+                              std::size_t at, IntMask live) {
   const Ints px0 =
       greatest(first_pixel(load(s.left + at) - points.right()), Ints(window.x0)) - window.x0;
   const Ints py0 =
@@ -244,7 +244,7 @@ HWY_INLINE void place(const PixelRect& window, const Points& points, SmallSetups
   const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + edges_at.x;
   const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + edges_at.y;
   const auto edge_at = [&](const std::int32_t* origin, Ints slopes) HWY_ATTR {
-    return load(origin + at) + first_short(slopes) * dx + second_short(slopes) * dy;
+    return load(origin + at) + first_int16(slopes) * dx + second_int16(slopes) * dy;
   };
   store(edge_at(s.origin1, load(s.slopes1 + at)), s.e1 + at);
   store(edge_at(s.origin2, load(s.slopes2 + at)), s.e2 + at);

@@ -7,7 +7,7 @@
 #define GLASSBOX_SMALL_SOURCE_INL_H_
 #endif
 
-#include <glassbox/raster/lanes/shading_places-inl.h>
+#include <glassbox/raster/lanes/shading_points-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +18,7 @@ template <class T>
 HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
   const float* from = &table->x;
   const Ints word = at + at + at;
-  const Pair xy = gather_pair(reinterpret_cast<const std::int32_t*>(from), word);
+  const WordPair xy = gather_pair(reinterpret_cast<const std::int32_t*>(from), word);
   return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
 }
 
@@ -32,30 +32,30 @@ HWY_INLINE Ints gather_member(const T* table, Ints at, Member member) {
 
 // The part of a fragment's data that its attributes need; attributes are gathered from the draw's
 // tables.
-struct SmallPlace {
+struct PointInSmallTriangle {
   const ShadeDraw* draw = nullptr;
   Ints triangle;
-  Order order;
-  OfVertices<Ints> vertices;
+  VertexOrder order;
+  PerVertex<Ints> vertices;
   Floats weight1, weight2;  // in space, of vertices 1 and 2
 };
 
-// The attributes, for any class that has the members of SmallPlace.
+// The attributes, for any class that has the members of PointInSmallTriangle.
 template <class Self>
 class SmallAttributes {
 public:
   HWY_INLINE Float3 normal() const {
     if (HWY_UNLIKELY(self().draw->faces != nullptr)) return face_normal();
-    return here<3>(normals());
+    return interpolated<3>(normals());
   }
   HWY_INLINE Float3 position() const {
-    if (self().draw->eye_positions != nullptr) return here<3>(positions());
+    if (self().draw->eye_positions != nullptr) return interpolated<3>(positions());
     const Floats zero = 0.0f;
     return {zero, zero, zero};
   }
-  HWY_INLINE Rgb color() const { return here<3>(colors()); }
-  HWY_INLINE Floats alpha() const { return here<1>(alphas())[0]; }
-  HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
+  HWY_INLINE Rgb color() const { return interpolated<3>(colors()); }
+  HWY_INLINE Floats alpha() const { return interpolated<1>(alphas())[0]; }
+  HWY_INLINE Float2 texcoord() const { return interpolated<2>(texcoords()); }
 
   HWY_INLINE static bool is_lit_at_vertices(const ShadeDraw& draw) {
     return HWY_UNLIKELY(draw.light == LightAt::kVertices);
@@ -67,14 +67,14 @@ public:
       return reflected_light(lighting, place, n, draw.material->shininess, draw.highlights);
     };
     if (draw.faces != nullptr) return at(centre_of_face(FaceCorners(draw, face())), face_normal());
-    const OfVertices<Float3> normal = normals();
-    OfVertices<Float3> diffuse, specular;
+    const PerVertex<Float3> normal = normals();
+    PerVertex<Float3> diffuse, specular;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto light = at(gather_triple(draw.eye_positions, self().vertices[k]), normal[k]);
       diffuse[k] = light.diffuse;
       specular[k] = light.specular;
     }
-    return {here<3>(diffuse), here<3>(specular)};
+    return {interpolated<3>(diffuse), interpolated<3>(specular)};
   }
   // 1 + the triangle's number in the scene.
   HWY_INLINE Ints id() const {
@@ -84,21 +84,21 @@ public:
 
   // ---- at the vertices ----
 
-  HWY_INLINE OfVertices<Float3> normals() const {
-    const OfVertices<Ints> corner = corners(self().draw->normal_indices);
+  HWY_INLINE PerVertex<Float3> normals() const {
+    const PerVertex<Ints> corner = corners(self().draw->normal_indices);
     const auto at_vertex = [&](std::size_t k) HWY_ATTR {
       return facing(gather_triple(self().draw->normals, corner[k]));
     };
     return {at_vertex(0), at_vertex(1), at_vertex(2)};
   }
-  HWY_INLINE OfVertices<Float3> positions() const {
-    const OfVertices<Ints>& vertices = self().vertices;
+  HWY_INLINE PerVertex<Float3> positions() const {
+    const PerVertex<Ints>& vertices = self().vertices;
     const Point<Eye>* from = self().draw->eye_positions;
     return {gather_triple(from, vertices[0]), gather_triple(from, vertices[1]),
             gather_triple(from, vertices[2])};
   }
-  HWY_INLINE OfVertices<Rgb> colors() const {
-    const OfVertices<Ints> corner = corners(self().draw->color_indices);
+  HWY_INLINE PerVertex<Rgb> colors() const {
+    const PerVertex<Ints> corner = corners(self().draw->color_indices);
     const auto at_vertex = [&](std::size_t k) HWY_ATTR {
       const Ints at = shifted_left<2>(corner[k]);
       return Rgb{gather(&self().draw->colors->r, at), gather(&self().draw->colors->g, at),
@@ -106,15 +106,15 @@ public:
     };
     return {at_vertex(0), at_vertex(1), at_vertex(2)};
   }
-  HWY_INLINE OfVertices<std::array<Floats, 1>> alphas() const {
-    const OfVertices<Ints> corner = corners(self().draw->color_indices);
+  HWY_INLINE PerVertex<std::array<Floats, 1>> alphas() const {
+    const PerVertex<Ints> corner = corners(self().draw->color_indices);
     const auto at_vertex = [&](std::size_t k) HWY_ATTR {
       return std::array{gather(&self().draw->colors->a, shifted_left<2>(corner[k]))};
     };
     return {at_vertex(0), at_vertex(1), at_vertex(2)};
   }
-  HWY_INLINE OfVertices<Float2> texcoords() const {
-    const OfVertices<Ints> corner = corners(self().draw->texcoord_indices);
+  HWY_INLINE PerVertex<Float2> texcoords() const {
+    const PerVertex<Ints> corner = corners(self().draw->texcoord_indices);
     const auto at_vertex = [&](std::size_t k) HWY_ATTR {
       const Ints at = corner[k] + corner[k];
       return Float2{gather(&self().draw->texcoords->u, at), gather(&self().draw->texcoords->v, at)};
@@ -152,10 +152,10 @@ private:
 
   // Interpolates an attribute of the three vertices at the pixel.
   template <std::size_t N>
-  HWY_INLINE std::array<Floats, N> here(const OfVertices<std::array<Floats, N>>& a) const {
+  HWY_INLINE std::array<Floats, N> interpolated(const PerVertex<std::array<Floats, N>>& a) const {
     return interpolate(a[0], a[1], a[2], self().weight1, self().weight2);
   }
-  HWY_INLINE OfVertices<Ints> corners(IndexTriples indices) const {
+  HWY_INLINE PerVertex<Ints> corners(IndexTriples indices) const {
     if (HWY_LIKELY(indices == self().draw->positions)) return self().vertices;
     return put_in_order(self().order, gather_indices(indices, self().triangle));
   }
@@ -165,12 +165,12 @@ private:
     // their back.
     const FloatMask back =
         float_mask(self().draw->mirrored ? self().order.swapped : !self().order.swapped);
-    return facing_viewer(back, n);
+    return normal_facing_viewer(back, n);
   }
 
   const Self& self() const { return static_cast<const Self&>(*this); }
 };
-struct SmallFragments : SmallPlace, SmallAttributes<SmallFragments> {};
+struct SmallFragments : PointInSmallTriangle, SmallAttributes<SmallFragments> {};
 
 // Triangles on the screen: their edges, the values of two edge functions at a point of a pixel, and
 // 1/w for perspective.
@@ -178,13 +178,13 @@ struct SmallOnScreen {
   std::array<EdgeSlopes<Ints>, 3> edges;
   Ints e1, e2, area;
   Floats inverse_area;
-  OfVertices<Floats> inverse_w;
+  PerVertex<Floats> inverse_w;
 
-  template <class Place>
-  HWY_INLINE SmallOnScreen(const SnappedEntry* screen, const OfVertices<Ints>& vertices,
-                           Ints pixel_x, Ints pixel_y, const Place& place) {
+  template <class ShadingPoint>
+  HWY_INLINE SmallOnScreen(const SnappedEntry* screen, const PerVertex<Ints>& vertices,
+                           Ints pixel_x, Ints pixel_y, const ShadingPoint& point) {
     const ScreenColumns columns(screen, vertices);
-    const OfVertices<Ints>&x = columns.x, &y = columns.y;
+    const PerVertex<Ints>&x = columns.x, &y = columns.y;
     inverse_w = columns.inverse_w;
     const Ints at_x = shifted_left<kSubpixelBits>(pixel_x) + kPixelCentre;
     const Ints at_y = shifted_left<kSubpixelBits>(pixel_y) + kPixelCentre;
@@ -192,11 +192,11 @@ struct SmallOnScreen {
     area = double_area(x, y);
     e1 = value_of<1>(edges[1], x, y, at_x, at_y);
     e2 = value_of<2>(edges[2], x, y, at_x, at_y);
-    place.move(edges, area, e1, e2);
+    point.move_edges(edges, area, e1, e2);
     inverse_area = 1.0f / to_float(area);
   }
 
-  HWY_INLINE TexturePlanesOf<Floats> texture_planes(const OfVertices<Float2>& texcoords) const {
+  HWY_INLINE TexturePlanesOf<Floats> texture_planes(const PerVertex<Float2>& texcoords) const {
     std::array<Float3, 2> slopes;  // d lambda_k over one pixel along x and y, times 1/w_k
     for (std::size_t k = 0; k < 3; ++k) {
       const auto slope = [&](Ints step) HWY_ATTR {
@@ -210,32 +210,32 @@ struct SmallOnScreen {
   }
 };
 
-HWY_INLINE SmallPlace place_of(const ShadeDraw& draw, Ints reference) {
+HWY_INLINE PointInSmallTriangle point_in_small_triangle(const ShadeDraw& draw, Ints reference) {
   static_assert(kReferenceStep == 1 << 3);
-  SmallPlace place;
-  place.draw = &draw;
-  place.triangle = shifted_right<3>(reference);
-  place.order = order_of_code(reference);
-  place.vertices = put_in_order(place.order, gather_indices(draw.positions, place.triangle));
-  return place;
+  PointInSmallTriangle point;
+  point.draw = &draw;
+  point.triangle = shifted_right<3>(reference);
+  point.order = vertex_order_of_code(reference);
+  point.vertices = put_in_order(point.order, gather_indices(draw.positions, point.triangle));
+  return point;
 }
 
 // A triangle in every lane, each at a pixel of its own.
-class SmallSource : public SmallPlace, public SmallAttributes<SmallSource> {
+class SmallSource : public PointInSmallTriangle, public SmallAttributes<SmallSource> {
 public:
   using Fragments = SmallFragments;
 
   // `reference`: the reference of the lane's triangle minus the draw's first.
-  template <class Place>
+  template <class ShadingPoint>
   HWY_INLINE SmallSource(const ShadeDraw& of_draw, Ints reference, Ints pixel_x, Ints pixel_y,
-                         const Place& place)
-      : SmallPlace(place_of(of_draw, reference)),
-        screen_(draw->screen, vertices, pixel_x, pixel_y, place),
+                         const ShadingPoint& point)
+      : PointInSmallTriangle(point_in_small_triangle(of_draw, reference)),
+        screen_(draw->screen, vertices, pixel_x, pixel_y, point),
         lambda1_(screen_weight(to_float(screen_.e1), screen_.inverse_area)),
         lambda2_(screen_weight(to_float(screen_.e2), screen_.inverse_area)) {
     const Ints e0 = screen_.area - screen_.e1 - screen_.e2;
     const Floats lambda0 = screen_weight(to_float(e0), screen_.inverse_area);
-    const OfVertices<Floats>& inverse_w = screen_.inverse_w;
+    const PerVertex<Floats>& inverse_w = screen_.inverse_w;
     at_ = draw->w_is_one ? WeightsInSpace<Floats>{lambda0, lambda1_, lambda2_, inverse_w[0]}
                          : weights_in_space({lambda0, lambda1_, lambda2_}, inverse_w);
     weight1 = at_.weight1;
@@ -245,7 +245,7 @@ public:
   HWY_INLINE Fragments fragments() const { return {{*this}, {}}; }
   const WeightsInSpace<Floats>& at() const { return at_; }
   HWY_INLINE Floats depth() const {
-    const OfVertices<Floats> z = ScreenColumns(draw->screen, vertices).z;
+    const PerVertex<Floats> z = ScreenColumns(draw->screen, vertices).z;
     return interpolate(z[0], z[1] - z[0], z[2] - z[0], lambda1_, lambda2_);
   }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {

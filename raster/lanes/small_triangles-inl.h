@@ -42,7 +42,7 @@ struct TilePixels {
 };
 
 // Called before anything of a quad is in registers, because the call would spill them.
-HWY_INLINE void come_to_block(TileBuffer& tile, TileBlock& block, std::size_t index) {
+HWY_INLINE void prepare_block(TileBuffer& tile, TileBlock& block, std::size_t index) {
   if (HWY_UNLIKELY(block.plain)) fill_block(tile, index);
   block.nearest = kNearestTileDepth;
 }
@@ -67,8 +67,8 @@ HWY_INLINE void list_triangle(const SmallSetups& setups, std::size_t t, std::siz
 }
 
 // Triangle t of the batch, in all lanes.
-struct SmallInLanes {
-  HWY_INLINE SmallInLanes(const SmallSetups& s, std::size_t t)
+struct SmallTriangleInLanes {
+  HWY_INLINE SmallTriangleInLanes(const SmallSetups& s, std::size_t t)
       : slopes1(s.slopes1[t]),
         slopes2(s.slopes2[t]),
         area(s.area[t]),
@@ -90,8 +90,8 @@ struct SmallInLanes {
 
 // Counts pixels, in each lane separately where a mask is a vector. (8192 triangles of 289 quads
 // with 16 samples give less than 2^27.)
-struct CountInLanes {
-  HWY_INLINE CountInLanes() : lanes(0) {}
+struct LaneCounter {
+  HWY_INLINE LaneCounter() : lanes(0) {}
   HWY_INLINE void add(IntMask pixels) {
 #if HWY_TARGET == HWY_AVX2
     lanes = lanes - Ints(hn::VecFromMask(kI, pixels.m));
@@ -99,7 +99,7 @@ struct CountInLanes {
     count += count_of(pixels);
 #endif
   }
-  std::uint64_t all() const {
+  std::uint64_t total() const {
     HWY_ALIGN std::int32_t of_lanes[kLanes];
     store(lanes, of_lanes);
     return std::accumulate(of_lanes, of_lanes + kLanes, count);
@@ -110,12 +110,12 @@ struct CountInLanes {
 };
 struct SmallCounts {
   HWY_INLINE SmallCounts() {}
-  CountInLanes covered, written;
+  LaneCounter covered, written;
   FragmentCounts others;
 };
 
 // Draws triangle t over the quad in column x, row y of those that its box touches.
-template <bool kRagged, class Code, class Alpha>
+template <bool kPartlyOffScreen, class Code, class Alpha>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const Alpha& alpha, const TilePixels& pixels,
                           SmallCounts& counts) {
@@ -123,18 +123,18 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
   const auto qx = std::size_t(setups.x0[t]) + x, qy = std::size_t(setups.y0[t]) + y;
   const std::size_t block = qy / 2 * pixels.blocks_across + qx / 2;
   const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
-  come_to_block(pixels.tile, pixels.blocks[block], block);
+  prepare_block(pixels.tile, pixels.blocks[block], block);
   list_triangle(setups, t, block, pixels);
   const auto first_pixel = std::int32_t(x * kQuadSide | y * kQuadSide << 16);
   for (std::size_t k = 0; k < kQuadVectors; ++k) {
-    const SmallInLanes s(setups, t);
+    const SmallTriangleInLanes s(setups, t);
     const Ints pixel = pair_of(quad_columns(k * kLanes), quad_rows(k * kLanes)) + first_pixel;
     const Ints e1 = s.first1 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes1, pixel));
     const Ints e2 = s.first2 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes2, pixel));
     const Ints e0 = s.area - e1 - e2;
     const Ints above0 = s.above0, above1 = s.above1, above2 = s.above2;
     IntMask covered = e1 > above1 && e2 > above2 && e0 > above0;
-    if (kRagged) {
+    if (kPartlyOffScreen) {
       covered = covered && on_screen(window, window.x0 + int(qx) * kQuadSide,
                                      window.y0 + int(qy) * kQuadSide, k * kLanes);
     }
@@ -196,11 +196,11 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
   const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
   const std::size_t count = pixels.tiles.size();
   for (std::size_t i = 0; i < count; ++i) {
-    come_to_block(pixels.tiles[i], pixels.samples[i].blocks[block], block);
+    prepare_block(pixels.tiles[i], pixels.samples[i].blocks[block], block);
   }
   list_triangle(setups, t, block, pixels.front);
   const auto first_pixel = std::int32_t(x * kQuadSide | y * kQuadSide << 16);
-  const SmallInLanes s(setups, t);
+  const SmallTriangleInLanes s(setups, t);
   Ints centre1[kQuadVectors], centre2[kQuadVectors];
   IntMask inside[kQuadVectors];
   for (std::size_t k = 0; k < kQuadVectors; ++k) {
@@ -268,11 +268,11 @@ HWY_INLINE void for_each_quad(const SmallSetups& s, std::size_t live, const Poin
 
 // Sets up and places the triangles batch by batch; draw(setups, t, x, y) is called for their quads.
 template <class Points, class Draw>
-HWY_INLINE void draw_batches(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+HWY_INLINE void draw_batches(const SmallJob& job, TriangleNumbers triangles,
                              const PixelRect& window, const Points& points, const Draw& draw) {
   SmallSetups setups;
-  for (std::size_t i = 0; i < count; i += kSmallBatch) {
-    const std::size_t live = HWY_MIN(kSmallBatch, count - i);
+  for (std::size_t i = 0; i < triangles.size(); i += kSmallBatch) {
+    const std::size_t live = HWY_MIN(kSmallBatch, triangles.size() - i);
     for (std::size_t k = 0; k < live; k += kLanes) {
       HWY_ALIGN std::int32_t lanes[kLanes];
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -281,7 +281,7 @@ HWY_INLINE void draw_batches(const SmallJob& job, const std::uint32_t* triangles
       set_up(job, load(lanes), window, setups, k);
     }
     for (std::size_t k = 0; k < live; k += kLanes) {
-      place(window, points, setups, k, first_lanes(live - k));
+      place_in_tile(window, points, setups, k, first_lanes(live - k));
     }
     for_each_quad(setups, live, points, [&](std::size_t t, std::size_t x, std::size_t y) HWY_ATTR {
       draw(setups, t, x, y);
@@ -289,45 +289,44 @@ HWY_INLINE void draw_batches(const SmallJob& job, const std::uint32_t* triangles
   }
 }
 
-template <bool kRagged, class Code, class Alpha>
-HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                         const Code& code_of, const Alpha& alpha, TileBuffer& tile,
-                         SmallCounts& counts) {
+template <bool kPartlyOffScreen, class Code, class Alpha>
+HWY_INLINE void draw_all(const SmallJob& job, TriangleNumbers triangles, const Code& code_of,
+                         const Alpha& alpha, TileBuffer& tile, SmallCounts& counts) {
   const TilePixels pixels(tile);
-  draw_batches(
-      job, triangles, count, tile.window(), AtOnePoint{tile.point()},
-      [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
-          HWY_ATTR { draw_quad<kRagged>(setups, t, x, y, code_of, alpha, pixels, counts); });
+  draw_batches(job, triangles, tile.window(), AtOnePoint{tile.point()},
+               [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
+                   HWY_ATTR {
+                     draw_quad<kPartlyOffScreen>(setups, t, x, y, code_of, alpha, pixels, counts);
+                   });
 }
 // The same at several samples of each pixel.
 template <class Code>
-HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                         const Code& code_of, std::span<TileBuffer> tiles, SmallCounts& counts) {
+HWY_INLINE void draw_all(const SmallJob& job, TriangleNumbers triangles, const Code& code_of,
+                         std::span<TileBuffer> tiles, SmallCounts& counts) {
   const TileSamples pixels(tiles);
-  draw_batches(job, triangles, count, tiles.front().window(), AtSomePoints(tiles),
+  draw_batches(job, triangles, tiles.front().window(), AtSomePoints(tiles),
                [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
                    HWY_ATTR { draw_quad(setups, t, x, y, code_of, pixels, counts); });
 }
 
 template <class Alpha>
-HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                           const Alpha& alpha, std::span<TileBuffer> tiles,
-                           FragmentCounts& counts) {
+HWY_INLINE void draw_small(const SmallJob& job, TriangleNumbers triangles, const Alpha& alpha,
+                           std::span<TileBuffer> tiles, FragmentCounts& counts) {
   SmallCounts own;
   TileBuffer& tile = tiles.front();
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
     // The alpha test and samples cost more than testing for the screen's edge, so for them one loop
     // serves both cases.
     if constexpr (Alpha::kKeepsAll) {
-      if (tiles.size() > 1) return draw_all(job, triangles, count, code_of, tiles, own);
-      if (!tile.is_ragged()) {
-        return draw_all<false>(job, triangles, count, code_of, alpha, tile, own);
+      if (tiles.size() > 1) return draw_all(job, triangles, code_of, tiles, own);
+      if (!tile.is_partly_off_screen()) {
+        return draw_all<false>(job, triangles, code_of, alpha, tile, own);
       }
     }
-    draw_all<true>(job, triangles, count, code_of, alpha, tile, own);
+    draw_all<true>(job, triangles, code_of, alpha, tile, own);
   });
-  counts.covered += own.covered.all();
-  counts.written += own.written.all();
+  counts.covered += own.covered.total();
+  counts.written += own.written.total();
   counts.discarded += own.others.discarded;
   counts.blended += own.others.blended;
 }

@@ -105,7 +105,7 @@ struct BinColumns {
   TilePlace* first = nullptr;
   TilePlace* last = nullptr;
 
-  BinColumns from(std::size_t i) const { return {entries + i, first + i, last + i}; }
+  BinColumns starting_at(std::size_t i) const { return {entries + i, first + i, last + i}; }
 };
 inline constexpr std::uint32_t kLarge = 0x80000000u;
 
@@ -186,7 +186,7 @@ struct AlphaTest {
   std::span<const SampleOffset> points;  // as in ResolveJob
 };
 
-// For drawing what is behind given depths (EyePicture::behind).
+// For drawing what is behind given depths (EyePicture::behind_depth).
 struct BehindTest {
   const Image<std::uint32_t>* codes = nullptr;  // by pixel of the picture
   AlphaTest alpha;                              // without a draw: no alpha test

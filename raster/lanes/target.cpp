@@ -15,17 +15,17 @@ namespace glassbox {
 
 namespace {
 
-struct Known {
+struct TargetInfo {
   Target target;
   std::string_view name;
   std::int64_t highway;  // the bit of Highway's target
 };
 
-constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_SCALAR},
-                                       {Target::kSse4, "sse4", HWY_SSE4},
-                                       {Target::kAvx2, "avx2", HWY_AVX2},
-                                       {Target::kAvx512, "avx512", HWY_AVX3},
-                                       {Target::kNeon, "neon", HWY_NEON}}};
+constexpr std::array<TargetInfo, 5> kKnownTargets{{{Target::kScalar, "scalar", HWY_SCALAR},
+                                                   {Target::kSse4, "sse4", HWY_SSE4},
+                                                   {Target::kAvx2, "avx2", HWY_AVX2},
+                                                   {Target::kAvx512, "avx512", HWY_AVX3},
+                                                   {Target::kNeon, "neon", HWY_NEON}}};
 
 // Cached, because Highway queries the processor in every call, and on a virtual machine each of
 // these instructions is handled by the host.
@@ -34,35 +34,35 @@ std::int64_t supported_targets() {
   return supported;
 }
 
-constexpr int kNobodyPrefers = -1;
-std::atomic<int> preferred = kNobodyPrefers;
+constexpr int kNoPreference = -1;
+std::atomic<int> preferred = kNoPreference;
 
 }  // namespace
 
 std::vector<Target> available_targets() {
   const std::int64_t supported = supported_targets();
   std::vector<Target> available;
-  for (const Known& known : kKnown) {
+  for (const TargetInfo& known : kKnownTargets) {
     if ((known.highway & supported & GLASSBOX_LANES) != 0) available.push_back(known.target);
   }
   return available;
 }
 
 Target best_target() {
-  if (const int told = preferred; told != kNobodyPrefers) return Target(told);
+  if (const int preference = preferred; preference != kNoPreference) return Target(preference);
   return available_targets().back();
 }
 
 void prefer_target(std::optional<Target> target) {
-  preferred = target ? int(*target) : kNobodyPrefers;
+  preferred = target ? int(*target) : kNoPreference;
 }
 
 std::string_view name_of(Target target) {
-  return kKnown[std::size_t(target)].name;
+  return kKnownTargets[std::size_t(target)].name;
 }
 
 std::optional<Target> target_named(std::string_view name) {
-  for (const Known& known : kKnown) {
+  for (const TargetInfo& known : kKnownTargets) {
     if (known.name == name) return known.target;
   }
   return std::nullopt;

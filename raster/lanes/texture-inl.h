@@ -30,18 +30,18 @@ HWY_INLINE Floats decoded_alpha(Ints stored) {
   return decode_unorm8(shifted_right<24>(stored) & 255);
 }
 
-HWY_INLINE Shorts mix(const Shorts& a, const Shorts& b, Ints f) {
-  return mix_whole(a, b, four_times(f));
+HWY_INLINE Int16x4 mix(const Int16x4& a, const Int16x4& b, Ints f) {
+  return mix_whole(a, b, four_copies(f));
 }
-HWY_INLINE ShortPairs mix(const ShortPairs& a, const ShortPairs& b, Ints f) {
-  return mix_whole(a, b, two_times(f));
+HWY_INLINE Int16x2 mix(const Int16x2& a, const Int16x2& b, Ints f) {
+  return mix_whole(a, b, two_copies(f));
 }
 
 // The bytes of texels whose light is stored linearly, equal to encode_unorm8() of color_of(). A
 // byte is 128 units of kFullTexel, and rounding the light keeps it on the same side of each half
 // (tests/raster/texture_test.cpp checks all values).
-HWY_INLINE Ints linear_bytes_of(const Shorts& texels) {
-  return bytes_of(shifted_right<7>(texels + shorts_of(64)));
+HWY_INLINE Ints linear_bytes_of(const Int16x4& texels) {
+  return bytes_of(shifted_right<7>(texels + int16x4_of(64)));
 }
 
 // The interface to a mip chain that formulas/texture.h expects.

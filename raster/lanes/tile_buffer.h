@@ -120,7 +120,7 @@ public:
   DepthFormat format() const { return format_; }
   SampleOffset point() const { return point_; }
   // Whether pixels of the tile are outside the screen.
-  bool is_ragged() const {
+  bool is_partly_off_screen() const {
     return window_.x1 - window_.x0 < side_ || window_.y1 - window_.y0 < side_;
   }
   int blocks_across() const { return blocks_across_; }

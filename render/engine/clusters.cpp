@@ -11,7 +11,7 @@ namespace glassbox {
 
 namespace {
 
-Point<Object, double> wide(const Point<Object>& p) {
+Point<Object, double> to_double(const Point<Object>& p) {
   return {double(p.x), double(p.y), double(p.z)};
 }
 
@@ -133,7 +133,7 @@ Clusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> corners,
   for_each_cluster(corners, [&](std::uint32_t, std::span<const std::uint32_t> entries) {
     triangles.clear();
     for (std::size_t i = 0; i < entries.size(); i += 3) {
-      const auto corner = [&](std::size_t k) { return wide(mesh.positions[entries[i + k]]); };
+      const auto corner = [&](std::size_t k) { return to_double(mesh.positions[entries[i + k]]); };
       triangles.push_back({corner(0), corner(1), corner(2)});
     }
     made.clusters.push_back(make_cluster(triangles));

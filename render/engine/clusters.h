@@ -49,7 +49,7 @@ struct ClusterBlocks {
   // Cluster i has entries in blocks[starts[i]] .. blocks[starts[i + 1] - 1].
   std::vector<std::uint32_t> starts, blocks;
 
-  std::span<const std::uint32_t> of(std::size_t cluster) const {
+  std::span<const std::uint32_t> of_cluster(std::size_t cluster) const {
     return std::span(blocks).subspan(starts[cluster], starts[cluster + 1] - starts[cluster]);
   }
 };

@@ -81,7 +81,7 @@ void place_draw(const Scene& scene, const View& view, std::uint32_t instance, Dr
 }
 
 // Changes draws to those of another eye that shares eye_from_world.
-void see_through(const View& eye, std::span<Draw> draws) {
+void set_clip_from_anchored(const View& eye, std::span<Draw> draws) {
   for (Draw& draw : draws) {
     draw.clip_from_anchored = round_to_float(eye.clip_from_eye * eye_from_anchored_of(draw));
   }
@@ -143,13 +143,13 @@ void fill_draw_lists(const Scene& scene, const PreparedScene& prepared,
   fill_draw_list(scene, prepared, *eyes.front(), lists.front());
   for (std::size_t eye = 1; eye < eyes.size(); ++eye) {
     lists[eye] = lists.front();
-    see_through(*eyes[eye], lists[eye].draws);
+    set_clip_from_anchored(*eyes[eye], lists[eye].draws);
   }
 }
 
 std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const View& other_eye) {
   std::vector<Draw> others = draws;
-  see_through(other_eye, others);
+  set_clip_from_anchored(other_eye, others);
   return others;
 }
 

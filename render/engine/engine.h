@@ -29,7 +29,7 @@ struct EyePicture {
   // A depth code for each pixel: only fragments behind it are drawn, and none where it is
   // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
   // blending.)
-  const Image<std::uint32_t>* behind = nullptr;
+  const Image<std::uint32_t>* behind_depth = nullptr;
 
   bool draws_over() const { return &color != &target.color; }
 };
@@ -67,7 +67,7 @@ struct PictureJob {
 
 // How many triangles of a pair were culled before its eyes, and how many of these an eye's frustum
 // shows (`lost`).
-struct NotSubmitted {
+struct PairCullCounts {
   std::uint64_t culled = 0, lost = 0;
 };
 
@@ -76,7 +76,7 @@ public:
   virtual ~Engine() = default;
 
   // Draws every picture of the job, with all its planes.
-  virtual NotSubmitted draw(const PictureJob& job) = 0;
+  virtual PairCullCounts draw(const PictureJob& job) = 0;
 
   // Whether the engine culls what StereoCulling::kCentre culls. For an engine that does not, the
   // reference draws such pictures.

@@ -77,7 +77,7 @@ InstanceGroup group_of_one(const Transform<World, Object>& world_from_object,
   return one;
 }
 
-void include(const InstanceGroup& one, InstanceGroup& group) {
+void extend_group(const InstanceGroup& one, InstanceGroup& group) {
   group.box.include(one.box);
   group.all_finite = group.all_finite && one.all_finite;
   group.reach = std::max(group.reach, one.reach);
@@ -131,7 +131,7 @@ InstanceGroups make_instance_groups(const Scene& scene, const std::vector<Prepar
   made.of_instance.resize(ones.size());
   for (std::size_t at = 0; at < along_curve.size(); ++at) {
     if (at % kGroupInstances == 0) made.groups.emplace_back();
-    include(ones[along_curve[at].second], made.groups.back());
+    extend_group(ones[along_curve[at].second], made.groups.back());
     made.of_instance[along_curve[at].second] = std::uint32_t(at / kGroupInstances);
   }
   return made;

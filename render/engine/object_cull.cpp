@@ -232,12 +232,12 @@ double slope_of(const ObjectCull::Row& row) {
 
 }  // namespace
 
-ObjectCull::Judgement ObjectCull::judge(const std::array<Point<Object>, 3>& triangle) const {
-  Judgement judged{test_back_face(triangle, viewer), std::numeric_limits<double>::infinity()};
-  BackFaceTest test = judged.test;
+ObjectCull::Evaluation ObjectCull::evaluate(const std::array<Point<Object>, 3>& triangle) const {
+  Evaluation evaluation{test_back_face(triangle, viewer), std::numeric_limits<double>::infinity()};
+  BackFaceTest test = evaluation.test;
   if (removes_fronts) test.value = -test.value;
   // If the value has the wrong sign, no margin can make the triangle certain to be culled.
-  if (!certainly_back(test, 0)) return judged;
+  if (!certainly_back(test, 0)) return evaluation;
 
   const std::array<double, 3> farthest = farthest_from_anchor(triangle, anchor);
   const double error_w = error_of(w, farthest);
@@ -249,12 +249,12 @@ ObjectCull::Judgement ObjectCull::judge(const std::array<Point<Object>, 3>& tria
   }
   const auto [low, high] = std::minmax({ws[0], ws[1], ws[2]});
   const double nearest = low - 2 * error_w, largest_w = high + error_w;
-  if (!(nearest > 0)) return judged;
+  if (!(nearest > 0)) return evaluation;
   const Extent across = extent_of(xs, error_of(x, farthest), error_w, nearest, half_width_px);
   const Extent down = extent_of(ys, error_of(y, farthest), error_w, nearest, half_height_px);
-  judged.margin = margin_of(*this, across, down, largest_w);
-  judged.removed = certainly_back(test, judged.margin);
-  return judged;
+  evaluation.margin = margin_of(*this, across, down, largest_w);
+  evaluation.removed = certainly_back(test, evaluation.margin);
+  return evaluation;
 }
 
 bool ObjectCull::removes_all(const Cluster& cluster) const {

@@ -35,7 +35,7 @@ struct ObjectCull {
   Vector<Object> anchor;
   double half_width_px = 0, half_height_px = 0;
 
-  struct Judgement {
+  struct Evaluation {
     BackFaceTest test;
     // The margin that snapping and float need; infinite where it was not needed, and where no bound
     // is known.
@@ -44,10 +44,10 @@ struct ObjectCull {
   };
   // The triangle's three corners as modelled. A triangle that is removed has them in front of the
   // eye; the caller must check that no plane cuts it.
-  Judgement judge(const std::array<Point<Object>, 3>& triangle) const;
+  Evaluation evaluate(const std::array<Point<Object>, 3>& triangle) const;
 
   bool removes(const std::array<Point<Object>, 3>& triangle) const {
-    return judge(triangle).removed;
+    return evaluate(triangle).removed;
   }
 
   // Whether each triangle of a cluster can be removed, by the cone of their normals and the box.

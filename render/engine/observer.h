@@ -22,7 +22,7 @@ struct FragmentStage;
 struct ReadyTriangle;
 
 // The result of a fragment.
-enum class Fate : std::uint8_t {
+enum class FragmentResult : std::uint8_t {
   kHidden,     // something nearer was there already
   kDiscarded,  // its alpha is below the material's cutoff
   kWritten,    // it is what the pixel shows, until something is drawn over it
@@ -75,7 +75,7 @@ public:
   virtual void divided(const ClipVertex& /*clip*/, NdcVertex& /*ndc*/) {}
 
   // The same vertex on the screen.
-  virtual void placed(const NdcVertex& /*ndc*/, ScreenVertex& /*screen*/) {}
+  virtual void mapped_to_screen(const NdcVertex& /*ndc*/, ScreenVertex& /*screen*/) {}
 
   // The polygon's vertices after snapping, and the vertex at which its fan begins.
   virtual void fanned(std::span<SnappedVertex> /*polygon*/, int& /*apex*/) {}
@@ -85,15 +85,15 @@ public:
                       std::optional<TriangleSetup>& /*setup*/) {}
 
   // Whether the viewer sees the piece's front, and whether it is culled.
-  virtual void faced(const TriangleSetup& /*setup*/, bool /*front*/, bool& /*culled*/) {}
+  virtual void facing_tested(const TriangleSetup& /*setup*/, bool /*front*/, bool& /*culled*/) {}
 
   // Called at the end of every triangle for which clipped() was called.
-  virtual void prepared(const Triangle& /*triangle*/) {}
+  virtual void triangle_finished(const Triangle& /*triangle*/) {}
 
   // ---- fragments ----
 
   // A piece before its fragments are drawn, with the attributes of its vertices.
-  virtual void ready(const ReadyTriangle& /*triangle*/) {}
+  virtual void piece_ready(const ReadyTriangle& /*triangle*/) {}
 
   // Returns the pixel centres that the piece covers, in the order in which they are drawn, with its
   // edge functions there. Null: the stage finds them itself. The pixels must be in the picture. Not
@@ -109,7 +109,7 @@ public:
                         std::uint32_t /*code*/, std::uint32_t /*stored*/, bool& /*in_front*/) {}
 
   // The attributes at the pixel, for a fragment that passed the depth test.
-  virtual void varied(const Fragment& /*fragment*/, Varyings& /*at*/) {}
+  virtual void attributes_interpolated(const Fragment& /*fragment*/, Varyings& /*at*/) {}
 
   // The surface's own colour: material times vertex colour times texture.
   virtual void textured(const Varyings& /*at*/, Rgba& /*surface*/) {}
@@ -124,8 +124,8 @@ public:
   virtual void encoded(const Fragment& /*fragment*/, const Rgba8& /*before*/, Rgba8& /*after*/) {}
 
   // Called at the end of every fragment for which compared() was called.
-  virtual void ended(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
-                     Fate /*fate*/) {}
+  virtual void fragment_finished(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
+                                 FragmentResult /*result*/) {}
 };
 
 // The observers of a run, in the order in which they are called. The first one may change the
@@ -137,16 +137,16 @@ public:
   Observers(Observer* one) { add(one); }  // null: no observer
   Observers(Observer* first, Observer* second) : Observers(first) { add(second); }
 
-  bool empty() const { return told_.empty(); }
-  Observer& first() const { return *told_.front(); }
-  auto begin() const { return told_.begin(); }
-  auto end() const { return told_.end(); }
+  bool empty() const { return observers_.empty(); }
+  Observer& first() const { return *observers_.front(); }
+  auto begin() const { return observers_.begin(); }
+  auto end() const { return observers_.end(); }
 
 private:
   void add(Observer* observer) {
-    if (observer != nullptr) told_.push_back(observer);
+    if (observer != nullptr) observers_.push_back(observer);
   }
-  std::vector<Observer*> told_;
+  std::vector<Observer*> observers_;
 };
 
 }  // namespace glassbox

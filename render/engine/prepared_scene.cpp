@@ -98,7 +98,7 @@ bool is_joined(const Mesh& mesh, const PreparedMesh& prepared, std::size_t insta
 
 }  // namespace
 
-PreparedScene prepare(const Scene& scene, Transfer transfer) {
+PreparedScene prepare_scene(const Scene& scene, Transfer transfer) {
   PreparedScene prepared;
   prepared.meshes.reserve(scene.meshes.size());
   std::vector<std::size_t> instances(scene.meshes.size());

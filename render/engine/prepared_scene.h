@@ -57,6 +57,6 @@ struct PreparedScene {
 
 // `transfer` decides how the halvings of textures are averaged: it must be the transfer of the
 // settings rendered with.
-PreparedScene prepare(const Scene& scene, Transfer transfer);
+PreparedScene prepare_scene(const Scene& scene, Transfer transfer);
 
 }  // namespace glassbox

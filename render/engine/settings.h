@@ -10,8 +10,8 @@ namespace glassbox {
 
 enum class Shading { kUnlit, kFlat, kGouraud, kPhong };
 
-// kColor: the picture. The others show one quantity instead of it; show.h describes how each is
-// coloured.
+// kColor: the picture. The others show one quantity instead of it; show_plane.h describes how each
+// is coloured.
 enum class Show { kColor, kDepth, kNormal, kUv, kId, kOverdraw };
 
 // Which faces are culled. kMaterial: back faces, except those of double-sided materials.
@@ -46,7 +46,7 @@ inline int samples_drawn(const RenderSettings& settings) {
 }
 
 // The same settings with one sample per pixel, at its centre.
-inline RenderSettings at_centres(RenderSettings settings) {
+inline RenderSettings with_one_sample(RenderSettings settings) {
   settings.samples = 1;
   return settings;
 }

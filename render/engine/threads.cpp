@@ -14,18 +14,18 @@ namespace glassbox {
 
 namespace {
 
-constexpr int kNobodyPrefers = 0;
-std::atomic<int> preferred = kNobodyPrefers;
+constexpr int kNoPreference = 0;
+std::atomic<int> preferred = kNoPreference;
 
 }  // namespace
 
 int default_threads() {
-  if (const int told = preferred; told != kNobodyPrefers) return told;
+  if (const int preference = preferred; preference != kNoPreference) return preference;
   return tbb::info::default_concurrency();
 }
 
 void prefer_threads(std::optional<int> threads) {
-  preferred = threads.value_or(kNobodyPrefers);
+  preferred = threads.value_or(kNoPreference);
 }
 
 // oneTBB uses the smallest limit in force. So there is one limit for the whole program and not one

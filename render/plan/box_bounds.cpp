@@ -7,7 +7,7 @@
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/clip.h>
-#include <glassbox/render/plan/box_place.h>
+#include <glassbox/render/plan/box_classification.h>
 
 namespace glassbox {
 

@@ -35,7 +35,7 @@ DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format);
 DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format);
 
 // A rectangle of pixels that contains all that is seen of the draw; it may extend beyond the
-// picture. Nothing if the box reaches the eye. `margin_px`: as for place_box.
+// picture. Nothing if the box reaches the eye. `margin_px`: as for classify_draw_box.
 std::optional<PixelRect> pixels_of_box(const Draw& draw, const View& view, double margin_px);
 
 }  // namespace glassbox

@@ -1,6 +1,6 @@
 #include <glassbox/render/plan/cluster_cull.h>
 
-#include <glassbox/render/plan/box_place.h>
+#include <glassbox/render/plan/box_classification.h>
 
 namespace glassbox {
 
@@ -16,16 +16,16 @@ ClusterCull::ClusterCull(const Draw& draw, const View& view, Cull cull, bool unc
   }
 }
 
-ClusterVerdict ClusterCull::judge(const Cluster& cluster) const {
+ClusterVerdict ClusterCull::classify(const Cluster& cluster) const {
   const Point<Object, double> p = centre_of(cluster);
   const Point<Object, double> centre{p.x - anchor_.x, p.y - anchor_.y, p.z - anchor_.z};
   const Vector<Object, double> half = half_size_of(cluster);
   for (const PlaneOverBoxes& edge : picture_edges_) {
-    if (edge.over(centre, half).greatest < 0) return ClusterVerdict::kOutside;
+    if (edge.distance_range(centre, half).greatest < 0) return ClusterVerdict::kOutside;
   }
   bool uncut = true;
   for (const PlaneOverBoxes& plane : clip_planes_) {
-    const auto [least, greatest] = plane.over(centre, half);
+    const auto [least, greatest] = plane.distance_range(centre, half);
     if (greatest < 0) return ClusterVerdict::kOutside;
     uncut = uncut && least >= 0;
   }

@@ -21,7 +21,7 @@ public:
   // `uncut`: no clipping plane cuts anything of the draw.
   ClusterCull(const Draw& draw, const View& view, Cull cull, bool uncut);
 
-  ClusterVerdict judge(const Cluster& cluster) const;
+  ClusterVerdict classify(const Cluster& cluster) const;
 
 private:
   Vector<Object, double> anchor_;

@@ -30,15 +30,15 @@ std::string in_all(const char* what, std::size_t count) {
 }
 
 // Names the owner of the box that the decision uses.
-const char* box_of(const BoxPlace& place) {
-  return place.of_group ? "the box of its group of instances" : "its box";
+const char* box_of(const BoxClassification& classification) {
+  return classification.of_group ? "the box of its group of instances" : "its box";
 }
 
 // ---- the stages, in order ----
 
 Decision whole_object(const Subject& s) {
   constexpr const char* kStage = "the whole draw";
-  const BoxPlace& place = s.method.place;
+  const BoxClassification& classification = s.method.classification;
   if (s.method.hidden) {
     const char* const where =
         "wherever its box may be visible, opaque triangles drawn before it are at least as near as "
@@ -46,19 +46,19 @@ Decision whole_object(const Subject& s) {
     return s.method.drawn ? needed(kStage, "the other eye may see it", where)
                           : left_out(kStage, where);
   }
-  if (place.outside_of == nullptr) {
+  if (classification.outside_of == nullptr) {
     return needed(kStage, s.draw.prepared->all_finite
                               ? fmt::format("{} is not entirely outside a plane of the frustum",
-                                            box_of(place))
+                                            box_of(classification))
                               : std::string("a position is not finite, so its box cannot be used"));
   }
   const std::string numbers =
-      fmt::format("outside it by at least {:.3g} in clip space", place.distance);
+      fmt::format("outside it by at least {:.3g} in clip space", classification.distance);
   if (!s.method.drawn) {
     return left_out(
         kStage,
         fmt::format("all corners of {}, rounding included, are outside a plane of the view: {}",
-                    box_of(place), place.outside_of),
+                    box_of(classification), classification.outside_of),
         numbers);
   }
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
@@ -106,23 +106,25 @@ Decision duplicate_vertices(const Subject& s) {
 
 Decision plane_tests(const Subject& s) {
   constexpr const char* kStage = "clip test of vertices";
-  const BoxPlace& place = s.method.place;
+  const BoxClassification& classification = s.method.classification;
   if (!s.method.test_planes) {
     return left_out(
-        kStage, fmt::format("{} is inside all clipping planes, rounding included", box_of(place)),
-        fmt::format("{:.3g} from the nearest of the near, eye and far planes", place.distance));
+        kStage,
+        fmt::format("{} is inside all clipping planes, rounding included", box_of(classification)),
+        fmt::format("{:.3g} from the nearest of the near, eye and far planes",
+                    classification.distance));
   }
-  if (place.inside) return needed(kStage, kNoPlan);
+  if (classification.inside) return needed(kStage, kNoPlan);
   return needed(kStage, "its box reaches one of the clipping planes",
                 in_all("positions", s.draw.mesh->positions.size()));
 }
 
 Decision side_clipping(const Subject& s) {
   constexpr const char* kStage = "clipping in x and y";
-  if (s.method.place.in_guard_band) {
+  if (s.method.classification.in_guard_band) {
     return left_out(kStage, fmt::format("{} is inside the guard band (32768 px around the centre), "
                                         "where the edge functions fit into integers",
-                                        box_of(s.method.place)));
+                                        box_of(s.method.classification)));
   }
   return needed(kStage, "its box may leave the guard band");
 }
@@ -398,7 +400,7 @@ std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
   return all;
 }
 
-std::string way_of(const DrawMethod& method) {
+std::string describe_method(const DrawMethod& method) {
   if (!method.drawn) return "not drawn";
   if (method.staged_because != nullptr) {
     return std::string("staged, tile by tile: ") + method.staged_because;

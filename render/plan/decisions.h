@@ -26,6 +26,6 @@ std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::si
 
 // Describes how the draw is drawn: "triangles over lanes", or "each triangle made ready by itself,
 // because ...".
-std::string way_of(const DrawMethod& method);
+std::string describe_method(const DrawMethod& method);
 
 }  // namespace glassbox

@@ -17,7 +17,7 @@ const char* why_staged(const RenderSettings& settings) {
   return nullptr;
 }
 
-bool shines(const Material& material) {
+bool is_specular(const Material& material) {
   return std::ranges::any_of(material.specular, [](float s) { return s != 0; });
 }
 
@@ -37,7 +37,8 @@ const char* why_no_clusters(const Draw& draw, const DrawMethod& method, bool lea
   if (!draw.mesh->lines.empty() || !draw.mesh->points.empty()) {
     return "lines or points share their vertices";
   }
-  if (method.place.inside && method.place.in_picture && method.keep_front && method.keep_back) {
+  if (method.classification.inside && method.classification.in_picture && method.keep_front &&
+      method.keep_back) {
     return "its box is inside the picture, and both sides of its faces are drawn";
   }
   if (may_overflow(anchored_box(draw), draw.clip_from_anchored)) return "a coordinate may overflow";
@@ -61,11 +62,11 @@ const char* why_alone(const Draw& draw, const DrawMethod& method, const RenderSe
   return nullptr;
 }
 
-void choose_vertex_stages(const Draw& draw, const BoxPlace& place, bool leave_out,
+void choose_vertex_stages(const Draw& draw, const BoxClassification& classification, bool leave_out,
                           DrawMethod& method) {
-  method.place = place;
-  method.drawn = !leave_out || place.outside_of == nullptr;
-  method.test_planes = !leave_out || !place.inside;
+  method.classification = classification;
+  method.drawn = !leave_out || classification.outside_of == nullptr;
+  method.test_planes = !leave_out || !classification.inside;
   method.divide = !leave_out || needs_divide(draw);
 }
 
@@ -83,7 +84,7 @@ void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettin
   const bool per_vertex =
       settings.shading == Shading::kFlat || settings.shading == Shading::kGouraud;
   method.light = per_vertex ? LightAt::kVertices : LightAt::kFragments;
-  method.highlights = !leave_out || shines(*draw.material);
+  method.highlights = !leave_out || is_specular(*draw.material);
   method.eye_positions = per_vertex || (method.highlights && lighting.perspective) ||
                          std::ranges::any_of(lighting.lights, depends_on_place);
 }
@@ -94,12 +95,13 @@ bool needs_divide(const Draw& draw) {
   return !draw.prepared->all_finite || !w_is_one(draw.clip_from_anchored);
 }
 
-DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQuestion& asked) {
-  const RenderSettings& settings = asked.settings;
-  const bool colors = asked.colors, leave_out = asked.leave_out;
+DrawMethod choose_method(const Draw& draw, const BoxClassification& classification,
+                         const MethodInputs& inputs) {
+  const RenderSettings& settings = inputs.settings;
+  const bool colors = inputs.colors, leave_out = inputs.leave_out;
   DrawMethod method;
   method.staged_because = why_staged(settings);
-  choose_vertex_stages(draw, place, leave_out, method);
+  choose_vertex_stages(draw, classification, leave_out, method);
   choose_order(draw, method);
 
   method.keep_front = !is_culled(draw, settings.cull, true);
@@ -112,7 +114,7 @@ DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQu
   method.texture = (painted || masked) && draw.texture != nullptr;
   method.vertex_colors = (painted || masked) && draw.prepared->indices.has_colors;
   if (colors && needs_normals(draw, settings)) {
-    choose_light(draw, asked.lighting, settings, leave_out, method);
+    choose_light(draw, inputs.lighting, settings, leave_out, method);
   }
   method.emission = method.light != LightAt::kNowhere && painted && (!leave_out || draw.emits());
   method.emission_texture = method.emission && draw.emission_texture != nullptr;

@@ -4,7 +4,7 @@
 #include <glassbox/raster/lanes/tables.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/engine/settings.h>
-#include <glassbox/render/plan/box_place.h>
+#include <glassbox/render/plan/box_classification.h>
 
 namespace glassbox {
 
@@ -29,9 +29,9 @@ struct DrawMethod {
   const char* alone_because = nullptr;
 
   // ---- vertices ----
-  BoxPlace place;       // of all vertices: the proof for the next two fields
-  bool hidden = false;  // all of it is behind earlier draws
-  bool drawn = true;    // otherwise no stage processes it
+  BoxClassification classification;  // of all vertices: the proof for the next two fields
+  bool hidden = false;               // all of it is behind earlier draws
+  bool drawn = true;                 // otherwise no stage processes it
   // It writes to the framebuffer, or is blended over what is there: it keeps its place in the
   // order, and the planes are kept up to date for it.
   bool into_framebuffer = false;
@@ -56,15 +56,16 @@ struct DrawMethod {
 };
 
 // The circumstances in which methods are chosen for a picture's draws.
-struct MethodQuestion {
+struct MethodInputs {
   const Lighting& lighting;
   const View& view;
   const RenderSettings& settings;
   bool colors = true;     // the colours are visible
   bool leave_out = true;  // leave out what the proofs allow; otherwise all possible stages run
 };
-// `place`: of the draw, or of its group of instances.
-DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQuestion& asked);
+// `classification`: of the draw, or of its group of instances.
+DrawMethod choose_method(const Draw& draw, const BoxClassification& classification,
+                         const MethodInputs& inputs);
 
 // Whether w may differ from 1.
 bool needs_divide(const Draw& draw);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include <glassbox/render/plan/box_bounds.h>
-#include <glassbox/render/plan/depth_cover.h>
+#include <glassbox/render/plan/occlusion_buffer.h>
 #include <glassbox/render/staged/reference.h>
 
 namespace glassbox {
@@ -34,7 +34,7 @@ std::vector<SampleOffset> points_of(const RenderSettings& settings) {
 }
 
 // The triangles of a draw, prepared as they will be drawn.
-std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& draw) {
+std::vector<ReadyTriangle> prepare_triangles(const PlannedEye& eye, const Draw& draw) {
   const PrimitiveStage stage{.draw = draw,
                              .clip = nullptr,
                              .eye_space = {},
@@ -46,7 +46,7 @@ std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& dr
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
   for (const Triangle& triangle : draw.triangulation->triangles) {
-    ready_triangle(stage, Nobody{}, triangle, ready, no_lines);
+    prepare_triangle(stage, NullWatch{}, triangle, ready, no_lines);
   }
   return ready;
 }
@@ -61,10 +61,10 @@ public:
         most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
 
   // `pixels`: the pixels that the draw's box reaches; nothing if the box reaches the eye.
-  bool hides(const Draw& draw, const DepthCodes& codes,
-             const std::optional<PixelRect>& pixels) const {
-    return cover_ && !cover_->covers_nothing() && is_filled(draw) && pixels &&
-           cover_->hides(*pixels, codes.nearest);
+  bool occludes(const Draw& draw, const DepthCodes& codes,
+                const std::optional<PixelRect>& pixels) const {
+    return occlusion_ && !occlusion_->covers_nothing() && is_filled(draw) && pixels &&
+           occlusion_->occludes(*pixels, codes.nearest);
   }
 
   void add(const Draw& draw, const std::optional<PixelRect>& pixels) {
@@ -74,36 +74,36 @@ public:
         work() + set_up > most_work_ || triangles > 2 * most_cells(pixels.value_or(window_))) {
       return;
     }
-    if (!cover_) cover_.emplace(window_, points_);
+    if (!occlusion_) occlusion_.emplace(window_, points_);
     work_ += set_up;
-    for (const ReadyTriangle& triangle : ready_triangles(eye_, draw)) {
+    for (const ReadyTriangle& triangle : prepare_triangles(eye_, draw)) {
       if (work() > most_work_) return;
-      cover_->add(triangle.setup, depth_codes(triangle.setup, eye_.settings.depth).farthest);
+      occlusion_->add(triangle.setup, depth_codes(triangle.setup, eye_.settings.depth).farthest);
     }
   }
 
 private:
-  std::size_t work() const { return work_ + (cover_ ? cover_->work() : 0); }
+  std::size_t work() const { return work_ + (occlusion_ ? occlusion_->work() : 0); }
 
   // The largest number of cells that something within `pixels` may cover.
   std::size_t most_cells(const PixelRect& pixels) const {
     const PixelRect seen = intersect(pixels, window_);
     if (seen.empty()) return 0;
-    return std::size_t((seen.x1 - seen.x0) / DepthCover::kCell) *
-           std::size_t((seen.y1 - seen.y0) / DepthCover::kCell);
+    return std::size_t((seen.x1 - seen.x0) / OcclusionBuffer::kCell) *
+           std::size_t((seen.y1 - seen.y0) / OcclusionBuffer::kCell);
   }
 
   const PlannedEye& eye_;
   PixelRect window_;
   std::vector<SampleOffset> points_;
-  std::optional<DepthCover> cover_;  // made when something may hide something
-  std::size_t work_ = 0;             // of setting up triangles
+  std::optional<OcclusionBuffer> occlusion_;  // made when something may hide something
+  std::size_t work_ = 0;                      // of setting up triangles
   std::size_t most_work_;
 };
 
 }  // namespace
 
-std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double margin_px) {
+std::vector<bool> find_hidden_draws(const PlannedEye& eye, const Plan& plan, double margin_px) {
   const std::vector<Draw>& draws = eye.list.draws;
   std::vector<bool> hidden(draws.size(), false);
   if (plan.order.size() < 2) return hidden;
@@ -115,7 +115,7 @@ std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double ma
     // A staged draw may draw lines (wireframe) instead of surfaces.
     if (plan.methods[i].staged_because != nullptr) break;
     const std::optional<PixelRect> pixels = pixels_of_box(draws[i], eye.view, margin_px);
-    hidden[i] = found.hides(draws[i], plan.codes[i], pixels);
+    hidden[i] = found.occludes(draws[i], plan.codes[i], pixels);
     if (!hidden[i]) found.add(draws[i], pixels);
   }
   return hidden;

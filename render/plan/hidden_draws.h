@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <glassbox/render/plan/box_place.h>
+#include <glassbox/render/plan/box_classification.h>
 #include <glassbox/render/plan/plan.h>
 
 namespace glassbox {
@@ -17,8 +17,9 @@ namespace glassbox {
 //
 // Only draws of few and large triangles are used to hide others here, and the search stops when it
 // has cost a quarter of what it would save if all draws were hidden (docs/plan.md has the numbers).
-// The plan must have the codes of its draws, and their order. `margin_px`: as for place_box.
-std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan,
-                              double margin_px = kOutsideMarginPx);
+// The plan must have the codes of its draws, and their order. `margin_px`: as for
+// classify_draw_box.
+std::vector<bool> find_hidden_draws(const PlannedEye& eye, const Plan& plan,
+                                    double margin_px = kOutsideMarginPx);
 
 }  // namespace glassbox

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include <glassbox/render/plan/draw_order.h>
-#include <glassbox/render/plan/group_place.h>
+#include <glassbox/render/plan/group_classifier.h>
 #include <glassbox/render/plan/hidden_draws.h>
 
 namespace glassbox {
@@ -32,8 +32,8 @@ bool sees_colors(const PlannedEye& eye) {
 
 // The part of the plan that is the same for all draws of a group, once it has been computed.
 struct GroupPlan {
-  bool asked = false;
-  std::optional<BoxPlace> place;  // none: each draw has to be tested
+  bool is_classified = false;
+  std::optional<BoxClassification> classification;  // none: each draw has to be tested
   std::optional<DepthCodes> codes;
   const Mesh* mesh = nullptr;  // the mesh that `method` is for
   DrawMethod method;
@@ -44,31 +44,32 @@ class PlannedGroups {
 public:
   explicit PlannedGroups(const PlannedEye& eye)
       : eye_(eye),
-        places_(eye.view),
+        classifier_(eye.view),
         plans_(eye.list.groups != nullptr ? eye.list.groups->groups.size() : 0) {}
 
   // Null: the draw has to be tested by itself.
-  const DrawMethod* method_of(const Draw& draw, const MethodQuestion& asked) {
+  const DrawMethod* method_of(const Draw& draw, const MethodInputs& inputs) {
     if (plans_.empty()) return nullptr;
     GroupPlan& plan = plan_of(draw);
-    if (!plan.asked) plan.place = places_.place(group_of(draw));
-    plan.asked = true;
-    if (!plan.place) return nullptr;
+    if (!plan.is_classified) plan.classification = classifier_.classify(group_of(draw));
+    plan.is_classified = true;
+    if (!plan.classification) return nullptr;
     if (plan.mesh != draw.mesh) {
       plan.mesh = draw.mesh;
-      plan.method = choose_method(draw, *plan.place, asked);
+      plan.method = choose_method(draw, *plan.classification, inputs);
     }
     // Whether w is 1 also depends on the matrix of each draw; in a perspective view it is never
     // known to be 1.
-    plan.method.divide = asked.view.perspective || needs_divide(draw);
+    plan.method.divide = inputs.view.perspective || needs_divide(draw);
     return &plan.method;
   }
 
   DepthCodes codes_of(const Draw& draw) {
     const DepthFormat format = eye_.settings.depth;
-    if (plans_.empty() || !plan_of(draw).place) return depth_codes(draw, eye_.view, format);
+    if (plans_.empty() || !plan_of(draw).classification)
+      return depth_codes(draw, eye_.view, format);
     GroupPlan& plan = plan_of(draw);
-    if (!plan.codes) plan.codes = places_.codes(group_of(draw), format);
+    if (!plan.codes) plan.codes = classifier_.codes(group_of(draw), format);
     return *plan.codes;
   }
 
@@ -82,7 +83,7 @@ private:
   GroupPlan& plan_of(const Draw& draw) { return plans_[index_of(draw)]; }
 
   const PlannedEye& eye_;
-  GroupPlaces places_;
+  GroupClassifier classifier_;
   std::vector<GroupPlan> plans_;
 };
 
@@ -94,15 +95,16 @@ Plan plan_draws(const PlannedEye& eye, bool leave_out) {
   if (leave_out) plan.channels = eye.settings.mask;
   plan.read_back = !leave_out;
   plan.keep_depth = !leave_out || eye.settings.want_depth;
-  const MethodQuestion asked{eye.list.lighting, eye.view, eye.settings, plan.colors, leave_out};
+  const MethodInputs inputs{eye.list.lighting, eye.view, eye.settings, plan.colors, leave_out};
   const std::vector<Draw>& draws = eye.list.draws;
   const bool ordered = leave_out && draws.size() > 1;
   plan.methods.reserve(draws.size());
   if (ordered) plan.codes.reserve(draws.size());
   for (const Draw& draw : draws) {
-    const DrawMethod* const of_group = leave_out ? groups.method_of(draw, asked) : nullptr;
-    plan.methods.push_back(
-        of_group != nullptr ? *of_group : choose_method(draw, place_box(draw, eye.view), asked));
+    const DrawMethod* const of_group = leave_out ? groups.method_of(draw, inputs) : nullptr;
+    plan.methods.push_back(of_group != nullptr
+                               ? *of_group
+                               : choose_method(draw, classify_draw_box(draw, eye.view), inputs));
     if (ordered) {
       plan.codes.push_back(plan.methods.back().drawn ? groups.codes_of(draw) : DepthCodes{});
     }
@@ -111,7 +113,7 @@ Plan plan_draws(const PlannedEye& eye, bool leave_out) {
 }
 
 // Makes the plans of all eyes agree: what is computed for one eye is computed for all.
-void make_agree(std::span<Plan> plans) {
+void unify_plans(std::span<Plan> plans) {
   for (std::size_t draw = 0; draw < plans.front().methods.size(); ++draw) {
     DrawMethod any = plans.front().methods[draw];
     for (const Plan& plan : plans) {
@@ -151,8 +153,8 @@ void order_draws(Plan& plan) {
 // all.
 void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
   for (std::size_t i = 0; i < eyes.size(); ++i) {
-    if (!plans[i].leaves_out || eyes[i].sees_through) return;
-    const std::vector<bool> hidden = find_hidden(eyes[i], plans[i]);
+    if (!plans[i].leaves_out || eyes[i].has_behind_depth) return;
+    const std::vector<bool> hidden = find_hidden_draws(eyes[i], plans[i]);
     if (std::ranges::find(hidden, true) == hidden.end()) return;  // this eye sees all of its draws
     for (std::size_t draw = 0; draw < hidden.size(); ++draw) {
       plans[i].methods[draw].hidden = hidden[draw];
@@ -175,7 +177,7 @@ void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans;
   for (const PlannedEye& eye : eyes) plans.push_back(plan_draws(eye, leave_out));
-  if (plans.size() > 1) make_agree(plans);
+  if (plans.size() > 1) unify_plans(plans);
   order_draws(plans.front());
   for (Plan& plan : std::span(plans).subspan(1)) {
     plan.order = plans.front().order;
@@ -192,7 +194,7 @@ void plan_picture(const Scene& scene, const PreparedScene& prepared,
   picture.eyes.clear();
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     picture.eyes.push_back(
-        {picture.lists[i], eyes[i].view, eyes[i].settings, eyes[i].behind != nullptr});
+        {picture.lists[i], eyes[i].view, eyes[i].settings, eyes[i].behind_depth != nullptr});
   }
   picture.plans = planner(picture.eyes, leave_out);
 }

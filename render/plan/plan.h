@@ -24,7 +24,7 @@ struct PlannedEye {
   const DrawList& list;
   const View& view;
   const RenderSettings& settings;
-  bool sees_through = false;  // EyePicture::behind is set: what is in front hides nothing
+  bool has_behind_depth = false;  // EyePicture::behind_depth is set: what is in front hides nothing
 };
 
 struct Plan {

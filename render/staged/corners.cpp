@@ -107,7 +107,7 @@ bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle, Clip
 }
 
 Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner) {
-  return corner_as_modelled(CornerTables{stage}, corner);
+  return modelled_corner_attributes(CornerTables{stage}, corner);
 }
 
 std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const Triangle& triangle,
@@ -116,14 +116,14 @@ std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const T
   std::array<Varyings, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner& corner = tables.mesh().corners[triangle.corners[k]];
-    vertices[k] = corner_of_face(tables, triangle.face, corner, front);
+    vertices[k] = face_corner_attributes(tables, triangle.face, corner, front);
   }
   return vertices;
 }
 
 Varyings attributes_at(const std::array<Varyings, 3>& corners,
                        const std::array<double, 3>& weights) {
-  return weighed(corners, weights);
+  return clipped_vertex_attributes(corners, weights);
 }
 
 }  // namespace glassbox

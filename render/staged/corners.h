@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox {
 

@@ -12,7 +12,7 @@
 #include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/samples.h>
 #include <glassbox/render/staged/fragment_color.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox {
 
@@ -36,7 +36,7 @@ template <class Watch>
 void interpolate_at(const Coverage& coverage, const FragmentStage& stage, const Watch& watch,
                     const TriangleSetup& setup, const Surface& surface, CoveredFragment& fragment) {
   fragment.place = interpolate(setup, coverage);
-  watch.tell(&Observer::interpolated, surface.source, coverage, fragment.place);
+  watch.notify(&Observer::interpolated, surface.source, coverage, fragment.place);
   fragment.centre_code = depth_code(stage.settings.depth, fragment.place.depth);
 }
 
@@ -67,7 +67,7 @@ void for_each_sampled_pixel(const FragmentStage& stage, const Watch& watch,
   for_each_sampled(setup, steps, stage.window, [&](const SampledPixel& pixel) {
     if (pixel.samples == 0 && !surface.has_centres) return;
     CoveredFragment fragment;
-    interpolate_at(shading_place(pixel, steps), stage, watch, setup, surface, fragment);
+    interpolate_at(shading_point(pixel, steps), stage, watch, setup, surface, fragment);
     fragment.centre = pixel.covers_centre && surface.has_centres;
     fragment.samples = pixel.samples;
     for_each_bit(pixel.samples, [&](std::size_t s) {
@@ -91,7 +91,7 @@ void for_each_fragment(const FragmentStage& stage, const Watch& watch, const Tri
 // Whether the fragment is discarded although nothing is in front of it, because it is not behind
 // the given depth. (kEmptyDepth is the largest code.)
 inline bool is_hidden(const FragmentStage& stage, const Fragment& place, std::uint32_t code) {
-  return stage.behind != nullptr && code <= stage.behind->at(place.x, place.y);
+  return stage.behind_depth != nullptr && code <= stage.behind_depth->at(place.x, place.y);
 }
 
 // Keeps of the fragment only what is in front of the stored depths.
@@ -100,7 +100,7 @@ void test_depth(const FragmentStage& stage, const Watch& watch, const FragmentSo
                 CoveredFragment& fragment) {
   const auto passes = [&](std::uint32_t code, std::uint32_t stored) {
     bool nearer = in_front(code, stored) && !is_hidden(stage, fragment.place, code);
-    watch.tell(&Observer::compared, source, fragment.place, code, stored, nearer);
+    watch.notify(&Observer::compared, source, fragment.place, code, stored, nearer);
     return nearer;
   };
   const int x = fragment.place.x, y = fragment.place.y;

@@ -7,12 +7,12 @@ namespace glassbox {
 
 namespace {
 
-bool unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcode>& outcodes) {
+bool is_unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcode>& outcodes) {
   std::array<Outcode, 3> codes;
   for (std::size_t k = 0; k < 3; ++k) {
     codes[k] = outcodes[draw.mesh->corners[triangle.corners[k]].position];
   }
-  return unseen_by_both(codes);
+  return is_outside_both_views(codes);
 }
 
 // How far outside the picture a line may be and still reach into it: a line colours samples at most
@@ -47,17 +47,17 @@ CullingList::CullingList(StereoCulling how, const View& centre, const std::vecto
   if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(left_draws, centre);
 }
 
-void CullingList::decide(std::size_t index, const ClipTable& left) {
+void CullingList::cull_draw(std::size_t index, const ClipTable& left) {
   const Draw& draw = left_draws_[index];
   const std::vector<Outcode> pair = outcodes_of_pair(right_draws_[index], left);
   const std::vector<Outcode> centre =
       centre_draws_.empty() ? std::vector<Outcode>{} : outcodes_of_centre(centre_draws_[index]);
   for (const Triangle& triangle : draw.triangulation->triangles) {
-    const bool unseen_by_pair = unseen(draw, triangle, pair);
-    const bool culled = centre.empty() ? unseen_by_pair : unseen(draw, triangle, centre);
+    const bool unseen_by_pair = is_unseen(draw, triangle, pair);
+    const bool culled = centre.empty() ? unseen_by_pair : is_unseen(draw, triangle, centre);
     if (!culled) kept_[index].push_back(triangle);
-    left_out_.culled += culled;
-    left_out_.lost += culled && !unseen_by_pair;
+    counts_.culled += culled;
+    counts_.lost += culled && !unseen_by_pair;
   }
 }
 

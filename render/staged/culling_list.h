@@ -19,10 +19,10 @@ public:
 
   // Decides which triangles of a draw are drawn; called once for each draw. `left` has the draw's
   // vertices for the left eye; for the right eye, which differs only in x, x is computed here.
-  void decide(std::size_t draw, const ClipTable& left);
+  void cull_draw(std::size_t draw, const ClipTable& left);
 
   std::span<const Triangle> triangles_of(std::size_t draw) const { return kept_[draw]; }
-  NotSubmitted left_out() const { return left_out_; }
+  PairCullCounts counts() const { return counts_; }
 
 private:
   // Returns the outcode of the point for the picture, with a margin if lines are drawn.
@@ -35,7 +35,7 @@ private:
   double share_x_ = 1, share_y_ = 1;  // relative size of the picture with its margin for lines
   std::vector<Draw> centre_draws_;    // empty with kUnion
   std::vector<std::vector<Triangle>> kept_;  // by draw
-  NotSubmitted left_out_;
+  PairCullCounts counts_;
 };
 
 }  // namespace glassbox

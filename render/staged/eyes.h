@@ -29,9 +29,9 @@ DrawTables transform_draw(const Draw& draw, const EyePicture& eye, const Watch& 
   return tables;
 }
 
-class EyeAlone {
+class SingleEye {
 public:
-  explicit EyeAlone(const std::vector<Draw>& draws) : draws_(draws) {}
+  explicit SingleEye(const std::vector<Draw>& draws) : draws_(draws) {}
 
   const std::vector<Draw>& draws() const { return draws_; }
   template <class Watch>
@@ -49,7 +49,7 @@ private:
 };
 
 // The data that the eyes of a pair share.
-struct SharedByPair {
+struct PairSharedData {
   std::vector<DrawTables> tables;      // by draw; x of clip space is not shared
   std::optional<CullingList> culling;  // absent: all triangles are submitted
 
@@ -59,9 +59,10 @@ struct SharedByPair {
   }
 };
 
-class FirstOfPair {
+class FirstEyeOfPair {
 public:
-  FirstOfPair(const std::vector<Draw>& draws, SharedByPair& pair) : draws_(draws), pair_(pair) {
+  FirstEyeOfPair(const std::vector<Draw>& draws, PairSharedData& pair)
+      : draws_(draws), pair_(pair) {
     pair_.tables.resize(draws.size());
   }
 
@@ -70,7 +71,7 @@ public:
   const DrawTables& vertices(std::size_t draw, const EyePicture& eye, const Watch& watch) {
     DrawTables& tables = pair_.tables[draw];
     tables = transform_draw(draws_[draw], eye, watch);
-    if (pair_.culling) pair_.culling->decide(draw, tables.clip);
+    if (pair_.culling) pair_.culling->cull_draw(draw, tables.clip);
     return tables;
   }
   std::span<const Triangle> triangles(std::size_t draw) const {
@@ -79,12 +80,13 @@ public:
 
 private:
   const std::vector<Draw>& draws_;
-  SharedByPair& pair_;
+  PairSharedData& pair_;
 };
 
-class SecondOfPair {
+class SecondEyeOfPair {
 public:
-  SecondOfPair(const std::vector<Draw>& draws, SharedByPair& pair) : draws_(draws), pair_(pair) {}
+  SecondEyeOfPair(const std::vector<Draw>& draws, PairSharedData& pair)
+      : draws_(draws), pair_(pair) {}
 
   const std::vector<Draw>& draws() const { return draws_; }
   template <class Watch>
@@ -103,7 +105,7 @@ public:
 
 private:
   const std::vector<Draw>& draws_;
-  SharedByPair& pair_;
+  PairSharedData& pair_;
 };
 
 }  // namespace glassbox

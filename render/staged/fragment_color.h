@@ -11,7 +11,7 @@
 #include <glassbox/raster/light_formulas.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/engine/observer.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox {
 
@@ -51,7 +51,7 @@ inline float detail_at(const MipChain& texture, const Surface& surface, const Va
 
 // A fragment of the staged reference, with the members that formulas/surface.h needs.
 template <class Watch>
-struct StagedFragment : UnwatchedFragment {
+struct StagedFragment : UnobservedFragment {
   using Float = float;
   static constexpr std::size_t kChannels = 3;
 
@@ -69,7 +69,7 @@ struct StagedFragment : UnwatchedFragment {
   SurfaceColorOf<float> look_up(const LazyMipChain& lazy, const Sampler& sampler) const {
     const MipChain& texture = lazy.get();
     const auto [r, g, b, a] =
-        sample(texture, sampler, at.texcoord, detail_at(texture, surface, at, fragment));
+        sample_mip_chain(texture, sampler, at.texcoord, detail_at(texture, surface, at, fragment));
     return {{r, g, b}, a};
   }
 
@@ -95,7 +95,7 @@ struct StagedFragment : UnwatchedFragment {
   std::array<float, 3> emission_texel() const {
     return look_up(*stage.draw.emission_texture, *stage.draw.emission_sampler).color;
   }
-  void emitted(std::array<float, 3>& own) const { watch.tell(&Observer::emitted, at, own); }
+  void emitted(std::array<float, 3>& own) const { watch.notify(&Observer::emitted, at, own); }
 };
 
 // Whether the fragment's alpha is below the material's cutoff.
@@ -136,16 +136,17 @@ FragmentColor fragment_color(const StagedFragment<Watch>& of, const Rgba& base) 
   const auto& [stage, watch, surface, at, fragment] = of;
   if (stage.settings.show == Show::kNormal) return {{}, picture_of_normal(at.normal)};
   if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
-  const auto [r, g, b] = shining(of, std::array<float, 3>{base.r, base.g, base.b});
+  const auto [r, g, b] = shaded_color(of, std::array<float, 3>{base.r, base.g, base.b});
   Rgba color{r, g, b, base.a};
-  watch.tell(&Observer::lit, at, base, color);
+  watch.notify(&Observer::lit, at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
   color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
   return {color, {}};
 }
 
 // Returns the bytes to store where `before` was stored.
-inline Rgba8 encoded(const FragmentStage& stage, const FragmentColor& color, const Rgba8& before) {
+inline Rgba8 encode_color(const FragmentStage& stage, const FragmentColor& color,
+                          const Rgba8& before) {
   if (color.quantity) return *color.quantity;
   if (stage.draw.material->alpha_mode == AlphaMode::kBlend) {
     return blend_over(stage.settings.transfer, color.light, before, stage.channels);

@@ -16,8 +16,8 @@ inline bool shows_color(const FragmentStage& stage, const CoveredFragment& fragm
 template <class Watch>
 void write_over(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
                 const FragmentColor& color, Rgba8& pixel) {
-  Rgba8 after = encoded(stage, color, pixel);
-  watch.tell(&Observer::encoded, fragment.place, pixel, after);
+  Rgba8 after = encode_color(stage, color, pixel);
+  watch.notify(&Observer::encoded, fragment.place, pixel, after);
   write_masked(stage.settings.mask, after, pixel);
 }
 

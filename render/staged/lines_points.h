@@ -25,7 +25,7 @@ void draw_centre(const FragmentStage& stage, const Watch& watch, const Surface& 
 
 // ---- samples ----
 
-inline ScreenVertex moved(const ScreenVertex& vertex, double x, double y) {
+inline ScreenVertex offset_vertex(const ScreenVertex& vertex, double x, double y) {
   ScreenVertex at = vertex;
   at.position.x = float(double(at.position.x) + x);
   at.position.y = float(double(at.position.y) + y);
@@ -61,7 +61,9 @@ void rasterise_samples(const FragmentStage& stage, const Watch& watch, const Rea
   if (length == 0) return;
   const double x = -dy / length / 2, y = dx / length / 2;  // half a pixel to each side
   const Varyings &at_a = line.vertices[0], &at_b = line.vertices[1];
-  rasterise_quad(stage, watch, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)},
+  rasterise_quad(stage, watch,
+                 {offset_vertex(a, x, y), offset_vertex(a, -x, -y), offset_vertex(b, -x, -y),
+                  offset_vertex(b, x, y)},
                  {&at_a, &at_a, &at_b, &at_b}, line.source);
 }
 
@@ -69,10 +71,10 @@ template <class Watch>
 void rasterise_samples(const FragmentStage& stage, const Watch& watch, const ReadyPoint& point) {
   const ScreenVertex& p = point.position;
   const Varyings& at = point.vertex;
-  rasterise_quad(
-      stage, watch,
-      {moved(p, -0.5, -0.5), moved(p, 0.5, -0.5), moved(p, 0.5, 0.5), moved(p, -0.5, 0.5)},
-      {&at, &at, &at, &at}, point.source);
+  rasterise_quad(stage, watch,
+                 {offset_vertex(p, -0.5, -0.5), offset_vertex(p, 0.5, -0.5),
+                  offset_vertex(p, 0.5, 0.5), offset_vertex(p, -0.5, 0.5)},
+                 {&at, &at, &at, &at}, point.source);
 }
 
 // ---- lines and points ----

@@ -15,32 +15,32 @@
 #include <glassbox/render/staged/covered_fragments.h>
 #include <glassbox/render/staged/fragment_color.h>
 #include <glassbox/render/staged/fragment_write.h>
-#include <glassbox/render/staged/ready_lines.h>
+#include <glassbox/render/staged/prepare_lines.h>
 
 namespace glassbox {
 
 // Appends what is left of a triangle of the mesh: nothing, the triangle itself, or the fan of its
 // clipped polygon. With RenderSettings::wireframe its edges are appended to `lines` instead.
 template <class Watch>
-void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
-                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
+void prepare_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
+                      std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
   const ClipVerdict verdict = trivial_verdict(codes);
   if (is_culled_early(stage, triangle, verdict)) return watch.count_culled_early();
   ClipPolygon polygon = clip_to_view(stage, corners, verdict);  // clip
   watch.count_clipped(verdict, polygon);
-  watch.tell(&Observer::clipped, stage, triangle, corners, polygon);
+  watch.notify(&Observer::clipped, stage, triangle, corners, polygon);
 
   const std::size_t count = std::size_t(polygon.count);
   std::array<ScreenVertex, kMaxClipVertices> screen;
   std::array<SnappedVertex, kMaxClipVertices> snapped;
   for (std::size_t k = 0; k < count; ++k) {
-    screen[k] = on_screen(stage, watch, polygon.vertices[k]);  // divide, viewport
-    snapped[k] = snap(screen[k]);                              // snap
+    screen[k] = screen_vertex_of(stage, watch, polygon.vertices[k]);  // divide, viewport
+    snapped[k] = snap(screen[k]);                                     // snap
   }
   int apex = fan_apex(std::span(snapped).first(count));
-  watch.tell(&Observer::fanned, std::span(snapped).first(count), apex);
+  watch.notify(&Observer::fanned, std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
   // The attributes of the corners, for the side of the first piece that is not culled.
@@ -51,12 +51,12 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
                                                screen[piece[2]]};
     std::optional<TriangleSetup> setup = setup_triangle(  // set up
         vertices, {snapped[piece[0]], snapped[piece[1]], snapped[piece[2]]});
-    watch.tell(&Observer::set_up, std::uint32_t(i), vertices, setup);
+    watch.notify(&Observer::set_up, std::uint32_t(i), vertices, setup);
     watch.count_set_up(setup);
     if (!setup) continue;
     const bool front = shows_front(stage.draw, *setup);
     bool culled = is_culled(stage.draw, stage.settings.cull, front);  // cull
-    watch.tell(&Observer::faced, *setup, front, culled);
+    watch.notify(&Observer::facing_tested, *setup, front, culled);
     watch.count_faced(culled);
     if (culled) continue;
     if (!visible) visible = triangle_attributes(stage, triangle, front);
@@ -69,39 +69,39 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     triangles.push_back(ready);
   }
   if (stage.settings.wireframe && visible) {
-    ready_edges(stage, watch, corners, *visible, number, lines);
+    prepare_edges(stage, watch, corners, *visible, number, lines);
   }
-  watch.tell(&Observer::prepared, triangle);
+  watch.notify(&Observer::triangle_finished, triangle);
 }
 
 // Takes a fragment from the depth test to the pixel, or with several samples to the samples that it
 // covers.
 template <class Watch>
-Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
-                   CoveredFragment& fragment) {
+FragmentResult draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                             CoveredFragment& fragment) {
   test_depth(stage, watch, surface.source, fragment);  // depth test
-  if (fragment.is_empty()) return Fate::kHidden;
+  if (fragment.is_empty()) return FragmentResult::kHidden;
   Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
-  watch.tell(&Observer::varied, fragment.place, at);
+  watch.notify(&Observer::attributes_interpolated, fragment.place, at);
   const StagedFragment<Watch> of{{}, stage, watch, surface, at, fragment.place};
   const auto [own, alpha] = surface_color(of);  // texture
   Rgba base{own[0], own[1], own[2], alpha};
-  watch.tell(&Observer::textured, at, base);
-  if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
+  watch.notify(&Observer::textured, at, base);
+  if (is_discarded(*stage.draw.material, base)) return FragmentResult::kDiscarded;
   const bool blended = is_blended(stage);
   if (shows_color(stage, fragment)) {
     write_color(stage, watch, fragment, fragment_color(of, base), !blended);  // light, blend, write
   }
   if (fragment.centre) write_planes(stage, fragment, surface.id, !blended);
-  return blended ? Fate::kBlended : Fate::kWritten;
+  return blended ? FragmentResult::kBlended : FragmentResult::kWritten;
 }
 
 template <class Watch>
 void finish_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
                      CoveredFragment& fragment) {
-  const Fate fate = draw_fragment(stage, watch, surface, fragment);
-  watch.count_ended(fate);
-  watch.tell(&Observer::ended, surface.source, fragment.place, fate);
+  const FragmentResult result = draw_fragment(stage, watch, surface, fragment);
+  watch.count_finished(result);
+  watch.notify(&Observer::fragment_finished, surface.source, fragment.place, result);
 }
 
 template <class Watch>
@@ -114,7 +114,7 @@ void rasterise_surface(const FragmentStage& stage, const Watch& watch, const Tri
 
 template <class Watch>
 void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyTriangle& triangle) {
-  watch.tell(&Observer::ready, triangle);
+  watch.notify(&Observer::piece_ready, triangle);
   rasterise_surface(stage, watch, triangle.setup, surface_of(stage, triangle));
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/engine/show.h>
+#include <glassbox/render/engine/show_plane.h>
 #include <glassbox/render/engine/stopwatch.h>
 #include <glassbox/render/staged/eyes.h>
 #include <glassbox/render/staged/lines_points.h>
@@ -15,7 +15,7 @@ namespace glassbox {
 
 namespace {
 
-PixelRect whole(const Image<Rgba8>& picture) {
+PixelRect picture_rect(const Image<Rgba8>& picture) {
   return {0, 0, picture.width, picture.height};
 }
 
@@ -43,10 +43,11 @@ struct DrawStages {
 
 // An observer is called for every triangle in all stages, so nothing is culled early for it; the
 // bytes are the same.
-std::optional<ObjectCull> early_culling(const Counting&, const Draw& draw, const EyePicture& eye) {
+std::optional<ObjectCull> early_culling(const CountingWatch&, const Draw& draw,
+                                        const EyePicture& eye) {
   return object_culling(draw, eye.view, eye.settings).test;
 }
-std::optional<ObjectCull> early_culling(const Observed&, const Draw&, const EyePicture&) {
+std::optional<ObjectCull> early_culling(const ObserverWatch&, const Draw&, const EyePicture&) {
   return std::nullopt;
 }
 
@@ -69,9 +70,9 @@ DrawStages<Watch> make_stages(const Draw& draw, const EyePicture& eye, const Lig
                         .lighting = lighting,
                         .target = eye.target,
                         .color = eye.color,
-                        .window = whole(eye.color),
+                        .window = picture_rect(eye.color),
                         .samples = samples.empty() ? nullptr : &samples,
-                        .behind = eye.behind},
+                        .behind_depth = eye.behind_depth},
           .watch = watch,
           .statistics = eye.statistics,
           .triangles = {},
@@ -88,7 +89,7 @@ void rasterise_all(const DrawStages<Watch>& stages, std::vector<Primitive>& prim
 }
 
 template <class Watch>
-void rasterise_ready(DrawStages<Watch>& stages) {
+void rasterise_prepared(DrawStages<Watch>& stages) {
   const Stopwatch stopwatch(stages.statistics.fragment_ms);
   rasterise_all(stages, stages.triangles);
   rasterise_all(stages, stages.lines);
@@ -96,10 +97,10 @@ void rasterise_ready(DrawStages<Watch>& stages) {
 }
 
 template <class Watch>
-void ready_batch(DrawStages<Watch>& stages, std::span<const Triangle> batch) {
+void prepare_batch(DrawStages<Watch>& stages, std::span<const Triangle> batch) {
   const Stopwatch stopwatch(stages.statistics.triangle_ms);
   for (const Triangle& triangle : batch) {
-    ready_triangle(stages.primitives, stages.watch, triangle, stages.triangles, stages.lines);
+    prepare_triangle(stages.primitives, stages.watch, triangle, stages.triangles, stages.lines);
   }
 }
 
@@ -109,16 +110,16 @@ template <class Watch>
 void draw_primitives(DrawStages<Watch>& stages, std::span<const Triangle> triangles,
                      const Mesh& mesh) {
   for (std::size_t at = 0; at < triangles.size(); at += kTriangleBatch) {
-    ready_batch(stages, triangles.subspan(at, std::min(kTriangleBatch, triangles.size() - at)));
-    rasterise_ready(stages);
+    prepare_batch(stages, triangles.subspan(at, std::min(kTriangleBatch, triangles.size() - at)));
+    rasterise_prepared(stages);
   }
   for (std::uint32_t i = 0; i < mesh.lines.size(); ++i) {
-    ready_line(stages.primitives, stages.watch, i, stages.lines);
+    prepare_line(stages.primitives, stages.watch, i, stages.lines);
   }
   for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
-    ready_point(stages.primitives, stages.watch, i, stages.points);
+    prepare_point(stages.primitives, stages.watch, i, stages.points);
   }
-  rasterise_ready(stages);
+  rasterise_prepared(stages);
 }
 
 // ---- the run ----
@@ -139,43 +140,43 @@ void draw_eye(const EyePicture& picture, Eye eye, const Lighting& lighting, cons
   for (std::size_t i = 0; i < eye.draws().size(); ++i) {
     const Draw& draw = eye.draws()[i];
     count_input(draw, picture.statistics);
-    watch.tell(&Observer::draw, draw);
+    watch.notify(&Observer::draw, draw);
     const DrawTables& tables = eye.vertices(i, picture, watch);
     DrawStages<Watch> stages = make_stages(draw, picture, lighting, tables, watch);
     draw_primitives(stages, eye.triangles(i), *draw.mesh);
   }
   resolve_samples(picture.settings, picture.target, picture.color);
-  show(picture.settings.show, picture.target);
+  show_plane(picture.settings.show, picture.target);
 }
 
 // Chooses the type of `watch` once for the whole picture.
 template <class Eye>
 void draw_watched(const EyePicture& picture, const Eye& eye, const Lighting& lighting) {
   if (picture.observers.empty()) {
-    draw_eye(picture, eye, lighting, Counting(picture.statistics));
+    draw_eye(picture, eye, lighting, CountingWatch(picture.statistics));
   } else {
-    draw_eye(picture, eye, lighting, Observed(picture.statistics, picture.observers));
+    draw_eye(picture, eye, lighting, ObserverWatch(picture.statistics, picture.observers));
   }
 }
 
-NotSubmitted draw_pair(const PictureJob& job, const DrawList& list) {
+PairCullCounts draw_pair(const PictureJob& job, const DrawList& list) {
   const EyePicture &left = job.eyes[0], &right = job.eyes[1];
   const std::vector<Draw> right_draws = draws_of_other_eye(list.draws, right.view);
-  SharedByPair pair;
+  PairSharedData pair;
   if (job.culling != nullptr) {
     pair.culling.emplace(job.culling->how, job.culling->centre, list.draws, right_draws,
                          left.settings.wireframe);
   }
-  draw_watched(left, FirstOfPair(list.draws, pair), list.lighting);
-  draw_watched(right, SecondOfPair(right_draws, pair), list.lighting);
-  const NotSubmitted left_out = pair.culling ? pair.culling->left_out() : NotSubmitted{};
+  draw_watched(left, FirstEyeOfPair(list.draws, pair), list.lighting);
+  draw_watched(right, SecondEyeOfPair(right_draws, pair), list.lighting);
+  const PairCullCounts left_out = pair.culling ? pair.culling->counts() : PairCullCounts{};
   for (const EyePicture& eye : job.eyes) eye.statistics.rejected += left_out.culled;
   return left_out;
 }
 
 }  // namespace
 
-NotSubmitted StagedEngine::draw(const PictureJob& job) {
+PairCullCounts StagedEngine::draw(const PictureJob& job) {
   for (const EyePicture& eye : job.eyes) eye.statistics = {};
   const EyePicture& first = job.eyes.front();
   DrawList list;
@@ -184,7 +185,7 @@ NotSubmitted StagedEngine::draw(const PictureJob& job) {
     list = make_draw_list(job.scene, job.prepared, first.view);
   }
   if (job.eyes.size() > 1) return draw_pair(job, list);
-  draw_watched(first, EyeAlone(list.draws), list.lighting);
+  draw_watched(first, SingleEye(list.draws), list.lighting);
   return {};
 }
 
@@ -195,7 +196,7 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
   PreparedScene prepared;
   {
     const Stopwatch stopwatch(prepare_ms);
-    prepared = prepare(scene, settings.transfer);
+    prepared = prepare_scene(scene, settings.transfer);
   }
   Framebuffer& buffers = rendering.buffers;
   const EyePicture eye{view, settings, buffers, buffers.color, rendering.statistics, observers};

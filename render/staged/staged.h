@@ -16,7 +16,7 @@ inline constexpr std::size_t kTriangleBatch = 1024;
 // reuses what is the same for both eyes: y, z and w of clip space, and eye space (S0-03).
 class StagedEngine : public Engine {
 public:
-  NotSubmitted draw(const PictureJob& job) override;
+  PairCullCounts draw(const PictureJob& job) override;
   bool culls_as_centre() const override { return true; }
 };
 

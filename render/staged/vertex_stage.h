@@ -24,7 +24,7 @@ struct ClipTable {
 Point<Clip> project_vertex(const Draw& draw, std::uint32_t index);
 float project_x(const Draw& draw, std::uint32_t index);
 
-template <class Watch = Nobody>
+template <class Watch = NullWatch>
 ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watch = {}) {
   const auto planes = render_planes(view);
   const std::vector<Point<Object>>& positions = draw.mesh->positions;
@@ -33,7 +33,7 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
   table.outcodes.reserve(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     Point<Clip> clip = project_vertex(draw, i);
-    watch.tell(&Observer::projected, draw, i, clip);
+    watch.notify(&Observer::projected, draw, i, clip);
     table.positions.push_back(clip);
     table.outcodes.push_back(outcode(clip, planes));
   }
@@ -42,14 +42,14 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
 
 // The same for a stereo pair's other eye, from the first eye's table. The skew moves x alone
 // (S0-03): y, z and w are copied, and equal the result of projecting again.
-template <class Watch = Nobody>
+template <class Watch = NullWatch>
 ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipTable table,
                             const Watch& watch = {}) {
   const auto planes = render_planes(other_view);
   for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
     Point<Clip>& clip = table.positions[i];
     clip.x = project_x(other_eye, i);
-    watch.tell(&Observer::projected, other_eye, i, clip);
+    watch.notify(&Observer::projected, other_eye, i, clip);
     table.outcodes[i] = outcode(clip, planes);
   }
   return table;

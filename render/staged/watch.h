@@ -1,7 +1,7 @@
 // The types that watch a run of the staged stages: one does nothing, one counts, and one counts and
 // calls observers. Methods that do nothing cost nothing.
 //
-// A stage passes its result to the observers in one line, tell(&Observer::divided, ...), with the
+// A stage passes its result to the observers in one line, notify(&Observer::divided, ...), with the
 // method of Observer to call. A result that is counted in the statistics is passed to a count_...()
 // method in a line of its own.
 #pragma once
@@ -14,23 +14,23 @@
 
 namespace glassbox {
 
-struct Nobody {
+struct NullWatch {
   template <class... Parameters, class... Arguments>
-  void tell(void (Observer::*)(Parameters...), Arguments&&...) const {}
+  void notify(void (Observer::*)(Parameters...), Arguments&&...) const {}
   static constexpr const std::vector<Coverage>* covered(const FragmentSource&) { return nullptr; }
 
   void count_culled_early() const {}
   void count_clipped(ClipVerdict, const ClipPolygon&) const {}
   void count_set_up(const std::optional<TriangleSetup>&) const {}
   void count_faced(bool /*culled*/) const {}
-  void count_ended(Fate) const {}
+  void count_finished(FragmentResult) const {}
 };
 
 // Counts the results of the stages.
-struct Counting : Nobody {
+struct CountingWatch : NullWatch {
   Statistics& statistics;
 
-  explicit Counting(Statistics& counts) : statistics(counts) {}
+  explicit CountingWatch(Statistics& counts) : statistics(counts) {}
 
   void count_culled_early() const { ++statistics.culled_early; }
   void count_clipped(ClipVerdict verdict, const ClipPolygon& polygon) const {
@@ -50,34 +50,35 @@ struct Counting : Nobody {
     if (!setup) ++statistics.zero_area;
   }
   void count_faced(bool culled) const { ++(culled ? statistics.culled : statistics.set_up); }
-  void count_ended(Fate fate) const {
+  void count_finished(FragmentResult result) const {
     ++statistics.covered;
-    switch (fate) {
-      case Fate::kHidden:
+    switch (result) {
+      case FragmentResult::kHidden:
         ++statistics.depth_failed;
         break;
-      case Fate::kDiscarded:
+      case FragmentResult::kDiscarded:
         ++statistics.discarded;
         break;
-      case Fate::kBlended:
+      case FragmentResult::kBlended:
         ++statistics.blended;
         [[fallthrough]];
-      case Fate::kWritten:
+      case FragmentResult::kWritten:
         ++statistics.written;
         break;
     }
   }
 };
 
-// Counts, and calls observers, which may change what a stage has made. If the call of tell() comes
-// before the counting, the changed result is counted.
-struct Observed : Counting {
+// Counts, and calls observers, which may change what a stage has made. If the call of notify()
+// comes before the counting, the changed result is counted.
+struct ObserverWatch : CountingWatch {
   const Observers& observers;  // at least one
 
-  Observed(Statistics& counts, const Observers& told) : Counting(counts), observers(told) {}
+  ObserverWatch(Statistics& counts, const Observers& called)
+      : CountingWatch(counts), observers(called) {}
 
   template <class... Parameters, class... Arguments>
-  void tell(void (Observer::*what)(Parameters...), Arguments&&... arguments) const {
+  void notify(void (Observer::*what)(Parameters...), Arguments&&... arguments) const {
     for (Observer* observer : observers) (observer->*what)(arguments...);
   }
   const std::vector<Coverage>* covered(const FragmentSource& source) const {

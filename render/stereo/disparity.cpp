@@ -42,7 +42,7 @@ Image<float> disparity_map(const View& centre, const StereoPair& pair,
   return disparity;
 }
 
-DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& budget) {
+DisparitySummary summarise_disparity(const Image<float>& disparity, const ParallaxBudget& budget) {
   // The budget is rounded as the disparities are, so that a disparity within the budget stays
   // within it.
   const float in_front = float(budget.in_front_px), behind = float(budget.behind_px);
@@ -60,7 +60,7 @@ DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& 
 }
 
 DisparityHistogram histogram_of(const Image<float>& disparity, int most_bins) {
-  const DisparitySummary ends = summarise(disparity, {});
+  const DisparitySummary ends = summarise_disparity(disparity, {});
   if (ends.drawn == 0) return {};
   DisparityHistogram histogram;
   histogram.bin_px = bin_width(ends.least_px, ends.greatest_px, most_bins);

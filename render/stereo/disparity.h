@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <glassbox/images/image.h>
-#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/pipeline/view.h>
 
@@ -32,7 +32,7 @@ struct DisparitySummary {
     return drawn == 0 ? 0 : double(too_near + too_far) / double(drawn);
   }
 };
-DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& budget);
+DisparitySummary summarise_disparity(const Image<float>& disparity, const ParallaxBudget& budget);
 
 // A histogram of disparities. Bin i contains those from first_px + i bin_px up to, but not
 // including, the next bin's. The window is at the edge of a bin, so no bin contains both

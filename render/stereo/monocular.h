@@ -8,17 +8,17 @@
 namespace glassbox {
 
 // Whether the other eye sees the point that a pixel shows.
-enum class OtherEye : std::uint8_t {
+enum class OtherEyeVisibility : std::uint8_t {
   kNothingDrawn,  // there is no point
-  kSeesIt,
-  kBesideIt,  // the point is outside the other eye's picture
-  kHidden,    // something nearer is in front of it
-  kMissing,   // the other picture shows something farther there, or nothing
+  kVisible,
+  kOutsidePicture,  // the point is outside the other eye's picture
+  kHidden,          // something nearer is in front of it
+  kMissing,         // the other picture shows something farther there, or nothing
 };
 
 // For the left eye's pixels and for the right eye's.
 struct MonocularMaps {
-  Image<OtherEye> left, right;
+  Image<OtherEyeVisibility> left, right;
 };
 
 // Finds for each pixel of both eyes whether the other eye sees its point.
@@ -40,6 +40,6 @@ struct MonocularCounts {
   std::uint64_t beside = 0, hidden = 0, missing = 0;
   std::uint64_t all() const { return beside + hidden + missing; }
 };
-MonocularCounts count(const Image<OtherEye>& map);
+MonocularCounts count_monocular(const Image<OtherEyeVisibility>& map);
 
 }  // namespace glassbox

@@ -68,7 +68,7 @@ public:
     const std::array<EyePicture, 2> eyes{
         {{left_view_, left, into.left, into.left.color, into.left_statistics, observers_.left},
          {right_view_, right, into.right, right_color, into.right_statistics, observers_.right}}};
-    const NotSubmitted left_out = engine_for_culling().draw({scene_, prepared_, eyes, &culling_});
+    const PairCullCounts left_out = engine_for_culling().draw({scene_, prepared_, eyes, &culling_});
     into.culled = left_out.culled;
     into.lost = left_out.lost;
   }
@@ -129,8 +129,8 @@ StereoRendering render_pair(const Scene& scene, const View& centre, const Stereo
                             const StereoSettings& settings, const StereoObservers& observers) {
   StagedEngine engine;
   StereoRendering both;
-  render_pair(engine, scene, prepare(scene, settings.render.transfer), centre, pair, settings, both,
-              observers);
+  render_pair(engine, scene, prepare_scene(scene, settings.render.transfer), centre, pair, settings,
+              both, observers);
   return both;
 }
 
@@ -140,8 +140,8 @@ StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,
                                        const StereoObservers& observers) {
   StagedEngine engine;
   StereoRendering both;
-  render_masked_anaglyph(engine, scene, prepare(scene, settings.render.transfer), centre, pair,
-                         settings, masks, both, observers);
+  render_masked_anaglyph(engine, scene, prepare_scene(scene, settings.render.transfer), centre,
+                         pair, settings, masks, both, observers);
   return both;
 }
 

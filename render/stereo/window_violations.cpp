@@ -14,7 +14,7 @@ std::vector<std::uint64_t> ends_of_instances(const Scene& scene) {
   std::vector<std::uint64_t> of_mesh;
   for (const Mesh& mesh : scene.meshes) {
     std::uint64_t count = 0;
-    for (const Face& face : mesh.faces) count += numbers_of(face);
+    for (const Face& face : mesh.faces) count += triangle_number_count(face);
     of_mesh.push_back(count);
   }
   std::vector<std::uint64_t> ends;

@@ -6,10 +6,10 @@
 #include <glassbox/raster/point.h>
 #include <glassbox/raster/samples.h>
 #include <glassbox/raster/snap.h>
-#include <glassbox/render/staged/ready_lines.h>
+#include <glassbox/render/staged/prepare_lines.h>
 #include <glassbox/render/staged/reference.h>
 #include <glassbox/render/staged/watch.h>
-#include <glassbox/render/tile/round.h>
+#include <glassbox/render/tile/draw_round.h>
 
 namespace glassbox {
 
@@ -21,7 +21,7 @@ PixelRect tiles_between(TilePlace first, TilePlace last) {
 
 // Finds runs of entries that go to the same tiles. Neighbours in a mesh are often neighbours on the
 // screen, so most runs are longer than one.
-void find_runs(const Unsorted& from, std::vector<BinRun>& runs) {
+void find_runs(const UnsortedEntries& from, std::vector<BinRun>& runs) {
   runs.clear();
   for (std::size_t end = 0; end < from.count;) {
     const std::size_t begin = end;
@@ -32,7 +32,7 @@ void find_runs(const Unsorted& from, std::vector<BinRun>& runs) {
 }
 
 // Sorts entries into the chunk's bins by counting sort; within a bin they keep their order.
-void sort_into_bins(const Unsorted& from, Chunk& chunk) {
+void sort_into_bins(const UnsortedEntries& from, Chunk& chunk) {
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
   if (from.count == 0) return chunk.entries.clear();
@@ -86,7 +86,7 @@ void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Ch
 }
 
 // The pixels of which the triangle may cover something.
-PixelRect reach(const TileRun& run, const ReadyTriangle& triangle) {
+PixelRect covered_bounds(const TileRun& run, const ReadyTriangle& triangle) {
   const PixelRect& bounds = triangle.setup.bounds;
   return samples_drawn(run.settings) > 1 ? sampled_bounds(bounds) : bounds;
 }
@@ -152,7 +152,7 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
   if (!stage.object_cull) return nullptr;
   const Draw& draw = stage.draw;
   const std::uint32_t* indices = draw.prepared->indices.positions.data() + std::size_t(first) * 3;
-  std::int32_t* keep = at_least(chunk.keep, count + kMostLanes);
+  std::int32_t* keep = grow_to(chunk.keep, count + kMostLanes);
   for (std::uint32_t i = 0; i < count; ++i, indices += 3) {
     const auto needs_clipping = [&](int k) { return slot.screen[indices[k]].x == kNeedsClipping; };
     const auto position = [&](int k) { return draw.mesh->positions[indices[k]]; };
@@ -176,8 +176,8 @@ void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit
 
 // Returns the entries for the bins: the small triangles, and in the places of large ones what the
 // stages made of them.
-const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                                Chunk& chunk) {
+const UnsortedEntries& fill_from_lanes(const TileRun& run, const Kernels& kernels,
+                                       const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
   SelectJob job;
@@ -195,14 +195,14 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
   // one needs it.
   std::optional<PrimitiveStage> stage(primitive_stage(run, slot));
   SelectCounts counts;
-  Unsorted& found = chunk.selected;
+  UnsortedEntries& found = chunk.selected;
   const BinColumns selected = found.columns(chunk.count + kMostLanes);
   found.count = 0;
   for_each_drawn(slot, chunk, [&](std::size_t first, std::size_t count) {
     job.first = std::uint32_t(first);
     job.count = std::uint32_t(count);
     if (!job.all_large) job.keep = cull_early(*stage, slot, job.first, job.count, chunk);
-    found.count += kernels.select_triangles(job, selected.from(found.count), counts);
+    found.count += kernels.select_triangles(job, selected.starting_at(found.count), counts);
   });
   Statistics& s = chunk.statistics;
   s.after_clipping += counts.small;
@@ -213,7 +213,7 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
   const auto is_large = [](std::uint32_t entry) { return (entry & kLarge) != 0; };
   if (std::none_of(selected.entries, selected.entries + found.count, is_large)) return found;
 
-  const Counting watch(s);
+  const CountingWatch watch(s);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
   const std::vector<Triangle>& triangles = draw.triangulation->triangles;
@@ -228,9 +228,10 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
     if (of_draw != draw_of_stage) stage.emplace(primitive_stage(run, slot_of_draw(slot, of_draw)));
     draw_of_stage = of_draw;
     ready.clear();
-    ready_triangle(*stage, watch, triangles[triangle % triangles.size()], ready, no_lines);
+    prepare_triangle(*stage, watch, triangles[triangle % triangles.size()], ready, no_lines);
     for (const ReadyTriangle& triangle : ready) {
-      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), reach(run, triangle), chunk);
+      add_entry(run, kChunkEntryBit | std::uint32_t(chunk.large.size()),
+                covered_bounds(run, triangle), chunk);
       chunk.large.push_back(large_triangle(method, chunk.slot, triangle));
     }
   }
@@ -239,25 +240,25 @@ const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, cons
 
 // ---- the staged primitives ----
 
-const Unsorted& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
+const UnsortedEntries& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const PrimitiveStage stage = primitive_stage(run, slot);
-  const Counting watch(chunk.statistics);
+  const CountingWatch watch(chunk.statistics);
   if (chunk.kind == Chunk::Kind::kLinesAndPoints) {
     for (std::uint32_t i = 0; i < draw.mesh->lines.size(); ++i) {
-      ready_line(stage, watch, i, chunk.lines);
+      prepare_line(stage, watch, i, chunk.lines);
     }
     for (std::uint32_t i = 0; i < draw.mesh->points.size(); ++i) {
-      ready_point(stage, watch, i, chunk.points);
+      prepare_point(stage, watch, i, chunk.points);
     }
   }
   for (std::uint32_t i = 0; i < chunk.count; ++i) {
-    ready_triangle(stage, watch, draw.triangulation->triangles[chunk.first + i], chunk.triangles,
-                   chunk.lines);
+    prepare_triangle(stage, watch, draw.triangulation->triangles[chunk.first + i], chunk.triangles,
+                     chunk.lines);
   }
-  std::uint32_t entry = kOfChunk;
+  std::uint32_t entry = kChunkEntryBit;
   for (const ReadyTriangle& triangle : chunk.triangles) {
-    add_entry(run, entry++, reach(run, triangle), chunk);
+    add_entry(run, entry++, covered_bounds(run, triangle), chunk);
   }
   for (const ReadyLine& line : chunk.lines) {
     add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), chunk);
@@ -271,7 +272,7 @@ const Unsorted& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chu
 
 }  // namespace
 
-void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, Chunk& chunk) {
+void fill_chunk(const TileRun& run, const Kernels& kernels, const DrawRound& round, Chunk& chunk) {
   const DrawSlot& slot = round.slots[chunk.slot];
   chunk.large.clear();
   chunk.triangles.clear();

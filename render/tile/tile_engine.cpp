@@ -13,7 +13,7 @@
 
 #include <glassbox/render/engine/stopwatch.h>
 #include <glassbox/render/plan/plan.h>
-#include <glassbox/render/tile/round.h>
+#include <glassbox/render/tile/draw_round.h>
 #include <glassbox/render/tile/tile_pass.h>
 #include <glassbox/render/tile/tile_picture.h>
 
@@ -104,7 +104,7 @@ struct TileEngine::State {
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileMemory> memories;
   PlannedPicture planned;
-  std::array<Round, kMostEyes> rounds;  // by eye; what both share is in the first one
+  std::array<DrawRound, kMostEyes> rounds;  // by eye; what both share is in the first one
   std::vector<VertexTask> vertex_tasks;
   TileReport* report = nullptr;  // of the picture being drawn; null if none is wanted
   tbb::enumerable_thread_specific<TileReport::Thread> at_work;
@@ -122,14 +122,14 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
     const DrawSlot& last = slots.back();
     return last.*begin + last.draws.size() * last.*of_draw;
   };
-  at_least(tables.normals, entries(&DrawSlot::first_normal, &DrawSlot::normals));
-  at_least(tables.eye_positions, entries(&DrawSlot::first_eye_position, &DrawSlot::eye_positions));
+  grow_to(tables.normals, entries(&DrawSlot::first_normal, &DrawSlot::normals));
+  grow_to(tables.eye_positions, entries(&DrawSlot::first_eye_position, &DrawSlot::eye_positions));
   for (DrawSlot& slot : slots) set_eye_space(run, tables, slot);
   const std::size_t positions = entries(&DrawSlot::first_position, &DrawSlot::positions);
   for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
-    Round& round = rounds[eye];
+    DrawRound& round = rounds[eye];
     if (eye > 0) round.slots = slots;
-    SnappedEntry* screen = at_least(round.tables.screen, positions);
+    SnappedEntry* screen = grow_to(round.tables.screen, positions);
     for (DrawSlot& slot : round.slots) slot.screen = screen + slot.first_position;
   }
   return end;
@@ -138,10 +138,10 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
 void TileEngine::State::cull_clusters(const Pictures& pictures) {
   for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
     const TileRun& run = pictures[eye].run();
-    Round& round = rounds[eye];
+    DrawRound& round = rounds[eye];
     begin_clusters(run, round);
     for_each(&TileReport::Thread::vertex_ms, round.cluster_tasks.size(),
-             [&](std::size_t i) { judge_clusters(run, round, round.cluster_tasks[i]); });
+             [&](std::size_t i) { test_clusters(run, round, round.cluster_tasks[i]); });
     count_clusters(run, round, pictures[eye].statistics());
   }
   find_needed_vertices(pictures.front().run(), std::span(rounds).first(pictures.size()));
@@ -162,7 +162,7 @@ std::size_t count_needed(std::span<const std::uint8_t> needed, std::size_t table
 
 void TileEngine::State::transform_vertices(const Pictures& pictures) {
   const TileRun& run = pictures.front().run();
-  Round& round = rounds.front();
+  DrawRound& round = rounds.front();
   vertex_tasks.clear();
   const auto add_tasks = [&](VertexTask::Kind kind, std::uint32_t slot, std::size_t size) {
     if (size == 0) return;
@@ -204,7 +204,7 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
             transform_positions(run, kernels, slot, nullptr, round.tables, task.first, task.count);
           } else {
             const DrawSlot of_other = slot_of_draw(rounds.back().slots[task.slot], k);
-            const OtherEye other{pictures.back().run(), of_other};
+            const SecondEyeInputs other{pictures.back().run(), of_other};
             transform_positions(run, kernels, slot, &other, round.tables, task.first, task.count);
           }
           break;
@@ -222,7 +222,7 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
 namespace {
 
 // Makes the chunks that are to be filled.
-void begin_chunks(const TileRun& run, Round& round) {
+void begin_chunks(const TileRun& run, DrawRound& round) {
   round.chunk_count = 0;
   const auto add_chunk = [&](Chunk::Kind kind, std::uint32_t slot, std::uint32_t first,
                              std::uint32_t count) {
@@ -248,7 +248,7 @@ void begin_chunks(const TileRun& run, Round& round) {
   }
 }
 
-void list_large_triangles(Round& round) {
+void list_large_triangles(DrawRound& round) {
   round.large.clear();
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
     Chunk& chunk = round.chunks[i];
@@ -259,7 +259,7 @@ void list_large_triangles(Round& round) {
 
 // Lists the chunks of each tile, because in a scene of many draws a tile has something of few of
 // them.
-void list_chunks_of_tiles(const TileRun& run, Round& round) {
+void list_chunks_of_tiles(const TileRun& run, DrawRound& round) {
   for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();
   round.chunks_of_tile.resize(run.tile_count());
   for (std::uint32_t i = 0; i < round.chunk_count; ++i) {
@@ -280,7 +280,7 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
   const std::size_t eyes = pictures.size();
   for (std::size_t eye = 0; eye < eyes; ++eye) begin_chunks(pictures[eye].run(), rounds[eye]);
   for_each(&TileReport::Thread::triangle_ms, rounds.front().chunk_count * eyes, [&](std::size_t i) {
-    Round& round = rounds[i % eyes];
+    DrawRound& round = rounds[i % eyes];
     fill_chunk(pictures[i % eyes].run(), kernels, round, round.chunks[i / eyes]);
   });
   for (std::size_t eye = 0; eye < eyes; ++eye) {
@@ -315,7 +315,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
   tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
   for_each(&TileReport::Thread::fragment_ms, run.tile_count(), [&](std::size_t i) {
     TileMemory& memory = memories.local();
-    std::uint32_t* const both_eyes = shared ? at_least(memory.colors, tile_pixels) : nullptr;
+    std::uint32_t* const both_eyes = shared ? grow_to(memory.colors, tile_pixels) : nullptr;
     for (std::size_t eye = 0; eye < passes.size(); ++eye) {
       draw_tile(passes[eye], int(i) % across, int(i) / across, memory, both_eyes,
                 counts.local()[eye]);
@@ -333,7 +333,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
 namespace {
 
 // Adds a round's numbers to the report.
-void count_round(const Round& round, TileReport& report) {
+void count_round(const DrawRound& round, TileReport& report) {
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
     report.triangles += round.chunks[i].count;
     report.list_entries += round.chunks[i].entries.size();
@@ -353,7 +353,7 @@ std::uint64_t plane_bytes(const Framebuffer& f) {
 TileEngine::TileEngine(const TileOptions& options) : state_(std::make_unique<State>(options)) {}
 TileEngine::~TileEngine() = default;
 
-NotSubmitted TileEngine::draw(const PictureJob& job) {
+PairCullCounts TileEngine::draw(const PictureJob& job) {
   render(job.scene, job.prepared, job.eyes);
   return {};
 }
@@ -434,7 +434,7 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared, const
 Rendering render_tiled(const Scene& scene, const View& view, const RenderSettings& settings,
                        const TileOptions& options) {
   Rendering rendering;
-  const PreparedScene prepared = prepare(scene, settings.transfer);
+  const PreparedScene prepared = prepare_scene(scene, settings.transfer);
   TileEngine(options).render(scene, prepared, view, settings, rendering);
   return rendering;
 }

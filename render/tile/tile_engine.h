@@ -42,7 +42,7 @@ public:
 
   // The pictures of a pair share their vertices: for the other eye only x is computed anew. Nothing
   // is culled for both eyes beforehand.
-  NotSubmitted draw(const PictureJob& job) override;
+  PairCullCounts draw(const PictureJob& job) override;
 
   // The same as render_staged. `prepared` was made from the scene with the settings' transfer. The
   // numbers are added to `report` unless it is null; this costs two readings of the clock for each

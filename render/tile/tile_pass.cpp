@@ -25,10 +25,10 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
                             .color = pass.color,
                             .window = window,
                             .samples = samples,
-                            .behind = pass.behind};
-  const Counting watch(statistics);
+                            .behind_depth = pass.behind_depth};
+  const CountingWatch watch(statistics);
   for (const std::uint32_t entry : bin) {
-    std::size_t i = entry & ~kOfChunk;
+    std::size_t i = entry & ~kChunkEntryBit;
     if (i < chunk.triangles.size()) {
       rasterise(stage, watch, chunk.triangles[i]);
       continue;
@@ -96,7 +96,7 @@ private:
     begin_lanes(chunk);
     const DrawSlot& slot = pass_.round.slots[chunk.slot];
     const SmallJob job{slot.indices->positions.data(), slot.screen, slot.first_reference};
-    const auto is_large = [](std::uint32_t entry) { return (entry & kOfChunk) != 0; };
+    const auto is_large = [](std::uint32_t entry) { return (entry & kChunkEntryBit) != 0; };
     for (auto at = bin.begin(); at != bin.end();) {
       const auto large = std::find_if(at, bin.end(), is_large);
       if (large != at) {
@@ -105,7 +105,7 @@ private:
       }
       at = large;
       for (; at != bin.end() && is_large(*at); ++at) {
-        const std::uint32_t index = chunk.first_large + (*at & ~kOfChunk);
+        const std::uint32_t index = chunk.first_large + (*at & ~kChunkEntryBit);
         buffers_.for_each([&](TileBuffer& tile) { draw_large(slot, index, tile); });
       }
     }
@@ -123,29 +123,26 @@ private:
     }
   }
 
-  void draw_small(const DrawSlot& slot, const SmallJob& job,
-                  std::span<const std::uint32_t> triangles) {
+  void draw_small(const DrawSlot& slot, const SmallJob& job, TriangleNumbers triangles) {
     const Kernels& k = pass_.kernels;
-    const std::uint32_t* first = triangles.data();
-    const std::size_t count = triangles.size();
-    if (pass_.behind != nullptr) {
+    if (pass_.behind_depth != nullptr) {
       TileBuffer& tile = *buffers_.centres;
-      return k.draw_small_behind(job, behind_test(slot, tile), first, count, tile, counts_);
+      return k.behind.small(job, behind_test(slot, tile), triangles, tile, counts_);
     }
     switch (alpha_mode(slot)) {
       case AlphaMode::kOpaque:
         if (buffers_.centres != nullptr) {
-          k.draw_small(job, first, count, {buffers_.centres, 1}, counts_);
+          k.draw_small(job, triangles, {buffers_.centres, 1}, counts_);
         }
-        if (!buffers_.samples.empty()) k.draw_small(job, first, count, buffers_.samples, counts_);
+        if (!buffers_.samples.empty()) k.draw_small(job, triangles, buffers_.samples, counts_);
         return;
       case AlphaMode::kMask:
         return buffers_.for_each([&](TileBuffer& tile) {
-          k.draw_small_masked(job, alpha_test(slot, tile), first, count, tile, counts_);
+          k.masked.small(job, alpha_test(slot, tile), triangles, tile, counts_);
         });
       case AlphaMode::kBlend:
         return buffers_.for_each([&](TileBuffer& tile) {
-          k.draw_small_blended(job, blend_job(slot, tile), first, count, tile, counts_);
+          k.blended.small(job, blend_job(slot, tile), triangles, tile, counts_);
         });
     }
   }
@@ -154,15 +151,15 @@ private:
     const Kernels& k = pass_.kernels;
     const LargeTriangle& triangle = *pass_.round.large[index];
     const Reference reference = kLargeReference | index;
-    if (pass_.behind != nullptr)
-      return k.draw_large_behind(triangle, behind_test(slot, tile), reference, tile, counts_);
+    if (pass_.behind_depth != nullptr)
+      return k.behind.large(triangle, behind_test(slot, tile), reference, tile, counts_);
     switch (alpha_mode(slot)) {
       case AlphaMode::kOpaque:
         return k.draw_large(triangle.setup, reference, tile, counts_);
       case AlphaMode::kMask:
-        return k.draw_large_masked(triangle, alpha_test(slot, tile), reference, tile, counts_);
+        return k.masked.large(triangle, alpha_test(slot, tile), reference, tile, counts_);
       case AlphaMode::kBlend:
-        return k.draw_large_blended(triangle, blend_job(slot, tile), reference, tile, counts_);
+        return k.blended.large(triangle, blend_job(slot, tile), reference, tile, counts_);
     }
   }
 
@@ -186,7 +183,7 @@ private:
   }
 
   BehindTest behind_test(const DrawSlot& slot, const TileBuffer& tile) const {
-    return {pass_.behind,
+    return {pass_.behind_depth,
             alpha_mode(slot) == AlphaMode::kMask ? alpha_test(slot, tile) : AlphaTest()};
   }
 
@@ -278,9 +275,9 @@ bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t>
   });
 }
 
-bool lets_something_through(const Image<std::uint32_t>& behind, const PixelRect& window) {
+bool has_any_behind_depth(const Image<std::uint32_t>& behind_depth, const PixelRect& window) {
   for (int y = window.y0; y < window.y1; ++y) {
-    const std::uint32_t* const row = &behind.at(0, y);
+    const std::uint32_t* const row = &behind_depth.at(0, y);
     if (std::any_of(row + window.x0, row + window.x1,
                     [](std::uint32_t code) { return code != kEmptyDepth; }))
       return true;
@@ -298,7 +295,7 @@ void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint
   const std::span chunks(pass.round.chunks_of_tile[pass.run.tile_index(x, y)]);
   const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, chunks);
   TileDrawing drawing(pass, window, overwrite, memory, both_eyes, statistics);
-  if (pass.behind == nullptr || lets_something_through(*pass.behind, window)) {
+  if (pass.behind_depth == nullptr || has_any_behind_depth(*pass.behind_depth, window)) {
     for (const std::uint32_t i : chunks)
       drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
   }

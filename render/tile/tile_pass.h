@@ -6,8 +6,8 @@
 
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/framebuffer.h>
-#include <glassbox/render/staged/ready.h>
-#include <glassbox/render/tile/round.h>
+#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/tile/draw_round.h>
 
 namespace glassbox {
 
@@ -15,7 +15,7 @@ namespace glassbox {
 struct TilePass {
   const TileRun& run;
   const Kernels& kernels;
-  const Round& round;
+  const DrawRound& round;
   // With keep_picture: planes are cleared already, and may hold earlier rounds.
   ResolveJob resolve;
   Framebuffer& target;
@@ -24,16 +24,16 @@ struct TilePass {
   bool overwrite_untouched = false;
   // Depths are stored in target.depth between rounds, and while staged primitives are drawn.
   bool load_depth = false, store_depth = false;
-  const Image<std::uint32_t>* behind = nullptr;  // see EyePicture::behind
+  const Image<std::uint32_t>* behind_depth = nullptr;  // see EyePicture::behind_depth
 };
 
 // The memory of a thread for the tile that it draws; it is used again for the next tile.
 struct TileMemory {
   explicit TileMemory(int side) : centres(side) {}
   TileBuffer centres;
-  std::vector<TileBuffer> samples;   // a buffer for each sample, if a pixel has several
-  SamplePlanes planes;               // used if there are also staged draws
-  LineVector<std::uint32_t> colors;  // of a pair's first eye, which the second one draws over
+  std::vector<TileBuffer> samples;           // a buffer for each sample, if a pixel has several
+  SamplePlanes planes;                       // used if there are also staged draws
+  CacheAlignedVector<std::uint32_t> colors;  // of a pair's first eye
 };
 
 // Draws tile (x, y). `statistics` counts fragments. `both_eyes`: memory for the tile's colours

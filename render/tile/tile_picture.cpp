@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <glassbox/render/engine/show.h>
+#include <glassbox/render/engine/show_plane.h>
 
 namespace glassbox {
 
@@ -134,7 +134,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   if (samples > 1 && !one_round) target.samples.clear(run_.window, samples, eye_.color);
 }
 
-TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool first_round) {
+TilePass TilePicture::pass(const Kernels& kernels, const DrawRound& round, bool first_round) {
   shades_.clear();
   by_reference_.clear();
   for (const DrawSlot& slot : round.slots) {
@@ -152,7 +152,7 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
                 .overwrite_untouched = overwrite_untouched_,
                 .load_depth = !first_round,
                 .store_depth = store_depth_,
-                .behind = eye_.behind};
+                .behind_depth = eye_.behind_depth};
   ResolveJob& resolve = pass.resolve;
   resolve.draws = shades_;
   resolve.by_reference = by_reference_;
@@ -175,7 +175,7 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
 
 void TilePicture::finish() const {
   resolve_samples(eye_.settings, eye_.target, eye_.color);
-  if (!eye_.draws_over()) show(eye_.settings.show, eye_.target);
+  if (!eye_.draws_over()) show_plane(eye_.settings.show, eye_.target);
 }
 
 }  // namespace glassbox

@@ -29,7 +29,7 @@ public:
 
   // Returns what the tiles of a round need to be drawn. The pass refers to the picture and the
   // round.
-  TilePass pass(const Kernels& kernels, const Round& round, bool first_round);
+  TilePass pass(const Kernels& kernels, const DrawRound& round, bool first_round);
 
   // Called after the last round.
   void finish() const;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <glassbox/render/tile/round.h>
+#include <glassbox/render/tile/draw_round.h>
 
 namespace glassbox {
 
@@ -8,7 +8,7 @@ namespace {
 
 // How far from the centre, in half screens, a vertex may be so that it is certainly within the
 // guard band in spite of rounding: half of the guard band.
-float surely_in_band(float screen_side) {
+float guard_band_half_screens(float screen_side) {
   return float(kGuardBandPx / double(screen_side));
 }
 
@@ -22,15 +22,15 @@ VertexJob vertex_job(const TileRun& run, std::uint32_t index) {
   // With a reversed range the near plane is z = w and the far plane z = 0.
   job.far_factor = float(std::max(far.d, near.d));
   job.smallest_w = float(-run.planes[kEyePlane].e);
-  job.band_x = surely_in_band(run.view.viewport.width());
-  job.band_y = surely_in_band(run.view.viewport.height());
+  job.band_x = guard_band_half_screens(run.view.viewport.width());
+  job.band_y = guard_band_half_screens(run.view.viewport.height());
   job.test_planes = run.methods[index].test_planes;
   job.divide = run.methods[index].divide;
   return job;
 }
 
 void transform_neighbours(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                          const OtherEye* other, VertexTables& tables, std::size_t first,
+                          const SecondEyeInputs* other, VertexTables& tables, std::size_t first,
                           std::size_t count) {
   const Draw& draw = run.list.draws[slot.draw];
   VertexJob job = vertex_job(run, slot.draw);
@@ -60,7 +60,7 @@ void for_each_needed(std::span<const std::uint8_t> needed, std::size_t first, st
 }  // namespace
 
 void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                         const OtherEye* other, VertexTables& tables, std::size_t first,
+                         const SecondEyeInputs* other, VertexTables& tables, std::size_t first,
                          std::size_t count) {
   for_each_needed(slot.needed_positions, first, count, [&](std::size_t begin, std::size_t size) {
     transform_neighbours(run, kernels, slot, other, tables, begin, size);

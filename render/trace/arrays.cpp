@@ -147,7 +147,7 @@ void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBou
   table("distance_bound", bounds.distance);
   table("incoming", traced.code);
   table("stored", traced.stored);
-  table("fate", std::uint8_t(traced.fate));
+  table("fate", std::uint8_t(traced.result));
   each_field(traced.at, table);
   table("surface", numbers_of(traced.surface));
   table("emission", traced.emission);
@@ -250,7 +250,7 @@ void TraceArrays::draw(const TracedDraw& draw) {
 
 void TraceArrays::triangle(const TracedTriangle& triangle) {
   const TriangleBounds& bounds = bounds_.triangle(triangle).bounds;
-  round_trips_.see(triangle, bounds);
+  round_trips_.add(triangle, bounds);
   const std::size_t row = tables_[kTriangle].rows();
   const Beginnings first{tables_[kCut].rows(), tables_[kVertex].rows(), tables_[kPiece].rows()};
   tables_[kTriangle].add_row([&](Table& t) { fill_triangle(t, triangle, bounds, first); });
@@ -278,7 +278,7 @@ void TraceArrays::triangle(const TracedTriangle& triangle) {
 }
 
 void TraceArrays::fragment(const TracedFragment& fragment) {
-  const BoundsOfRun::Known* known = bounds_.of(fragment);
+  const BoundsOfRun::KnownTriangle* known = bounds_.of_fragment(fragment);
   const FragmentBounds bounds = known == nullptr ? no_bounds() : bounds_of(*known, fragment);
   tables_[kFragment].add_row([&](Table& t) { fill_fragment(t, fragment, bounds); });
 }

@@ -64,8 +64,8 @@ CornerBounds corner_bounds(const Trace& trace, const TracedCorner& corner, const
   const glm::vec4 x = anchored(corner.object, draw);
   bounds.clip = clip_bound(corner.object, draw, draw_bounds);
   bounds.clip_magnitude = magnitude(clip, x);
-  bounds.round_trip =
-      round_trip(corner.object, corner.clip, bounds.clip, draw_bounds.way, trace.view.viewport);
+  bounds.round_trip = round_trip(corner.object, corner.clip, bounds.clip,
+                                 draw_bounds.forward_transform, trace.view.viewport);
   return bounds;
 }
 
@@ -187,9 +187,9 @@ DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
       product_bound(view.clip_from_eye.columns, eye, glm::dmat4(0), eye_bound) +
       rounding_bound(clip);
   bounds.viewer = viewer_in_object_space(eye_from_object, view.perspective);
-  bounds.way = {(view.clip_from_eye * eye_from_object).columns,
-                product_bound(view.clip_from_eye.columns, eye_from_object.columns, glm::dmat4(0),
-                              eye_from_object_bound)};
+  bounds.forward_transform = {(view.clip_from_eye * eye_from_object).columns,
+                              product_bound(view.clip_from_eye.columns, eye_from_object.columns,
+                                            glm::dmat4(0), eye_from_object_bound)};
   return bounds;
 }
 
@@ -248,7 +248,7 @@ const DrawBounds& BoundsOfRun::draw(const TracedDraw& draw) {
   return known.bounds;
 }
 
-const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) {
+const BoundsOfRun::KnownTriangle& BoundsOfRun::triangle(const TracedTriangle& triangle) {
   if (std::exchange(fragments_came_, false)) {
     latest_.clear();
     earlier_.clear();
@@ -262,12 +262,12 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
   return kept.known;
 }
 
-const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
+const BoundsOfRun::KnownTriangle* BoundsOfRun::of_fragment(const TracedFragment& fragment) {
   fragments_came_ = true;
   return fragment.source.is_triangle ? of_triangle(fragment.source.number) : nullptr;
 }
 
-const BoundsOfRun::Known* BoundsOfRun::of_triangle(std::uint32_t number) {
+const BoundsOfRun::KnownTriangle* BoundsOfRun::of_triangle(std::uint32_t number) {
   fragments_came_ = true;
   for (const auto* triangles : {&latest_, &earlier_}) {
     const auto found = triangles->find(number);
@@ -276,12 +276,12 @@ const BoundsOfRun::Known* BoundsOfRun::of_triangle(std::uint32_t number) {
   return nullptr;
 }
 
-std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace) {
+std::map<std::uint32_t, BoundsOfRun::KnownTriangle> bounds_of_all(const Trace& trace) {
   std::map<std::uint32_t, std::pair<const TracedDraw*, DrawBounds>> draws;
   for (const TracedDraw& draw : trace.draws) {
     draws[draw.instance] = {&draw, bounds_of(draw, trace.view)};
   }
-  std::map<std::uint32_t, BoundsOfRun::Known> known;
+  std::map<std::uint32_t, BoundsOfRun::KnownTriangle> known;
   for (const TracedTriangle& triangle : trace.triangles) {
     const auto& [draw, draw_bounds] = draws.at(triangle.instance);
     known[triangle.number] = {&triangle, bounds_of(trace, triangle, *draw, draw_bounds)};
@@ -289,12 +289,12 @@ std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace) {
   return known;
 }
 
-FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment) {
+FragmentBounds bounds_of(const BoundsOfRun::KnownTriangle& known, const TracedFragment& fragment) {
   const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
   return fragment_bounds(*piece.setup, fragment.fragment, setup_bounds(piece, known.bounds));
 }
 
-void RoundTrips::see(const TracedTriangle& triangle, const TriangleBounds& bounds) {
+void RoundTrips::add(const TracedTriangle& triangle, const TriangleBounds& bounds) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::optional<RoundTrip>& trip = bounds.corners[k].round_trip;
     if (!trip) continue;

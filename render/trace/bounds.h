@@ -30,7 +30,7 @@ struct DrawBounds {
   glm::dmat4 clip_from_anchored{0};
   glm::dmat4 eye_from_anchored{0};
   std::optional<ObjectViewer> viewer;  // for the back-face test in object space
-  WayThere way;  // to the screen by the three matrices in double, for the way back
+  ForwardTransform forward_transform;  // object to screen in double, for the way back
 };
 
 struct CornerBounds {
@@ -81,7 +81,7 @@ SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds)
 // The bounds of a run's records, computed as the records come, for sinks that keep no records.
 class BoundsOfRun {
 public:
-  struct Known {
+  struct KnownTriangle {
     const TracedTriangle* triangle = nullptr;
     TriangleBounds bounds;
   };
@@ -94,12 +94,12 @@ public:
 
   // Draws must come before their triangles, triangles before their fragments.
   const DrawBounds& draw(const TracedDraw& draw);
-  const Known& triangle(const TracedTriangle& triangle);
+  const KnownTriangle& triangle(const TracedTriangle& triangle);
   // Returns the fragment's triangle; null if the run's filter has left it out, and for lines and
   // points.
-  const Known* of(const TracedFragment& fragment);
+  const KnownTriangle* of_fragment(const TracedFragment& fragment);
   // The same by the triangle's number; also for edges.
-  const Known* of_triangle(std::uint32_t number);
+  const KnownTriangle* of_triangle(std::uint32_t number);
   const KnownDraw& of_instance(std::uint32_t instance) const { return draws_.at(instance); }
 
   // Contains the view and the planes only.
@@ -108,7 +108,7 @@ public:
 private:
   struct Kept {
     TracedTriangle triangle;
-    Known known;
+    KnownTriangle known;
   };
 
   Trace trace_;
@@ -119,10 +119,10 @@ private:
 };
 
 // The bounds of all triangles of a trace, by number. The result refers to the trace's triangles.
-std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace);
+std::map<std::uint32_t, BoundsOfRun::KnownTriangle> bounds_of_all(const Trace& trace);
 
 // The bounds of a fragment of that triangle.
-FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment);
+FragmentBounds bounds_of(const BoundsOfRun::KnownTriangle& known, const TracedFragment& fragment);
 
 // Identifies a coordinate of a corner of a triangle.
 struct RoundTripPlace {
@@ -144,7 +144,7 @@ struct RoundTrips {
   // The largest ratio of an error to its bound: never more than 1.
   double largest_ratio = 0;
 
-  void see(const TracedTriangle& triangle, const TriangleBounds& bounds);
+  void add(const TracedTriangle& triangle, const TriangleBounds& bounds);
 };
 
 }  // namespace glassbox

@@ -13,7 +13,7 @@ namespace {
 
 using bounded::Bounded;
 using bounded::BoundedOf;
-using bounded::standing_for;
+using bounded::with_bound_from;
 using Bounded3 = std::array<Bounded, 3>;
 
 // ---- at fragments ----
@@ -46,23 +46,23 @@ std::array<Bounded, 2> weights_of(const TriangleSetup& setup, const SetupBounds&
 }
 
 template <std::size_t N>
-void stand_for(const std::array<float, N>& values, std::array<Bounded, N>& same) {
-  for (std::size_t i = 0; i < N; ++i) same[i] = standing_for(values[i], same[i]);
+void set_run_values(const std::array<float, N>& values, std::array<Bounded, N>& same) {
+  for (std::size_t i = 0; i < N; ++i) same[i] = with_bound_from(values[i], same[i]);
 }
 
-void stand_for(const Varyings& run, BoundedVaryings& same) {
-  stand_for(run.normal, same.normal);
-  stand_for(run.position, same.position);
-  stand_for(run.diffuse, same.diffuse);
-  stand_for(run.specular, same.specular);
-  stand_for(run.color, same.color);
-  stand_for(run.texcoord, same.texcoord);
+void set_run_values(const Varyings& run, BoundedVaryings& same) {
+  set_run_values(run.normal, same.normal);
+  set_run_values(run.position, same.position);
+  set_run_values(run.diffuse, same.diffuse);
+  set_run_values(run.specular, same.specular);
+  set_run_values(run.color, same.color);
+  set_run_values(run.texcoord, same.texcoord);
 }
 
 }  // namespace
 
 // A fragment whose numbers carry bounds, with the members that formulas/surface.h needs.
-struct PieceColors::BoundedFragment : bounded::UnwatchedFragment {
+struct PieceColors::BoundedFragment : bounded::UnobservedFragment {
   using Float = Bounded;
   static constexpr std::size_t kChannels = 3;
 
@@ -112,7 +112,7 @@ struct PieceColors::BoundedFragment : bounded::UnwatchedFragment {
 };
 
 PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
-                         const RenderSettings& settings, const BoundsOfRun::Known& known,
+                         const RenderSettings& settings, const BoundsOfRun::KnownTriangle& known,
                          std::uint32_t piece)
     : draw_(draw),
       lighting_(lighting),
@@ -124,8 +124,8 @@ PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const 
   std::array<BoundedVaryings, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
     corners[k] =
-        corner_of_face(stage, triangle.face, draw.mesh->corners[triangle.corners[k].corner],
-                       triangle.pieces[piece].front);
+        face_corner_attributes(stage, triangle.face, draw.mesh->corners[triangle.corners[k].corner],
+                               triangle.pieces[piece].front);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t at = triangle.pieces[piece].polygon[std::size_t(setup_.order[k])];
@@ -167,7 +167,7 @@ void PieceColors::make_planes() {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     // If the three computed w are equal, the run uses 0; the exact ones may differ.
     bounded_planes_.inverse_w[axis] =
-        standing_for(planes_.inverse_w[axis], bounded_planes_.inverse_w[axis]);
+        with_bound_from(planes_.inverse_w[axis], bounded_planes_.inverse_w[axis]);
   }
 }
 
@@ -187,7 +187,7 @@ std::array<Bounded, 4> PieceColors::sample(const MipChain& texture, const Sample
                    bounded::squared_texels(gradient.along_x, texture.width, texture.height),
                    bounded::squared_texels(gradient.along_y, texture.width, texture.height)));
   }
-  const Rgba texel = glassbox::sample(texture, sampler, fragment.at.texcoord, level);
+  const Rgba texel = glassbox::sample_mip_chain(texture, sampler, fragment.at.texcoord, level);
   const double bound = sample_bound(texture, sampler, settings_.transfer, at.texcoord, levels);
   return {Bounded(texel.r, bound), Bounded(texel.g, bound), Bounded(texel.b, bound),
           Bounded(texel.a, bound)};
@@ -202,15 +202,15 @@ ColorBounds PieceColors::at(const TracedFragment& fragment, const FragmentBounds
       combine(vertices_, [w1 = weight1, w2 = weight2](const auto& a, const auto& b, const auto& c) {
         return bounded::interpolate(a, b, c, w1, w2);
       });
-  stand_for(fragment.at, colors.at);
+  set_run_values(fragment.at, colors.at);
   const BoundedFragment asked{{}, *this, fragment, colors.at, inverse_w, colors.sample};
   auto surface = bounded::surface_color(asked);
   const Rgba& run = fragment.surface;
-  stand_for({run.r, run.g, run.b}, surface.color);
-  surface.alpha = standing_for(run.a, surface.alpha);
+  set_run_values({run.r, run.g, run.b}, surface.color);
+  surface.alpha = with_bound_from(run.a, surface.alpha);
   colors.surface = {surface.color[0], surface.color[1], surface.color[2], surface.alpha};
-  colors.light = bounded::shining(asked, surface.color);
-  stand_for({fragment.light.r, fragment.light.g, fragment.light.b}, colors.light);
+  colors.light = bounded::shaded_color(asked, surface.color);
+  set_run_values({fragment.light.r, fragment.light.g, fragment.light.b}, colors.light);
   return colors;
 }
 

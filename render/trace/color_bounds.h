@@ -32,7 +32,8 @@ class PieceColors {
 public:
   // The arguments `draw`, `lighting`, `settings` and `known` must outlive the object.
   PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
-              const RenderSettings& settings, const BoundsOfRun::Known& known, std::uint32_t piece);
+              const RenderSettings& settings, const BoundsOfRun::KnownTriangle& known,
+              std::uint32_t piece);
 
   // For a line or point: it is treated as a triangle whose vertex 0 has weight 0
   // (raster/interpolate.h), without slopes, at level 0 of its textures.

@@ -3,8 +3,8 @@
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
-#include <glassbox/render/trace/reach.h>
+#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/trace/coverage_miss.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {
@@ -45,11 +45,11 @@ public:
     reaches_ = reaches_ || !intersect(pixels_touched(vertices), *filter_.pixels).empty();
   }
 
-  void faced(const TriangleSetup&, bool, bool& culled) override {
+  void facing_tested(const TriangleSetup&, bool, bool& culled) override {
     marks_ |= culled ? kMarkCulled : kMarkSetUp;
   }
 
-  void prepared(const Triangle& triangle) override {
+  void triangle_finished(const Triangle& triangle) override {
     if (!reaches_ || ++run_.triangle_count > filter_.max_triangles) return;
     TriangleColumns& columns = run_.triangles;
     const std::uint32_t number = draw_->first_number + triangle.number;
@@ -89,8 +89,8 @@ public:
     a.push_back(pixel.a);
   }
 
-  void ended(const FragmentSource&, const Fragment&, Fate fate) override {
-    if (recording_) run_.fragments.fate.push_back(std::uint8_t(fate));
+  void fragment_finished(const FragmentSource&, const Fragment&, FragmentResult result) override {
+    if (recording_) run_.fragments.result.push_back(std::uint8_t(result));
   }
 
 private:
@@ -106,7 +106,7 @@ private:
   const ColumnFilter& filter_;
   ColumnRun& run_;
   const Draw* draw_ = nullptr;
-  const ClipPolygon* polygon_ = nullptr;  // of the current triangle, until prepared()
+  const ClipPolygon* polygon_ = nullptr;  // of the current triangle, until triangle_finished()
   std::uint8_t marks_ = 0;
   bool reaches_ = true;
   bool recording_ = false;
@@ -118,7 +118,7 @@ ColumnRun record_columns(const Scene& scene, const View& view, const RenderSetti
                          const ColumnFilter& filter, Observer* stages) {
   ColumnRun run;
   ColumnRecorder recorder(scene, view, settings, filter, run);
-  run.rendering = render_staged(scene, view, at_centres(settings), {stages, &recorder});
+  run.rendering = render_staged(scene, view, with_one_sample(settings), {stages, &recorder});
   return run;
 }
 

@@ -48,7 +48,7 @@ struct FragmentColumns {
   std::vector<std::uint32_t> triangle;
   std::vector<std::uint8_t> piece;
   std::vector<std::uint16_t> x, y;
-  std::vector<std::uint8_t> fate;  // Fate
+  std::vector<std::uint8_t> result;  // FragmentResult
   // r, g, b, a: the pixel after each fragment written or blended.
   std::array<std::vector<std::uint8_t>, 4> written;
   std::vector<std::uint32_t> code;  // depth code; only for fragments of lines and points

@@ -14,7 +14,7 @@ namespace {
 
 using bounded::Bounded;
 using bounded::BoundedOf;
-using bounded::standing_for;
+using bounded::with_bound_from;
 using Bounded3 = std::array<Bounded, 3>;
 
 template <class Columns, class Bounds>
@@ -95,9 +95,9 @@ Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
   const auto newell = newell_vector<BoundedOf<double>>(corners);
   const BoundedOf<double> length =
       bounded::sqrt(newell.x * newell.x + newell.y * newell.y + newell.z * newell.z);
-  return eye_normal(draw, {standing_for(normal->x, bounded::rounded(newell.x / length)),
-                           standing_for(normal->y, bounded::rounded(newell.y / length)),
-                           standing_for(normal->z, bounded::rounded(newell.z / length))});
+  return eye_normal(draw, {with_bound_from(normal->x, bounded::rounded(newell.x / length)),
+                           with_bound_from(normal->y, bounded::rounded(newell.y / length)),
+                           with_bound_from(normal->z, bounded::rounded(newell.z / length))});
 }
 
 // The attributes of a draw's vertices with bounds, with the members that formulas/corners.h needs.
@@ -129,7 +129,7 @@ struct BoundedTables {
     using Float = Bounded;
     const BoundedTables& tables;
     const Face& face;
-    bounded::Truth has(std::int32_t k) const { return {std::uint32_t(k) < face.count}; }
+    bounded::UncertainBool has(std::int32_t k) const { return {std::uint32_t(k) < face.count}; }
     Bounded3 position(std::int32_t k) const {
       return tables.position(tables.mesh().corners[face.first + std::uint32_t(k)].position);
     }
@@ -141,19 +141,19 @@ struct BoundedTables {
 }  // namespace
 
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner) {
-  return bounded::corner_as_modelled(BoundedTables{stage}, corner);
+  return bounded::modelled_corner_attributes(BoundedTables{stage}, corner);
 }
 
-BoundedVaryings corner_of_face(const CornerStage& stage, std::uint32_t face, const Corner& corner,
-                               bool front) {
-  return bounded::corner_of_face(BoundedTables{stage}, face, corner, front);
+BoundedVaryings face_corner_attributes(const CornerStage& stage, std::uint32_t face,
+                                       const Corner& corner, bool front) {
+  return bounded::face_corner_attributes(BoundedTables{stage}, face, corner, front);
 }
 
 BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
                           const ClipVertexBound& bound) {
   std::array<BoundedOf<double>, 3> weights;
   for (std::size_t k = 0; k < 3; ++k) weights[k] = {vertex.weights[k], bound.weights[int(k)]};
-  return bounded::weighed(corners, weights);
+  return bounded::clipped_vertex_attributes(corners, weights);
 }
 
 }  // namespace glassbox

@@ -22,8 +22,8 @@ struct CornerStage {
 };
 
 // `front`: whether the front of the face is seen.
-BoundedVaryings corner_of_face(const CornerStage& stage, std::uint32_t face, const Corner& corner,
-                               bool front);
+BoundedVaryings face_corner_attributes(const CornerStage& stage, std::uint32_t face,
+                                       const Corner& corner, bool front);
 BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner);
 
 // Returns the attributes at a vertex of the polygon that clipping has left of three corners.

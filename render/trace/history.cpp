@@ -36,8 +36,8 @@ struct SeenPoint {
 // Finds the point of the unclipped triangle that is seen through the pixel's centre, in front of
 // the eye: the combination of its corners with non-negative weights that is a multiple of (x, y, .,
 // 1) (Olano and Greer 1997). Nothing if the triangle does not cover that centre.
-std::optional<SeenPoint> seen_through(const TracedTriangle& triangle, const Viewport& window, int x,
-                                      int y) {
+std::optional<SeenPoint> unclipped_point_at(const TracedTriangle& triangle, const Viewport& window,
+                                            int x, int y) {
   const std::array<double, 3> centre{
       2 * (x + 0.5 - double(window.left)) / double(window.width()) - 1,
       1 - 2 * (y + 0.5 - double(window.top)) / double(window.height()), 1};
@@ -69,9 +69,9 @@ std::optional<SeenPoint> seen_through(const TracedTriangle& triangle, const View
   return SeenPoint{point, whole > 0};
 }
 
-std::optional<PixelEvent> cut_off(const TracedTriangle& triangle, const Trace& trace, int x,
-                                  int y) {
-  const auto seen = seen_through(triangle, trace.view.viewport, x, y);
+std::optional<PixelEvent> clipped_event(const TracedTriangle& triangle, const Trace& trace, int x,
+                                        int y) {
+  const auto seen = unclipped_point_at(triangle, trace.view.viewport, x, y);
   if (!seen) return std::nullopt;
   const Point<Clip, double>& point = seen->clip;
   for (const ClipPlane& plane : trace.planes) {
@@ -79,7 +79,7 @@ std::optional<PixelEvent> cut_off(const TracedTriangle& triangle, const Trace& t
         plane.a * point.x + plane.b * point.y + plane.c * point.z + plane.d * point.w + plane.e;
     if (inside >= 0) continue;
     PixelEvent event;
-    event.touch = Touch::kClipped;
+    event.kind = PixelEventKind::kClipped;
     event.plane = plane.name;
     event.inside = inside;
     event.front = seen->counter_clockwise != mirrored(trace, triangle.instance);
@@ -104,14 +104,14 @@ std::optional<PixelEvent> event_without_fragment(const TracedTriangle& triangle,
     if (!piece.setup || miss_at(*piece.setup, x, y)) continue;
     if (!piece.culled) return std::nullopt;  // it has a fragment
     PixelEvent event;
-    event.touch = Touch::kTurnedAway;
+    event.kind = PixelEventKind::kTurnedAway;
     event.source.piece = i;
     const double area = double(piece.setup->double_area) / (2.0 * kSubpixels * kSubpixels);
     event.area_px2 = piece.setup->clockwise ? -area : area;
     event.front = piece.front;
     return event;
   }
-  return was_cut(triangle) ? cut_off(triangle, trace, x, y) : std::nullopt;
+  return was_cut(triangle) ? clipped_event(triangle, trace, x, y) : std::nullopt;
 }
 
 bool reaches(const TracedPiece& piece, int x, int y) {
@@ -120,8 +120,8 @@ bool reaches(const TracedPiece& piece, int x, int y) {
 
 // Returns the smallest miss of the triangle's pieces; nothing if one of them covers the pixel, or
 // none comes near.
-std::optional<Miss> miss_of(const TracedTriangle& triangle, int x, int y) {
-  std::optional<Miss> nearest;
+std::optional<CentreMiss> miss_of(const TracedTriangle& triangle, int x, int y) {
+  std::optional<CentreMiss> nearest;
   for (const TracedPiece& piece : triangle.pieces) {
     if (!piece.setup || piece.culled || !reaches(piece, x, y)) continue;
     const auto miss = miss_at(*piece.setup, x, y);
@@ -140,33 +140,34 @@ bool has_no_area_at(const TracedTriangle& triangle, int x, int y) {
 
 // ---- fragments ----
 
-bool lets_nothing_through(const ColorMask& mask) {
+bool masks_all_channels(const ColorMask& mask) {
   return !mask.r && !mask.g && !mask.b && !mask.a;
 }
 
-Touch touch_of(Fate fate, const ColorMask& mask) {
-  if (fate == Fate::kHidden) return Touch::kHidden;
-  if (fate == Fate::kDiscarded) return Touch::kDiscarded;
-  if (lets_nothing_through(mask)) return Touch::kMasked;
-  return fate == Fate::kBlended ? Touch::kBlended : Touch::kWritten;
+PixelEventKind kind_of_event(FragmentResult result, const ColorMask& mask) {
+  if (result == FragmentResult::kHidden) return PixelEventKind::kHidden;
+  if (result == FragmentResult::kDiscarded) return PixelEventKind::kDiscarded;
+  if (masks_all_channels(mask)) return PixelEventKind::kMasked;
+  return result == FragmentResult::kBlended ? PixelEventKind::kBlended : PixelEventKind::kWritten;
 }
 
 PixelEvent fragment_event(const Scene& scene, const Trace& trace, const TracedFragment& traced) {
   PixelEvent event;
-  event.touch = touch_of(traced.fate, trace.settings.mask);
+  event.kind = kind_of_event(traced.result, trace.settings.mask);
   event.source = traced.source;
   event.instance = traced.instance;
   event.distance =
       distance_along_gaze(trace.view, traced.fragment.depth, traced.fragment.inverse_w);
   event.code = traced.code;
   event.stored = traced.stored;
-  event.writes_depth = traced.fate == Fate::kWritten;
+  event.writes_depth = traced.result == FragmentResult::kWritten;
   event.alpha = traced.surface.a;
   event.cutoff =
       scene.materials[scene.meshes[scene.instances[traced.instance].mesh].material].alpha_cutoff;
   event.light = traced.light;
   event.before = event.after = traced.before;
-  if (event.touch >= Touch::kMasked) write_masked(trace.settings.mask, traced.after, event.after);
+  if (event.kind >= PixelEventKind::kMasked)
+    write_masked(trace.settings.mask, traced.after, event.after);
   return event;
 }
 
@@ -176,7 +177,7 @@ PixelEvent fragment_event(const Scene& scene, const Trace& trace, const TracedFr
 // the triangles of their draw.
 using Place = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
-std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> placed) {
+std::vector<PixelEvent> sorted_events(std::vector<std::pair<Place, PixelEvent>> placed) {
   std::stable_sort(placed.begin(), placed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PixelEvent> events;
@@ -186,30 +187,30 @@ std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> place
 
 // Finds which event wrote the depth that a fragment was compared with, and which event overwrote
 // which.
-void connect(std::vector<PixelEvent>& events) {
+void link_overwritten(std::vector<PixelEvent>& events) {
   std::optional<std::size_t> nearest;
   std::vector<std::size_t> showing;
   for (std::size_t i = 0; i < events.size(); ++i) {
     PixelEvent& event = events[i];
     if (!is_fragment(event)) continue;
     event.stored_by = nearest;
-    const bool opaque =
-        event.touch == Touch::kWritten || (event.touch == Touch::kBlended && event.alpha >= 1);
+    const bool opaque = event.kind == PixelEventKind::kWritten ||
+                        (event.kind == PixelEventKind::kBlended && event.alpha >= 1);
     if (opaque) {
       for (const std::size_t under : showing) events[under].overwritten_by = i;
       showing.clear();
     }
-    if (event.touch >= Touch::kBlended) showing.push_back(i);
+    if (event.kind >= PixelEventKind::kBlended) showing.push_back(i);
     if (event.writes_depth) nearest = i;
   }
 }
 
 }  // namespace
 
-const char* name_of(Touch touch) {
+const char* name_of(PixelEventKind kind) {
   constexpr const char* kNames[] = {"clipped", "turned-away", "hidden", "discarded",
                                     "masked",  "blended",     "written"};
-  return kNames[std::size_t(touch)];
+  return kNames[std::size_t(kind)];
 }
 
 PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int y) {
@@ -258,8 +259,8 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   std::stable_sort(
       history.misses.begin(), history.misses.end(),
       [](const PixelMiss& a, const PixelMiss& b) { return a.miss.subpixels < b.miss.subpixels; });
-  history.events = in_order(std::move(placed));
-  connect(history.events);
+  history.events = sorted_events(std::move(placed));
+  link_overwritten(history.events);
   for (std::size_t i = 0; i < history.events.size(); ++i) {
     if (survives(history.events[i])) history.shows = i;
   }

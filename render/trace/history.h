@@ -9,13 +9,13 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/trace/reach.h>
+#include <glassbox/render/trace/coverage_miss.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {
 
 // The effect of a triangle or fragment on the pixel, in the order of the stages.
-enum class Touch : std::uint8_t {
+enum class PixelEventKind : std::uint8_t {
   kClipped,     // a plane cut off the part that would have covered the pixel's centre
   kTurnedAway,  // culled; it would have covered the pixel's centre
   kHidden,      // the depth test failed
@@ -25,10 +25,10 @@ enum class Touch : std::uint8_t {
   kWritten,
 };
 // A stable name, such as "turned-away".
-const char* name_of(Touch touch);
+const char* name_of(PixelEventKind kind);
 
 struct PixelEvent {
-  Touch touch = Touch::kWritten;
+  PixelEventKind kind = PixelEventKind::kWritten;
   FragmentSource source;       // its number has no meaning for lines and points
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces; only for triangles
@@ -60,11 +60,11 @@ struct PixelEvent {
 };
 
 inline bool is_fragment(const PixelEvent& event) {
-  return event.touch >= Touch::kHidden;
+  return event.kind >= PixelEventKind::kHidden;
 }
 // Whether the final picture still shows it.
 inline bool survives(const PixelEvent& event) {
-  return event.touch >= Touch::kBlended && !event.overwritten_by;
+  return event.kind >= PixelEventKind::kBlended && !event.overwritten_by;
 }
 
 // A triangle whose box reaches into the pixel, but which does not cover its centre.
@@ -72,7 +72,7 @@ struct PixelMiss {
   std::uint32_t number = 0;
   std::uint32_t instance = 0;
   std::uint32_t face = 0;
-  Miss miss;
+  CentreMiss miss;
 };
 
 struct PixelHistory {

@@ -46,7 +46,7 @@ Corners corners_of_mesh(const CornerStage& stage, const TracedDraw& draw,
 }
 
 // The attributes are those of the first side of the triangle that is seen.
-Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::Known& known,
+Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::KnownTriangle& known,
                             std::size_t edge) {
   const TracedTriangle& triangle = *known.triangle;
   const auto seen = std::ranges::find_if(
@@ -57,8 +57,8 @@ Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::Known& 
   const Mesh& mesh = *stage.draw.mesh;
   for (std::size_t k = 0; k < 3; ++k) {
     corners.bounds[k].position = known.bounds.corners[k].clip;
-    corners.varyings[k] =
-        corner_of_face(stage, triangle.face, mesh.corners[triangle.corners[k].corner], front);
+    corners.varyings[k] = face_corner_attributes(stage, triangle.face,
+                                                 mesh.corners[triangle.corners[k].corner], front);
   }
   corners.ends = {edge, (edge + 1) % 3};
   return corners;
@@ -89,7 +89,7 @@ constexpr double kRoundUp = 1 + 0x1p-40;
 }  // namespace
 
 LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
-                       const FragmentSource& source, const BoundsOfRun::Known* triangle)
+                       const FragmentSource& source, const BoundsOfRun::KnownTriangle* triangle)
     : is_point_(source.line == LineKind::kPoint) {
   assert((source.line == LineKind::kEdge) == (triangle != nullptr));
   const Corners corners = triangle != nullptr ? corners_of_triangle(stage, *triangle, source.edge)
@@ -112,7 +112,7 @@ LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const Trace
   vertices[0] = vertices[1];
   const auto& [begin, end] = ends_;
   const bool begin_is_nearer = begin.vertex.screen.position.z < end.vertex.screen.position.z;
-  const End& nearer = begin_is_nearer ? begin : end;
+  const LineEnd& nearer = begin_is_nearer ? begin : end;
   const float wa = begin.vertex.screen.inverse_w, wb = end.vertex.screen.inverse_w;
   setup_.inverse_w = {wa, wa, wb};
   setup_.depth = {nearer.vertex.screen.position.z, begin.vertex.screen.position.z,
@@ -124,7 +124,7 @@ LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const Trace
   colors_.emplace(stage.draw, stage.lighting, stage.settings, setup_, setup_bounds_, vertices);
 }
 
-FragmentBounds LineBounds::of(const Fragment& fragment) const {
+FragmentBounds LineBounds::of_fragment(const Fragment& fragment) const {
   if (!is_point_) return fragment_bounds(setup_, fragment, setup_bounds_);
   FragmentBounds bounds;
   bounds.depth = setup_bounds_.depth[0];

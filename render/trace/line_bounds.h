@@ -27,7 +27,7 @@ bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double
 
 class LineBounds {
 public:
-  struct End {
+  struct LineEnd {
     TracedVertex vertex;
     VertexBounds bounds;
   };
@@ -35,12 +35,12 @@ public:
   // `triangle`: for an edge, the triangle that the edge belongs to (required). The draw, lighting
   // and settings of `stage` must outlive the object.
   LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
-             const FragmentSource& source, const BoundsOfRun::Known* triangle);
+             const FragmentSource& source, const BoundsOfRun::KnownTriangle* triangle);
 
   // The ends of what clipping left of the line: two, or one for a point.
-  std::span<const End> ends() const { return std::span(ends_).first(is_point_ ? 1 : 2); }
+  std::span<const LineEnd> ends() const { return std::span(ends_).first(is_point_ ? 1 : 2); }
 
-  FragmentBounds of(const Fragment& fragment) const;
+  FragmentBounds of_fragment(const Fragment& fragment) const;
   ColorBounds colors(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
   // The same as line_may_miss, with the bounds of this line's ends; for a point the same as
@@ -49,7 +49,7 @@ public:
 
 private:
   bool is_point_ = false;
-  std::array<End, 2> ends_;
+  std::array<LineEnd, 2> ends_;
   double moved_ = 0;  // the largest distance of the snapped ends from the exact ones, in pixels
   TriangleSetup setup_;
   SetupBounds setup_bounds_;

@@ -7,7 +7,7 @@ namespace glassbox {
 std::uint64_t count_triangles(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Instance& instance : scene.instances) {
-    for (const Face& face : scene.meshes[instance.mesh].faces) count += numbers_of(face);
+    for (const Face& face : scene.meshes[instance.mesh].faces) count += triangle_number_count(face);
   }
   return count;
 }
@@ -17,10 +17,10 @@ std::optional<NumberedTriangle> find_triangle(const Scene& scene, std::uint64_t 
   for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
     const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-      if (left < numbers_of(mesh.faces[face])) {
+      if (left < triangle_number_count(mesh.faces[face])) {
         return NumberedTriangle{std::uint32_t(number), instance, face};
       }
-      left -= numbers_of(mesh.faces[face]);
+      left -= triangle_number_count(mesh.faces[face]);
     }
   }
   return std::nullopt;

@@ -87,7 +87,7 @@ double share_of_length(const std::array<Bounded, 3>& normal) {
 
 // ---- summaries ----
 
-void BoundSummary::see(double bound, const BoundPlace& place) {
+void BoundSummary::add(double bound, const BoundPlace& place) {
   ++count_;
   if (!std::isfinite(bound)) {
     ++unbounded_;
@@ -116,7 +116,7 @@ double BoundSummary::typical() const {
 PictureBounds::PictureBounds(const Scene& scene, const View& view, const RenderSettings& settings)
     : view_(view),
       settings_(settings),
-      prepared_(prepare(scene, settings.transfer)),
+      prepared_(prepare_scene(scene, settings.transfer)),
       list_(make_draw_list(scene, prepared_, view)),
       bounds_(view),
       pixels_(int(std::abs(view.viewport.right - view.viewport.left)),
@@ -129,7 +129,7 @@ void PictureBounds::draw(const TracedDraw& draw) {
 }
 
 void PictureBounds::triangle(const TracedTriangle& triangle) {
-  const BoundsOfRun::Known& known = bounds_.triangle(triangle);
+  const BoundsOfRun::KnownTriangle& known = bounds_.triangle(triangle);
   const bool is_seen = std::ranges::any_of(
       triangle.pieces, [](const TracedPiece& piece) { return piece.setup && !piece.culled; });
   if (!is_seen) return;
@@ -139,10 +139,10 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
     const BoundPlace place{triangle.number, corner_of(vertex), -1, -1, {}};
     const double snapped = snapped_bound(vertex, bounds);
     if (place.corner) {
-      errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
-      errors_.snapped.see(snapped, place);
+      errors_.screen.add(largest_of({bounds.screen.x, bounds.screen.y}), place);
+      errors_.snapped.add(snapped, place);
     } else {
-      errors_.cut.see(snapped, place);
+      errors_.cut.add(snapped, place);
     }
     errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
   }
@@ -151,16 +151,16 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
 template <class MayMiss, class Colors>
 void PictureBounds::follow(const TracedFragment& fragment, const FragmentBounds& bounds,
                            Pixel& pixel, const MayMiss& may_miss, const Colors& colors_of) {
-  const bool as_deep = see_depth(fragment, bounds, pixel);
-  if (fragment.fate == Fate::kHidden) return;
+  const bool as_deep = add_depth(fragment, bounds, pixel);
+  if (fragment.result == FragmentResult::kHidden) return;
   const bool near_edge = may_miss();
   errors_.fragments_near_edge += near_edge;
   // A fragment that is certainly in front, and certainly in the triangle, ends all earlier doubts.
-  if (fragment.fate == Fate::kWritten) pixel.is_undecided = as_deep;
+  if (fragment.result == FragmentResult::kWritten) pixel.is_undecided = as_deep;
   pixel.is_undecided |= near_edge;
   if (settings_.show != Show::kColor) return;
   const ColorBounds colors = colors_of();
-  see_attributes(fragment, colors);
+  add_attributes(fragment, colors);
   const Material& material = *draws_.at(fragment.instance)->material;
   if (material.alpha_mode == AlphaMode::kMask) {
     const Bounded& alpha = colors.surface[3];
@@ -169,23 +169,23 @@ void PictureBounds::follow(const TracedFragment& fragment, const FragmentBounds&
     errors_.fragments_at_cutoff += at_cutoff;
     pixel.is_undecided |= at_cutoff;
   }
-  if (fragment.fate != Fate::kDiscarded) store(fragment, colors, pixel);
+  if (fragment.result != FragmentResult::kDiscarded) store(fragment, colors, pixel);
 }
 
 void PictureBounds::fragment(const TracedFragment& fragment) {
   Pixel& pixel = pixels_.at(fragment.fragment.x, fragment.fragment.y);
-  const BoundsOfRun::Known* const known = bounds_.of(fragment);
-  if (known == nullptr) return see_line(fragment, pixel);
+  const BoundsOfRun::KnownTriangle* const known = bounds_.of_fragment(fragment);
+  if (known == nullptr) return add_line_fragment(fragment, pixel);
   const FragmentBounds bounds = bounds_of(*known, fragment);
   follow(
       fragment, bounds, pixel, [&] { return is_near_edge(fragment, *known); },
       [&] { return piece_of(fragment, *known).at(fragment, bounds); });
 }
 
-void PictureBounds::see_line(const TracedFragment& fragment, Pixel& pixel) {
+void PictureBounds::add_line_fragment(const TracedFragment& fragment, Pixel& pixel) {
   ++errors_.fragments_of_lines_and_points;
   const LineBounds& line = line_of(fragment);
-  const FragmentBounds bounds = line.of(fragment.fragment);
+  const FragmentBounds bounds = line.of_fragment(fragment.fragment);
   follow(
       fragment, bounds, pixel, [&] { return line.may_miss(fragment.fragment); },
       [&] { return line.colors(fragment, bounds); });
@@ -214,27 +214,27 @@ const LineBounds& PictureBounds::line_of(const TracedFragment& fragment) {
                            source.line};
     const double snapped = snapped_bound(vertex, bounds);
     if (is_cut) {
-      errors_.cut.see(snapped, place);
+      errors_.cut.add(snapped, place);
     } else {
-      errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
-      errors_.snapped.see(snapped, place);
+      errors_.screen.add(largest_of({bounds.screen.x, bounds.screen.y}), place);
+      errors_.snapped.add(snapped, place);
     }
     errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
   }
   return *line_;
 }
 
-bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBounds& bounds,
+bool PictureBounds::add_depth(const TracedFragment& fragment, const FragmentBounds& bounds,
                               Pixel& pixel) {
   const Fragment& place = fragment.fragment;
   const BoundPlace where = place_of(fragment);
   const double stored =
       bounds.depth + rounding_of_format(settings_.depth, place.depth, fragment.code);
-  errors_.depth.see(stored, where);
+  errors_.depth.add(stored, where);
   if (view_.perspective) {
     const double distance = 1 / double(place.inverse_w);
     const double first_order = distance_of_depth(distance, view_.near, view_.far, stored);
-    errors_.distance.see(share_of_distance(first_order / distance), where);
+    errors_.distance.add(share_of_distance(first_order / distance), where);
   }
   // The test compares codes. If codes are equal, or their bounds overlap, the exact depths may be
   // in the other order; then the other depth may be the stored one.
@@ -243,7 +243,7 @@ bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBoun
   errors_.fragments_as_deep += as_deep;
   pixel.is_undecided |= as_deep;
   const double doubt = as_deep ? apart + std::max(stored, double(pixel.depth_bound)) : 0;
-  if (fragment.fate == Fate::kWritten) {
+  if (fragment.result == FragmentResult::kWritten) {
     pixel.depth = place.depth;
     pixel.depth_bound = as_float(std::max(stored, doubt));
   } else {
@@ -255,7 +255,7 @@ bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBoun
 // The snapped triangle's vertices are within s pixels of the exact ones along x and along y. So
 // each point of an edge is within sqrt 2 s of the exact edge.
 bool PictureBounds::is_near_edge(const TracedFragment& fragment,
-                                 const BoundsOfRun::Known& known) const {
+                                 const BoundsOfRun::KnownTriangle& known) const {
   const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
   double moved = 0;
   for (const std::size_t i : piece.polygon) {
@@ -272,7 +272,7 @@ bool PictureBounds::is_near_edge(const TracedFragment& fragment,
 }
 
 const PieceColors& PictureBounds::piece_of(const TracedFragment& fragment,
-                                           const BoundsOfRun::Known& known) {
+                                           const BoundsOfRun::KnownTriangle& known) {
   const FragmentSource& source = fragment.source;
   if (!piece_ || source.number != piece_triangle_ || source.piece != piece_number_) {
     piece_.emplace(*draws_.at(fragment.instance), bounds_.of_instance(fragment.instance).bounds,
@@ -283,25 +283,26 @@ const PieceColors& PictureBounds::piece_of(const TracedFragment& fragment,
   return *piece_;
 }
 
-void PictureBounds::see_attributes(const TracedFragment& fragment, const ColorBounds& colors) {
+void PictureBounds::add_attributes(const TracedFragment& fragment, const ColorBounds& colors) {
   const Draw& draw = *draws_.at(fragment.instance);
   const BoundPlace where = place_of(fragment);
   if (draw.texture != nullptr) {
     const MipChain& texture = draw.texture->get();
-    errors_.texcoord.see(largest_of({colors.at.texcoord[0].bound * texture.width,
+    errors_.texcoord.add(largest_of({colors.at.texcoord[0].bound * texture.width,
                                      colors.at.texcoord[1].bound * texture.height}),
                          where);
-    errors_.texture.see(*colors.sample, where);
+    errors_.texture.add(*colors.sample, where);
   }
   if (needs_normals(draw, settings_) && is_there(colors.at.normal)) {
-    errors_.normal.see(share_of_length(colors.at.normal), where);
+    errors_.normal.add(share_of_length(colors.at.normal), where);
   }
-  if (fragment.fate != Fate::kDiscarded) errors_.light.see(largest_bound(colors.light), where);
+  if (fragment.result != FragmentResult::kDiscarded)
+    errors_.light.add(largest_bound(colors.light), where);
 }
 
 // Blending reads the stored colour, which has an error of its own.
 void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel) {
-  const bool blended = fragment.fate == Fate::kBlended;
+  const bool blended = fragment.result == FragmentResult::kBlended;
   const Bounded alpha = bounded::clamped(colors.surface[3], Bounded(0.0f), Bounded(1.0f));
   const std::array<std::uint8_t, 4> before{fragment.before.r, fragment.before.g, fragment.before.b,
                                            fragment.before.a};
@@ -315,8 +316,8 @@ void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& col
     const Transfer transfer = i == 3 ? Transfer::kNone : settings_.transfer;
     Bounded light = i == 3 ? Bounded(1.0f) : colors.light[i];
     if (blended) {
-      light = bounded::laid_over(light, alpha,
-                                 light_of_stored(transfer, before[i], double(pixel.bytes_off[i])));
+      light = bounded::blended_channel(
+          light, alpha, light_of_stored(transfer, before[i], double(pixel.bytes_off[i])));
     }
     const double bound = stored_bound(transfer, after[i], light);
     pixel.bytes_off[i] =
@@ -324,7 +325,7 @@ void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& col
     largest = std::max(largest, double(pixel.bytes_off[i]));
   }
   const BoundPlace where = place_of(fragment);
-  errors_.stored.see(largest, where);
+  errors_.stored.add(largest, where);
   pixel.number = where.number;
   pixel.line = where.line;
   pixel.is_drawn = true;
@@ -338,14 +339,14 @@ PictureErrors PictureBounds::finish() {
       if (!pixel.is_drawn) continue;
       const double largest = *std::ranges::max_element(pixel.bytes_off);
       errors_.pixels_unbounded += !std::isfinite(largest);
-      errors_.picture.see(largest, {pixel.number, {}, x, y, pixel.line});
+      errors_.picture.add(largest, {pixel.number, {}, x, y, pixel.line});
     }
   }
   return std::move(errors_);
 }
 
 PictureErrors picture_errors(const Scene& scene, const View& view, const RenderSettings& settings) {
-  PictureBounds bounds(scene, view, at_centres(settings));
+  PictureBounds bounds(scene, view, with_one_sample(settings));
   TraceFilter everything;
   everything.max_bytes = std::numeric_limits<std::uint64_t>::max();
   trace(scene, view, settings, everything, bounds);

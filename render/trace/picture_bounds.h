@@ -31,7 +31,7 @@ struct BoundPlace {
 // A summary of the bounds of one kind of number.
 class BoundSummary {
 public:
-  void see(double bound, const BoundPlace& place);
+  void add(double bound, const BoundPlace& place);
 
   std::uint64_t count() const { return count_; }
   std::uint64_t unbounded() const { return unbounded_; }  // those of them that are infinite
@@ -106,18 +106,19 @@ private:
   };
 
   // Returns whether the fragment's exact depth may be on the other side of the pixel's depth.
-  bool see_depth(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel);
-  void see_attributes(const TracedFragment& fragment, const ColorBounds& colors);
+  bool add_depth(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel);
+  void add_attributes(const TracedFragment& fragment, const ColorBounds& colors);
   void store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel);
-  void see_line(const TracedFragment& fragment, Pixel& pixel);
+  void add_line_fragment(const TracedFragment& fragment, Pixel& pixel);
   const LineBounds& line_of(const TracedFragment& fragment);
   // The part common to triangles and lines, from the depth test on; `may_miss` is called only for
   // fragments that passed it.
   template <class MayMiss, class Colors>
   void follow(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel,
               const MayMiss& may_miss, const Colors& colors);
-  const PieceColors& piece_of(const TracedFragment& fragment, const BoundsOfRun::Known& known);
-  bool is_near_edge(const TracedFragment& fragment, const BoundsOfRun::Known& known) const;
+  const PieceColors& piece_of(const TracedFragment& fragment,
+                              const BoundsOfRun::KnownTriangle& known);
+  bool is_near_edge(const TracedFragment& fragment, const BoundsOfRun::KnownTriangle& known) const;
 
   View view_;
   RenderSettings settings_;

@@ -91,7 +91,7 @@ struct TracedFragment {
   Fragment fragment;
   std::uint32_t code = 0;    // its depth code
   std::uint32_t stored = 0;  // the code that the buffer held
-  Fate fate = Fate::kHidden;
+  FragmentResult result = FragmentResult::kHidden;
   // Set if it passed the depth test:
   Varyings at;
   Rgba surface;

@@ -11,8 +11,8 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/ready.h>
-#include <glassbox/render/trace/reach.h>
+#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/trace/coverage_miss.h>
 
 namespace glassbox {
 namespace {
@@ -121,7 +121,7 @@ public:
       current_.polygon.push_back({.clip = clip, .ndc = ndc, .screen = {}, .snapped = {}});
   }
 
-  void placed(const NdcVertex&, ScreenVertex& screen) override {
+  void mapped_to_screen(const NdcVertex&, ScreenVertex& screen) override {
     if (of_polygon_) current_.polygon.back().screen = screen;
   }
 
@@ -130,13 +130,13 @@ public:
     if (watching_) current_.pieces.push_back({{}, vertices, setup});
   }
 
-  void faced(const TriangleSetup&, bool front, bool& culled) override {
+  void facing_tested(const TriangleSetup&, bool front, bool& culled) override {
     if (!watching_) return;
     current_.pieces.back().front = front;
     current_.pieces.back().culled = culled;
   }
 
-  void prepared(const Triangle&) override {
+  void triangle_finished(const Triangle&) override {
     if (!watching_ || !reaches_wanted_pixels()) return;
     watching_ = false;
     complete_current();
@@ -258,9 +258,9 @@ public:
     fragment_.after = after;
   }
 
-  void ended(const FragmentSource&, const Fragment&, Fate fate) override {
+  void fragment_finished(const FragmentSource&, const Fragment&, FragmentResult result) override {
     if (!tracing_) return;
-    fragment_.fate = fate;
+    fragment_.result = result;
     sink_.fragment(fragment_);
   }
 
@@ -293,10 +293,10 @@ TracedDraw record_of(const Draw& draw, const Scene& scene) {
           .mirrored = draw.mirrored};
 }
 
-SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
-              const TraceFilter& filter, TraceSink& sink) {
+StreamedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
+                  const TraceFilter& filter, TraceSink& sink) {
   Tracer tracer(scene, view, filter, sink);
-  Rendering rendering = render_staged(scene, view, at_centres(settings), &tracer);
+  Rendering rendering = render_staged(scene, view, with_one_sample(settings), &tracer);
   return {std::move(rendering), tracer.complete()};
 }
 
@@ -304,10 +304,10 @@ TracedRun trace(const Scene& scene, const View& view, const RenderSettings& sett
                 const TraceFilter& filter) {
   TracedRun run;
   run.trace.view = view;
-  run.trace.settings = at_centres(settings);
+  run.trace.settings = with_one_sample(settings);
   run.trace.planes = render_planes(view);
   Collector collector(run.trace);
-  SunkRun sunk = trace(scene, view, settings, filter, collector);
+  StreamedRun sunk = trace(scene, view, settings, filter, collector);
   run.rendering = std::move(sunk.rendering);
   run.trace.complete = sunk.complete;
   return run;

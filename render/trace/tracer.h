@@ -39,15 +39,15 @@ public:
   virtual void fragment(const TracedFragment& /*fragment*/) {}
 };
 
-struct SunkRun {
+struct StreamedRun {
   Rendering rendering;   // the same bytes as those of a run without an observer
   bool complete = true;  // false: the filter's limit of bytes was reached
 };
 
 // Traces one run of the staged reference. The additional time is proportional to what is recorded,
 // plus a few comparisons for each triangle and fragment.
-SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
-              const TraceFilter& filter, TraceSink& sink);
+StreamedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
+                  const TraceFilter& filter, TraceSink& sink);
 
 struct TracedRun {
   Rendering rendering;

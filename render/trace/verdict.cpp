@@ -66,9 +66,9 @@ ClippedCorner clipped_corner(const TracedCorner& corner, const ClipPlane& plane,
 }
 
 ClippingVerdict clipping(const TracedTriangle& triangle, const Trace& trace, const View& view,
-                         End end) {
+                         TriangleResult result) {
   ClippingVerdict found;
-  if (end == End::kClippedAway) {
+  if (result == TriangleResult::kClippedAway) {
     for (std::size_t i = 0; i < triangle.clipping.size(); ++i) {
       found.steps.push_back({trace.planes[i].name, triangle.clipping[i].after.count});
     }
@@ -138,16 +138,16 @@ PixelRect pixels_near(const TracedPiece& piece, const PixelRect& picture) {
 // outside the picture.
 void judge_coverage(const TracedTriangle& triangle, const PixelRect& picture,
                     TriangleVerdict& verdict) {
-  const auto size = [](const Outside& o) {
+  const auto size = [](const OutsideDistances& o) {
     return o.beyond_edge.value_or(double(std::max({o.left, o.top, o.right, o.bottom})));
   };
   for (const TracedPiece& piece : triangle.pieces) {
     if (!piece.setup || piece.culled) continue;
-    if (const auto outside = outside_of(piece, picture)) {
+    if (const auto outside = outside_distances(piece, picture)) {
       if (!verdict.outside || size(*outside) < size(*verdict.outside)) verdict.outside = outside;
       continue;
     }
-    const Miss miss = nearest_miss(*piece.setup, pixels_near(piece, picture));
+    const CentreMiss miss = nearest_miss(*piece.setup, pixels_near(piece, picture));
     if (!verdict.nearest_centre || miss.subpixels < verdict.nearest_centre->subpixels) {
       verdict.nearest_centre = miss;
     }
@@ -169,14 +169,14 @@ void judge_geometry(const Scene& scene, const View& view, const RenderSettings& 
       ++verdict.pieces_set_up;
     }
   }
-  verdict.end = end_before_fragments(triangle, trace.planes, settings, picture);
-  switch (verdict.end) {
-    case End::kBehindEye:
-    case End::kOutsidePlane:
-    case End::kClippedAway:
-      verdict.clipping = clipping(triangle, trace, view, verdict.end);
+  verdict.result = result_before_fragments(triangle, trace.planes, settings, picture);
+  switch (verdict.result) {
+    case TriangleResult::kBehindEye:
+    case TriangleResult::kOutsidePlane:
+    case TriangleResult::kClippedAway:
+      verdict.clipping = clipping(triangle, trace, view, verdict.result);
       break;
-    case End::kOutsidePicture:
+    case TriangleResult::kOutsidePicture:
       judge_coverage(triangle, picture, verdict);
       break;
     default:
@@ -189,12 +189,12 @@ void judge_geometry(const Scene& scene, const View& view, const RenderSettings& 
 void judge_fragments(const Scene& scene, const View& view, const RenderSettings& settings,
                      TriangleVerdict& verdict) {
   const std::uint32_t number = verdict.triangle.number;
-  Ledger ledger(view, settings, number);
-  render_staged(scene, view, at_centres(settings), &ledger);
-  ledger.finish();
-  verdict.fragments = ledger.entries()[number].fragments;
-  verdict.details = ledger.details();
-  verdict.end = end_of(verdict.fragments, verdict.end);
+  ResultCounter counter(view, settings, number);
+  render_staged(scene, view, with_one_sample(settings), &counter);
+  counter.finish();
+  verdict.fragments = counter.entries()[number].fragments;
+  verdict.details = counter.details();
+  verdict.result = result_of(verdict.fragments, verdict.result);
   if (verdict.fragments.covered == 0) judge_coverage(*verdict.traced, picture_of(view), verdict);
 }
 
@@ -240,10 +240,10 @@ Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
   }
   verdict.traced = run.trace.triangles.front();
   judge_geometry(scene, view, settings, run.trace, *verdict.traced, verdict);
-  if (verdict.end == End::kLines) {
+  if (verdict.result == TriangleResult::kLines) {
     const auto& ids = run.rendering.buffers.id.pixels;
     verdict.line_pixels = std::uint64_t(std::count(ids.begin(), ids.end(), triangle->number + 1));
-  } else if (verdict.end == End::kBetweenCentres) {
+  } else if (verdict.result == TriangleResult::kBetweenCentres) {
     judge_fragments(scene, view, settings, verdict);
   }
   return verdict;
@@ -251,31 +251,32 @@ Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
 
 // ---- the scene ----
 
-std::optional<End> SceneVerdict::commonest_loss() const {
-  std::optional<End> commonest;
-  for (std::size_t i = 0; i < kEnds; ++i) {
-    if (is_seen(End(i)) || groups[i].triangles == 0) continue;
-    if (!commonest || groups[i].triangles > at(*commonest).triangles) commonest = End(i);
+std::optional<TriangleResult> SceneVerdict::most_frequent_loss() const {
+  std::optional<TriangleResult> commonest;
+  for (std::size_t i = 0; i < kTriangleResults; ++i) {
+    if (is_seen(TriangleResult(i)) || groups[i].triangles == 0) continue;
+    if (!commonest || groups[i].triangles > at(*commonest).triangles) commonest = TriangleResult(i);
   }
   return commonest;
 }
 
 bool SceneVerdict::all_lost() const {
   std::uint64_t seen = 0;
-  for (std::size_t i = 0; i < kEnds; ++i) seen += is_seen(End(i)) ? groups[i].triangles : 0;
+  for (std::size_t i = 0; i < kTriangleResults; ++i)
+    seen += is_seen(TriangleResult(i)) ? groups[i].triangles : 0;
   return triangles > 0 && seen == 0;
 }
 
 SceneVerdict scene_verdict(const Scene& scene, const View& view, const RenderSettings& settings) {
-  Ledger ledger(view, settings, std::nullopt);
-  render_staged(scene, view, at_centres(settings), &ledger);
-  ledger.finish();
+  ResultCounter counter(view, settings, std::nullopt);
+  render_staged(scene, view, with_one_sample(settings), &counter);
+  counter.finish();
   SceneVerdict found;
-  found.triangles = ledger.entries().size();
+  found.triangles = counter.entries().size();
   found.conventions = conventions_of(view);
-  for (std::uint32_t number = 0; number < ledger.entries().size(); ++number) {
-    const Ledger::Entry& entry = ledger.entries()[number];
-    SceneVerdict::Group& group = found.groups[std::size_t(entry.end())];
+  for (std::uint32_t number = 0; number < counter.entries().size(); ++number) {
+    const ResultCounter::Entry& entry = counter.entries()[number];
+    SceneVerdict::Group& group = found.groups[std::size_t(entry.result())];
     if (group.triangles == 0 || entry.fragments.visible > group.example_pixels) {
       group.example = number;
       group.example_pixels = entry.fragments.visible;

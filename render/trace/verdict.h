@@ -13,11 +13,11 @@
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
-#include <glassbox/render/trace/end.h>
-#include <glassbox/render/trace/ledger.h>
+#include <glassbox/render/trace/coverage_miss.h>
 #include <glassbox/render/trace/numbering.h>
-#include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/records.h>
+#include <glassbox/render/trace/result_counter.h>
+#include <glassbox/render/trace/triangle_result.h>
 
 namespace glassbox {
 
@@ -94,7 +94,7 @@ struct CullVerdict {
 
 struct TriangleVerdict {
   NumberedTriangle triangle;
-  End end = End::kNoArea;
+  TriangleResult result = TriangleResult::kNoArea;
   ViewConventions conventions;
   std::optional<TracedTriangle> traced;  // none: no area as modelled
   int pieces_without_area = 0, pieces_turned_away = 0, pieces_set_up = 0;
@@ -103,9 +103,9 @@ struct TriangleVerdict {
   std::optional<ClippingVerdict> clipping;  // kBehindEye, kOutsidePlane, kClippedAway
   std::optional<NoScreenAreaVerdict> no_screen_area;
   std::optional<CullVerdict> cull;  // set if any piece is turned away
-  std::optional<Outside> outside;
-  std::optional<Miss> nearest_centre;  // of those in the picture
-  FragmentTally fragments;
+  std::optional<OutsideDistances> outside;
+  std::optional<CentreMiss> nearest_centre;  // of those in the picture
+  TriangleFragmentCounts fragments;
   FragmentDetails details;
   std::uint64_t line_pixels = 0;  // for kLines: the pixels in which its edges are seen
 };
@@ -123,13 +123,13 @@ struct SceneVerdict {
     std::uint32_t example = 0;
     std::uint32_t example_pixels = 0;
   };
-  std::array<Group, kEnds> groups;
+  std::array<Group, kTriangleResults> groups;
   std::uint64_t triangles = 0;
   ViewConventions conventions;
 
-  const Group& at(End end) const { return groups[std::size_t(end)]; }
-  // The most frequent end among the triangles that are not seen.
-  std::optional<End> commonest_loss() const;
+  const Group& at(TriangleResult result) const { return groups[std::size_t(result)]; }
+  // The most frequent result among the triangles that are not seen.
+  std::optional<TriangleResult> most_frequent_loss() const;
   bool all_lost() const;
 };
 

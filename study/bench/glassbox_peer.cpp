@@ -78,7 +78,7 @@ std::vector<Plan> plan_all_draws(std::span<const PlannedEye> eyes, bool leave_ou
 
 GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
     : bench_(bench),
-      prepared_(prepare(bench.scene, bench.settings.transfer)),
+      prepared_(prepare_scene(bench.scene, bench.settings.transfer)),
       drawn_(bench.passes.size()) {
   TileOptions tile = options.tile;
   if (!bench.reject_objects) tile.planner = plan_all_draws;
@@ -109,32 +109,32 @@ double GlassboxPeer::frame_ms() {
   return elapsed;
 }
 
-JudgedPicture GlassboxPeer::picture() {
+EnginePicture GlassboxPeer::picture() {
   RenderSettings settings = bench_.settings;
   settings.want_id = true;
   settings.want_depth = true;
   draw(settings);
-  JudgedPicture judged;
-  judged.bounds = bounds_of(bench_);
-  judged.picture.color = drawn_[0].buffers.color;
-  judged.picture.covered = Image<std::uint8_t>(bench_.width(), bench_.height());
-  judged.edge = Image<std::uint8_t>(bench_.width(), bench_.height());
-  for (const Rendering& pass : drawn_) mark_edges(pass.buffers.id, judged.edge);
-  mark_covered(drawn_.back().buffers.depth, judged.picture.covered);
-  if (settings.samples > 1) mark_edges_of_samples(judged.edge);
-  if (count_draws(bench_.scene, AlphaMode::kBlend) > 0) mark_edges_behind_glass(judged.edge);
-  return judged;
+  EnginePicture drawn;
+  drawn.bounds = bounds_of(bench_);
+  drawn.picture.color = drawn_[0].buffers.color;
+  drawn.picture.covered = Image<std::uint8_t>(bench_.width(), bench_.height());
+  drawn.edge = Image<std::uint8_t>(bench_.width(), bench_.height());
+  for (const Rendering& pass : drawn_) mark_edges(pass.buffers.id, drawn.edge);
+  mark_covered(drawn_.back().buffers.depth, drawn.picture.covered);
+  if (settings.samples > 1) mark_edges_of_samples(drawn.edge);
+  if (count_draws(bench_.scene, AlphaMode::kBlend) > 0) mark_edges_behind_glass(drawn.edge);
+  return drawn;
 }
 
 // Objects that fit between pixel centres have edges that no centre sees, so the edges are also
 // marked in pictures drawn at the sample positions.
 void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
-  RenderSettings settings = at_centres(bench_.settings);
+  RenderSettings settings = with_one_sample(bench_.settings);
   settings.want_id = true;
   for (std::size_t i = 0; i < bench_.passes.size(); ++i) {
     for (const SampleOffset& offset : sample_offsets(bench_.settings.samples)) {
       Rendering seen;
-      const View view = seen_at(bench_.passes[i].view, offset);
+      const View view = view_at_sample(bench_.passes[i].view, offset);
       const EyePicture eye{view, settings, seen.buffers, seen.buffers.color, seen.statistics};
       engine_->draw({bench_.scene, prepared_, {&eye, 1}});
       mark_edges(seen.buffers.id, edge);
@@ -157,8 +157,8 @@ void GlassboxPeer::mark_edges_behind_glass(Image<std::uint8_t>& edge) const {
     plain.unlit = true;
     material = plain;
   }
-  const PreparedScene prepared = prepare(lines, bench_.settings.transfer);
-  RenderSettings settings = at_centres(bench_.settings);
+  const PreparedScene prepared = prepare_scene(lines, bench_.settings.transfer);
+  RenderSettings settings = with_one_sample(bench_.settings);
   settings.wireframe = true;
   settings.want_depth = true;
   for (const BenchPass& pass : bench_.passes) {
@@ -177,7 +177,7 @@ StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, in
   const StereoSettings both_settings{bench.settings};
   Rendering one;
   StereoRendering both;
-  const PreparedScene prepared = prepare(bench.scene, bench.settings.transfer);
+  const PreparedScene prepared = prepare_scene(bench.scene, bench.settings.transfer);
   const std::unique_ptr<Engine> engine = make_engine(options.engine, options.tile);
   const auto draw_one = [&] {
     const EyePicture eye{centre, bench.settings, one.buffers, one.buffers.color, one.statistics};

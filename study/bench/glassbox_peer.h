@@ -31,7 +31,7 @@ public:
   double frame_ms();
 
   // The picture of a frame, from a run that also keeps the ids of the triangles.
-  JudgedPicture picture();
+  EnginePicture picture();
 
 private:
   void draw(const RenderSettings& settings);

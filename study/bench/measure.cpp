@@ -59,8 +59,9 @@ Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& optio
   if (peer != nullptr) {
     const auto picture = peer->picture(bench.width(), bench.height());
     if (!picture) return tl::unexpected(picture.error());
-    found.against = Against{peer->description(), quartiles(theirs), ratios(theirs, ours),
-                            match(glassbox.picture(), *picture)};
+    found.peer_comparison =
+        PeerComparison{peer->description(), quartiles(theirs), ratios(theirs, ours),
+                       match(glassbox.picture(), *picture)};
   }
   if (bench.stereo) found.stereo = stereo_cost(bench, options.engine, options.frames);
   if (!bench.reject_objects) found.rejected_ms = rejected_ms(bench, options);

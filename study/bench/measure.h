@@ -15,7 +15,7 @@
 
 namespace glassbox::study {
 
-struct Against {
+struct PeerComparison {
   std::string peer;
   Quartiles ms;
   // The peer's time divided by ours, frame by frame in the order of drawing: shows the spread
@@ -31,12 +31,12 @@ struct Measurement {
   int frames = 0;   // number of frames behind the medians
   Quartiles ms;
   Traffic least;  // bytes that have to be moved at least
-  std::optional<Against> against;
+  std::optional<PeerComparison> peer_comparison;
   std::optional<StereoCost> stereo;  // only for scenes with two eyes
   // for scenes drawn without culling of whole objects: the time with it
   std::optional<double> rejected_ms;
 
-  double ratio() const { return against->ms.median / ms.median; }
+  double ratio() const { return peer_comparison->ms.median / ms.median; }
 };
 
 struct MeasureOptions {

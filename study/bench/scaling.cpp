@@ -39,19 +39,19 @@ std::vector<double> series(ScaledBy by) {
 }
 
 // A grid of n stacks and 2 n slices has 4 n (n - 1) triangles.
-Grid grid_of(double triangles) {
+EllipsoidGrid grid_of(double triangles) {
   const int stacks = int(std::lround(0.5 + std::sqrt(0.25 + triangles / 4)));
   return {stacks, 2 * stacks, 0};
 }
 
 Step step_at(ScaledBy by, double x, const ScalingOptions& options) {
-  const auto scene = [&](const Grid& grid, int width, int height) {
+  const auto scene = [&](const EllipsoidGrid& grid, int width, int height) {
     return make_ellipsoid_scene(std::string(name_of(by)), grid, width, height);
   };
   EngineOptions engine = options.measure.engine;
   switch (by) {
     case ScaledBy::kTriangles: {
-      const Grid grid = grid_of(x);
+      const EllipsoidGrid grid = grid_of(x);
       return {double(triangles_of(grid)), scene(grid, options.width, options.height), engine};
     }
     case ScaledBy::kPixels: {

@@ -46,7 +46,7 @@ int StudyAgreeCommand::run() const {
   for (const auto* results : {&one, &other}) {
     if (!*results) return refuse(results->error());
   }
-  const auto found = study::agreement(*one, *other);
+  const auto found = study::find_agreement(*one, *other);
   if (!found) return refuse(found.error());
   fmt::print(
       "{} compared: both runs state {}, {} of them in opposite ways; {} stated by one run only\n",

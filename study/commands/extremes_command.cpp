@@ -62,7 +62,7 @@ std::pair<int, int> numbers_of(const std::string& id) {
 // The error for a case that does not exist. If it was left out on purpose, the error says why.
 tl::unexpected<Error> no_such_case(const std::string& id) {
   const int number = numbers_of(id).first;
-  for (const study::LeftOut& each : study::left_out_cases()) {
+  for (const study::OmittedCase& each : study::omitted_cases()) {
     const auto [first, last] = numbers_of(each.id);
     if (number < 0 || number < first || number > last) continue;
     return fail(id, "is left out (" + each.name + "): " + each.reason, "choose another case");
@@ -144,9 +144,9 @@ Result<void> StudyExtremesCommand::write_pictures(const ExtremesReport& report) 
   std::error_code error;
   std::filesystem::create_directories(*picture_directory_, error);
   for (const study::CaseResult& result : report.cases) {
-    for (const study::ExtremePicture& picture : result.what.pictures) {
+    for (const study::ExtremePicture& picture : result.extreme_case.pictures) {
       const std::string path =
-          fmt::format("{}/{}-{}.png", *picture_directory_, result.what.id, picture.name);
+          fmt::format("{}/{}-{}.png", *picture_directory_, result.extreme_case.id, picture.name);
       const std::string png = picture.png();
       if (const auto written = write_file(path, std::as_bytes(std::span(png))); !written)
         return written;
@@ -187,7 +187,7 @@ int StudyExtremesCommand::run() const {
   ExtremesReport report;
   for (const ExtremeCase* each : *cases) {
     progress.phase(each->id + " " + each->name);
-    report.cases.push_back(study::run(*each));
+    report.cases.push_back(study::run_case(*each));
   }
   for (const Sweep* each : *sweeps) {
     progress.phase(each->title);

@@ -14,7 +14,7 @@
 
 #include "cli/process/process.h"
 #include "cli/report/output.h"
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "study/commands/report.h"
 #include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
@@ -73,7 +73,7 @@ public:
     low_ = std::isfinite(least) ? int(least) : -1;
     high_ = std::isfinite(greatest) ? std::max(int(greatest), low_ + 1) : 0;
   }
-  double place(double value) const {
+  double position(double value) const {
     if (value == 0) return std::pow(10, low_ - 1);
     return std::isfinite(value) ? value : std::pow(10, high_ + 1);
   }
@@ -193,7 +193,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
   }
   const LogarithmicAxis x(times);
   const auto place_of = [&](const ConfigurationResult& each) {
-    return XY{timing_of(each, 1)->ns.median / unit.ns, y.place(each.error)};
+    return XY{timing_of(each, 1)->ns.median / unit.ns, y.position(each.error)};
   };
   const std::vector<Standing> standing = study::standings(result);
   std::vector<Plot> plots;
@@ -215,7 +215,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
     for (const std::size_t i : series.members) {
       const study::Timing* timing = timing_of(result.configurations[i], 1);
       if (timing == nullptr) continue;
-      const double error = y.place(result.configurations[i].error);
+      const double error = y.position(result.configurations[i].error);
       bars.points.push_back({timing->ns.lower / unit.ns, error});
       bars.points.push_back({timing->ns.upper / unit.ns, error});
       bars.points.push_back(kGap);
@@ -240,7 +240,7 @@ std::string axis_chart_commands(const ExperimentResult& result, const std::strin
       result.logarithmic_axis && std::ranges::all_of(parameters, [](double p) { return p >= 0; });
   const LogarithmicAxis x(parameters);
   const auto x_of = [&](const ConfigurationResult& each) {
-    return logarithmic ? x.place(each.parameter) : each.parameter;
+    return logarithmic ? x.position(each.parameter) : each.parameter;
   };
   std::vector<Plot> plots;
   for (const Series& series : series_of(result)) {
@@ -252,9 +252,9 @@ std::string axis_chart_commands(const ExperimentResult& result, const std::strin
     std::ranges::sort(sorted, {}, [&](std::size_t i) { return parameters[i]; });
     for (const std::size_t i : sorted) {
       const ConfigurationResult& each = result.configurations[i];
-      measured.points.push_back({x_of(each), y.place(each.error)});
+      measured.points.push_back({x_of(each), y.position(each.error)});
       if (each.predicted_error)
-        theory.points.push_back({x_of(each), y.place(*each.predicted_error)});
+        theory.points.push_back({x_of(each), y.position(*each.predicted_error)});
     }
     if (theory.points.size() == 1)
       theory.style = fmt::format("with points pt 6 ps 1.6 {}", colour_of(series.number));
@@ -278,7 +278,7 @@ constexpr ProcessLimits kChartLimits{.seconds = 300};  // a chart takes a second
 // Runs gnuplot and prints its messages on standard error, like this program's own.
 ProcessOutcome run_gnuplot(const std::string& script) {
   ProcessOutcome outcome = run_process({"gnuplot", script}, kChartLimits);
-  fmt::print(stderr, "{}", outcome.said);
+  fmt::print(stderr, "{}", outcome.printed);
   return outcome;
 }
 
@@ -321,7 +321,7 @@ Result<void> check_gnuplot() {
 }
 
 Result<int> write_svg_charts(const study::StudyResults& results, const std::string& directory) {
-  const Scratch scratch;
+  const ScratchDirectory scratch;
   const auto place = scratch.path();
   if (!place) return tl::unexpected(place.error());
   int written = 0;

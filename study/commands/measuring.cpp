@@ -22,7 +22,7 @@ namespace {
 // allows.
 constexpr int kFullRepetitions = 21;
 
-Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& ids) {
+Result<std::vector<const Experiment*>> choose_experiments(const std::vector<std::string>& ids) {
   const std::vector<Experiment>& all = study::experiments();
   for (const std::string& id : ids) {
     if (study::find_experiment(all, id) == nullptr) {
@@ -77,8 +77,8 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
       ->type_name("K/N");
 }
 
-Result<study::StudyResults> measure(const MeasuringOptions& options) {
-  auto chosen = choose(options.ids);
+Result<study::StudyResults> measure_experiments(const MeasuringOptions& options) {
+  auto chosen = choose_experiments(options.ids);
   if (!chosen) return tl::unexpected(chosen.error());
   std::vector<const Experiment*> of_part;
   for (auto i = std::size_t(options.part - 1); i < chosen->size();
@@ -93,15 +93,15 @@ Result<study::StudyResults> measure(const MeasuringOptions& options) {
   run.repetitions = options.quick ? study::kLeastRepetitions : kFullRepetitions;
   run.threads = threads;
   run.phase = [&](const std::string& what) { progress.phase(what); };
-  study::Origin origin = study::origin_here(version_and_build(), effort, threads);
+  study::Origin origin = study::current_origin(version_and_build(), effort, threads);
   origin.part = options.part;
   origin.parts = options.parts;
   return study::run_study(of_part, origin, run, options.file);
 }
 
-Result<study::StudyResults> chosen_of(const study::StudyResults& results,
-                                      const std::vector<std::string>& ids) {
-  const auto chosen = choose(ids);
+Result<study::StudyResults> select_results(const study::StudyResults& results,
+                                           const std::vector<std::string>& ids) {
+  const auto chosen = choose_experiments(ids);
   if (!chosen) return tl::unexpected(chosen.error());
   study::StudyResults some{results.origin, {}};
   for (const Experiment* experiment : *chosen) {

@@ -24,10 +24,10 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options);
 
 // Measures the experiments and shows progress on standard error. An unknown experiment is an error
 // before anything is measured.
-Result<study::StudyResults> measure(const MeasuringOptions& options);
+Result<study::StudyResults> measure_experiments(const MeasuringOptions& options);
 
 // Those of the results that are named by `ids`. An error if one of them is missing.
-Result<study::StudyResults> chosen_of(const study::StudyResults& results,
-                                      const std::vector<std::string>& ids);
+Result<study::StudyResults> select_results(const study::StudyResults& results,
+                                           const std::vector<std::string>& ids);
 
 }  // namespace glassbox::study

@@ -74,9 +74,9 @@ int StudyRecommendCommand::run() const {
   if (const auto legal = check_report_outputs({}, json_output_); !legal)
     return refuse(legal.error());
   std::vector<std::string> words{scene_};
-  for (const std::string& word : glassbox::words_of(picture_words_)) words.push_back(word);
+  for (const std::string& word : glassbox::option_words(picture_words_)) words.push_back(word);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, progress);
   if (!scene) return refuse(scene.error());
   const auto found = recommend(*scene, picture_, *budgets, words, progress);
   progress.done();

@@ -19,14 +19,14 @@ namespace glassbox::study {
 
 // A budget, all candidates for it, and the recommended one; none if no candidate is accurate
 // enough.
-struct Judged {
+struct BudgetResult {
   study::Budget budget;
   study::Comparison comparison;
   std::optional<std::size_t> chosen;
 };
 
 // All recommended options together, in one picture.
-struct Together {
+struct CombinedOptions {
   std::vector<std::string> options;   // options of glassbox render
   study::Quartiles ns;                // time of a frame with one thread
   std::optional<double> color_error;  // set if there is a budget for it
@@ -35,8 +35,8 @@ struct Together {
 struct Recommendation {
   std::string scene, machine, compiler;
   Size size;
-  std::vector<Judged> judged;
-  Together together;
+  std::vector<BudgetResult> budget_results;
+  CombinedOptions combined;
   std::string command;  // the command line that draws with these options
 
   bool meets_all() const;

@@ -14,7 +14,7 @@ namespace glassbox::study {
 
 namespace {
 
-std::string table_of(const Judged& judged) {
+std::string table_of(const BudgetResult& judged) {
   const Comparison& comparison = judged.comparison;
   double fastest = std::numeric_limits<double>::infinity();
   for (const Candidate& each : comparison.candidates) {
@@ -38,7 +38,7 @@ std::string table_of(const Judged& judged) {
 }
 
 // The recommendation in one sentence.
-std::string verdict(const Judged& judged) {
+std::string verdict(const BudgetResult& judged) {
   const auto& candidates = judged.comparison.candidates;
   if (!judged.chosen) {
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
@@ -54,13 +54,13 @@ std::string verdict(const Judged& judged) {
   return chosen.name + " is accurate enough.";
 }
 
-std::string together_text(const Together& together) {
-  const TimeUnit unit = glassbox::time_unit(together.ns.median);
+std::string combined_text(const CombinedOptions& combined) {
+  const TimeUnit unit = glassbox::time_unit(combined.ns.median);
   const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
   std::string text = fmt::format(
       "measured with these options: {} {} a frame with one thread ({} .. {})",
-      time(together.ns.median), unit.name, time(together.ns.lower), time(together.ns.upper));
-  if (together.color_error) text += fmt::format(", error of colour {:.3g}", *together.color_error);
+      time(combined.ns.median), unit.name, time(combined.ns.lower), time(combined.ns.upper));
+  if (combined.color_error) text += fmt::format(", error of colour {:.3g}", *combined.color_error);
   return text;
 }
 
@@ -71,7 +71,7 @@ std::string recommendation_text(const Recommendation& recommendation) {
       "", fmt::format("{}, {} x {}; {}; {}; times are those of one thread", recommendation.scene,
                       recommendation.size.width, recommendation.size.height, recommendation.machine,
                       recommendation.compiler));
-  for (const Judged& each : recommendation.judged) {
+  for (const BudgetResult& each : recommendation.budget_results) {
     const std::string limit =
         fmt::format("{} below {:.4g}{}", name_of(each.budget.quantity), each.budget.limit,
                     unit_of(each.budget.quantity).empty() ? "" : " px");
@@ -82,7 +82,7 @@ std::string recommendation_text(const Recommendation& recommendation) {
   text +=
       recommendation.meets_all() ? "\n" : "\nNot every budget can be met. This comes nearest:\n";
   return text + "  " + recommendation.command + "\n" +
-         wrapped("  ", together_text(recommendation.together));
+         wrapped("  ", combined_text(recommendation.combined));
 }
 
 nlohmann::ordered_json recommendation_json(const Recommendation& recommendation) {
@@ -91,13 +91,13 @@ nlohmann::ordered_json recommendation_json(const Recommendation& recommendation)
             {"height", recommendation.size.height}, {"machine", recommendation.machine},
             {"compiler", recommendation.compiler},  {"meets_all", recommendation.meets_all()},
             {"command", recommendation.command},    {"budgets", Json::array()}};
-  const Together& together = recommendation.together;
-  json["together"] = {{"options", together.options},
-                      {"ns", together.ns.median},
-                      {"ns_quartiles", {together.ns.lower, together.ns.upper}},
+  const CombinedOptions& combined = recommendation.combined;
+  json["together"] = {{"options", combined.options},
+                      {"ns", combined.ns.median},
+                      {"ns_quartiles", {combined.ns.lower, combined.ns.upper}},
                       {"colour_error", nullptr}};
-  if (together.color_error) json["together"]["colour_error"] = *together.color_error;
-  for (const Judged& each : recommendation.judged) {
+  if (combined.color_error) json["together"]["colour_error"] = *combined.color_error;
+  for (const BudgetResult& each : recommendation.budget_results) {
     Json budget{{"quantity", name_of(each.budget.quantity)},
                 {"limit", each.budget.limit},
                 {"unit", unit_of(each.budget.quantity)},

@@ -68,9 +68,9 @@ Result<void> StudyReportCommand::check_options() const {
 }
 
 Result<study::StudyResults> StudyReportCommand::results() const {
-  if (!from_) return measure(measuring_);
+  if (!from_) return measure_experiments(measuring_);
   auto kept = study::read_results(*from_);
-  return kept && !measuring_.ids.empty() ? chosen_of(*kept, measuring_.ids) : kept;
+  return kept && !measuring_.ids.empty() ? select_results(*kept, measuring_.ids) : kept;
 }
 
 // The command line that makes the page again, from stored results or by measuring.

@@ -68,7 +68,7 @@ Result<void> StudyRunCommand::write_outputs(const study::StudyResults& results) 
 
 int StudyRunCommand::run() const {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
-  const auto results = measure(measuring_);
+  const auto results = measure_experiments(measuring_);
   if (!results) return refuse(results.error());
   if (const auto written = write_outputs(*results); !written) return refuse(written.error());
   if (json_output_ != "-" && csv_output_ != "-") fmt::print("{}", study_text(*results));

@@ -90,7 +90,7 @@ std::vector<std::string> pinned_words(const PictureOptions& given, const Picture
     if (std::ranges::find(kReplaced, option->get_name()) == std::end(kReplaced))
       kept.push_back(option);
   }
-  std::vector<std::string> words = glassbox::words_of(kept);
+  std::vector<std::string> words = glassbox::option_words(kept);
   const CameraOptions& camera = pinned.camera;
   const auto add = [&](const char* name, const auto& numbers) {
     if (numbers) words.insert(words.end(), {name, comma_separated(*numbers)});
@@ -135,7 +135,7 @@ bool is_given(const std::vector<std::string>& words, const char* option) {
 }
 
 // Settings that the user has given are held fixed.
-std::set<Knob> held_by(const std::vector<std::string>& words) {
+std::set<Knob> fixed_knobs(const std::vector<std::string>& words) {
   std::set<Knob> held;
   for (const auto& [option, knob] : {std::pair{"--shade", Knob::kShading},
                                      {"--filter", Knob::kFilter},
@@ -148,7 +148,7 @@ std::set<Knob> held_by(const std::vector<std::string>& words) {
 
 // The levels of detail of a built-in scene; empty for files, and for scenes without levels.
 struct Levels {
-  int asked = 0;
+  int chosen = 0;
   std::map<int, Scene> others;  // by level; these are powers of two
 };
 
@@ -159,7 +159,7 @@ Result<Levels> levels_of(const std::string& word) {
   const auto colon = word.find(':');
   Levels levels{colon == std::string::npos ? usual : std::stoi(word.substr(colon + 1)), {}};
   for (int level = low; level <= high; level *= 2) {
-    if (level == levels.asked) continue;
+    if (level == levels.chosen) continue;
     auto scene = make_builtin(fmt::format("{}:{}", builtin->name, level));
     if (!scene) return tl::unexpected(scene.error());
     levels.others.emplace(level, std::move(*scene));
@@ -213,7 +213,7 @@ std::string StudySceneCommand::command() const {
   if (quick_) own.emplace_back("--quick");
   if (threads_ > 0) own.insert(own.end(), {"--threads", fmt::to_string(threads_)});
   if (page_) own.insert(own.end(), {"--html", *page_});
-  return shell_line({{"study", "scene", scene_}, words_given(picture_), own});
+  return shell_line({{"study", "scene", scene_}, given_option_words(picture_), own});
 }
 
 SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& progress) const {
@@ -256,19 +256,19 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
 
   study::CurveRequest request;
   request.scene = &scene;
-  request.level = levels->asked;
+  request.level = levels->chosen;
   if (pin) request.at_levels = std::move(levels->others);
   request.view = [&](const RenderSettings& settings, int factor) {
     return choose_view(scene, picture, settings, factor);
   };
   const int threads = threads_ > 0 ? threads_ : default_threads();
-  const std::vector<std::string> given = words_given(picture_);
-  request.ways.settings = picture_.settings;
-  request.ways.filter = picture_.filter;
-  request.ways.held = held_by(given);
-  request.ways.cull_stage_held = is_given(given, "--cull-stage");
-  request.ways.threads = threads;
-  for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
+  const std::vector<std::string> given = given_option_words(picture_);
+  request.variants.settings = picture_.settings;
+  request.variants.filter = picture_.filter;
+  request.variants.fixed_knobs = fixed_knobs(given);
+  request.variants.cull_stage_fixed = is_given(given, "--cull-stage");
+  request.variants.threads = threads;
+  for (const auto& [level, unused] : request.at_levels) request.variants.levels.push_back(level);
   request.combine = !quick_;
   request.repetitions = study::kLeastRepetitions;
   request.keep_pictures = page_.has_value();
@@ -278,8 +278,8 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
     const auto effort = quick_ ? study::Effort::kQuick : study::Effort::kFull;
     return CurveReport{scene_,
                        picture.size,
-                       pin ? pinned_words(picture_, picture) : words_given(picture_),
-                       study::origin_here(version_and_build(), effort, threads),
+                       pin ? pinned_words(picture_, picture) : given_option_words(picture_),
+                       study::current_origin(version_and_build(), effort, threads),
                        command(),
                        std::move(curve),
                        measure_second_eyes(scene, progress)};
@@ -295,13 +295,13 @@ Result<void> StudySceneCommand::write_outputs(const CurveReport& report) const {
       return written;
   }
   if (!page_) return {};
-  return write_made(*page_, curve_page(report));
+  return write_text_result(*page_, curve_page(report));
 }
 
 int StudySceneCommand::run() const {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, progress);
   if (!scene) return refuse(scene.error());
   const auto report = measure(*scene, progress);
   progress.done();

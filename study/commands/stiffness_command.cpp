@@ -77,15 +77,15 @@ int StudyStiffnessCommand::run() const {
   if (const auto legal = check_report_outputs(html_output_, json_output_); !legal) {
     return refuse(legal.error());
   }
-  tell_of_centres(picture_);
+  print_pixel_centres_note(picture_);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, progress);
   if (!scene) return refuse(scene.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
   progress.phase("examining " + scene_title(scene_));
   const StiffnessReport report{
-      scene_, words_given(picture_), picture_.size.width, picture_.size.height,
+      scene_, given_option_words(picture_), picture_.size.width, picture_.size.height,
       study::stiffness_of(*scene, chosen->view, picture_.settings, up_of(*scene, picture_.camera))};
   progress.done();
   if (const auto written = write_outputs(*scene, report); !written) {

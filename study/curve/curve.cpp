@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "study/curve/drawers.h"
+#include "study/curve/renderer_cache.h"
 #include "study/recommend/vertices.h"
 
 #include <glassbox/images/write.h>
-#include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/setting_names.h>
 
 namespace glassbox::study {
 
@@ -20,21 +20,21 @@ namespace {
 class Measurement {
 public:
   explicit Measurement(const CurveRequest& request)
-      : request_(request), drawers_(*request.scene, request.view, &request.at_levels) {}
+      : request_(request), renderer_cache_(*request.scene, request.view, &request.at_levels) {}
 
   Result<Curve> run() && {
-    Ways ways = single_turns(*request_.scene, request_.ways);
-    if (const auto fits = check_memory(ways.all); request_.keep_pictures && !fits) {
+    RenderVariants variants = single_knob_variants(*request_.scene, request_.variants);
+    if (const auto fits = check_memory(variants.all); request_.keep_pictures && !fits) {
       return tl::unexpected(fits.error());
     }
     if (const auto drawn = draw_reference(); !drawn) return tl::unexpected(drawn.error());
-    curve_.left_out = std::move(ways.left_out);
-    for (const Way& way : ways.all) {
-      if (const auto drawn = draw(way); !drawn) return tl::unexpected(drawn.error());
+    curve_.skipped = std::move(variants.skipped);
+    for (const RenderVariant& variant : variants.all) {
+      if (const auto drawn = draw(variant); !drawn) return tl::unexpected(drawn.error());
     }
     if (request_.combine) {
-      for (const Way& way : combined_turns(turns_that_show())) {
-        if (const auto drawn = draw(way); !drawn) return tl::unexpected(drawn.error());
+      for (const RenderVariant& variant : combined_variants(visible_variants())) {
+        if (const auto drawn = draw(variant); !drawn) return tl::unexpected(drawn.error());
       }
     }
     find_faults();
@@ -45,15 +45,16 @@ public:
   }
 
 private:
-  void tell(const std::string& what) const {
+  void report_phase(const std::string& what) const {
     if (request_.phase) request_.phase(what);
   }
 
-  // Fails if the pictures would need too much memory, should each way give a different one.
-  Result<void> check_memory(const std::vector<Way>& ways) {
-    const auto view = drawers_.view_of(ways.front());
+  // Fails if the pictures would need too much memory, should each variant give a different one.
+  Result<void> check_memory(const std::vector<RenderVariant>& variants) {
+    const auto view = renderer_cache_.view_of(variants.front());
     if (!view) return tl::unexpected(view.error());
-    const std::size_t most = ways.size() + (request_.combine ? combined_turns(ways).size() : 0);
+    const std::size_t most =
+        variants.size() + (request_.combine ? combined_variants(variants).size() : 0);
     const Viewport& v = view->viewport;
     const double pixels = std::abs(v.right - v.left) * std::abs(v.bottom - v.top);
     const double bytes = double(most) * pixels * sizeof(Rgba8);
@@ -69,14 +70,14 @@ private:
   // The reference is drawn at the finest level of the scene; it is shaded per pixel unless the
   // caller asked for another shading.
   Result<void> draw_reference() {
-    RenderSettings settings = request_.ways.settings;
-    if (!request_.ways.held.contains(Knob::kShading)) settings.shading = Shading::kPhong;
-    Way finest;
-    finest.filter = request_.ways.filter;
+    RenderSettings settings = request_.variants.settings;
+    if (!request_.variants.fixed_knobs.contains(Knob::kShading)) settings.shading = Shading::kPhong;
+    RenderVariant finest;
+    finest.filter = request_.variants.filter;
     if (!request_.at_levels.empty() && request_.at_levels.rbegin()->first > request_.level)
       finest.level = request_.at_levels.rbegin()->first;
-    const Scene& scene = drawers_.scene_of(finest);
-    tell("drawing the reference");
+    const Scene& scene = renderer_cache_.scene_of(finest);
+    report_phase("drawing the reference");
     auto drawn = reference_picture(scene, request_.view, settings);
     if (!drawn) return tl::unexpected(drawn.error());
     curve_.reference = std::move(drawn->image);
@@ -87,17 +88,17 @@ private:
     return {};
   }
 
-  Result<void> draw(const Way& way) {
-    const auto view = drawers_.view_of(way);
-    if (!view && way.knob == Knob::kNone) return tl::unexpected(view.error());
+  Result<void> draw(const RenderVariant& variant) {
+    const auto view = renderer_cache_.view_of(variant);
+    if (!view && variant.knob == Knob::kNone) return tl::unexpected(view.error());
     if (!view) {
-      curve_.left_out.push_back({way.knob, name_of(way) + ": " + view.error().cause});
+      curve_.skipped.push_back({variant.knob, name_of(variant) + ": " + view.error().cause});
       return {};
     }
-    tell(fmt::format("drawing {} ({} drawn)", name_of(way), curve_.points.size()));
+    report_phase(fmt::format("drawing {} ({} drawn)", name_of(variant), curve_.points.size()));
     CurvePoint point;
-    point.way = way;
-    Image<Rgba8> picture = drawers_.draw(way);
+    point.variant = variant;
+    Image<Rgba8> picture = renderer_cache_.draw(variant);
     const auto number = number_of(picture);
     if (!number) return tl::unexpected(number.error());
     point.picture = *number;
@@ -124,21 +125,21 @@ private:
     return same;
   }
 
-  // Returns the ways whose picture differs from that of the first way: only these are worth
+  // Returns the variants whose picture differs from that of the first variant: only these are worth
   // combining. A knob that never changes a byte is listed as left out.
-  std::vector<Way> turns_that_show() {
-    std::vector<Way> turns;
+  std::vector<RenderVariant> visible_variants() {
+    std::vector<RenderVariant> turns;
     std::set<Knob> shown;
     for (const CurvePoint& point : curve_.points) {
-      if (point.picture == 0 && point.way.knob != Knob::kNone) continue;
-      turns.push_back(point.way);
-      shown.insert(point.way.knob);
+      if (point.picture == 0 && point.variant.knob != Knob::kNone) continue;
+      turns.push_back(point.variant);
+      shown.insert(point.variant.knob);
     }
     for (const Knob knob : {Knob::kShading, Knob::kFilter, Knob::kSamples}) {
       const bool tried = std::ranges::any_of(
-          curve_.points, [&](const CurvePoint& point) { return point.way.knob == knob; });
+          curve_.points, [&](const CurvePoint& point) { return point.variant.knob == knob; });
       if (tried && !shown.contains(knob)) {
-        curve_.left_out.push_back(
+        curve_.skipped.push_back(
             {knob, "it changes no byte of this picture, so it is not combined with others"});
       }
     }
@@ -147,23 +148,24 @@ private:
 
   void find_faults() {
     for (const CurvePoint& point : curve_.points) {
-      if (point.way.knob == Knob::kEngine && point.picture != 0)
-        curve_.faults.push_back(name_of(point.way));
+      if (point.variant.knob == Knob::kEngine && point.picture != 0)
+        curve_.faults.push_back(name_of(point.variant));
     }
   }
 
   Result<void> measure_geometry() {
-    tell("computing vertices with 50 digits");
+    report_phase("computing vertices with 50 digits");
     std::map<std::pair<int, DepthFormat>, double> errors;  // keys: level and format
     for (CurvePoint& point : curve_.points) {
-      const DepthFormat format = point.way.settings.depth;
-      const auto key = std::pair(point.way.level.value_or(0), format);
+      const DepthFormat format = point.variant.settings.depth;
+      const auto key = std::pair(point.variant.level.value_or(0), format);
       if (!errors.contains(key)) {
-        const Scene& scene = point.way.level ? drawers_.scene_of(point.way) : *request_.scene;
-        const auto vertices = SceneVertices::of(scene, *drawers_.view_of(point.way));
+        const Scene& scene =
+            point.variant.level ? renderer_cache_.scene_of(point.variant) : *request_.scene;
+        const auto vertices = SceneVertices::sample(scene, *renderer_cache_.view_of(point.variant));
         if (!vertices) return tl::unexpected(vertices.error());
         errors[key] = vertices->depth_error(format);
-        if (point.way.knob == Knob::kNone) {
+        if (point.variant.knob == Knob::kNone) {
           curve_.position_error = vertices->position_error();
           curve_.vertices = vertices->count();
         }
@@ -174,10 +176,10 @@ private:
   }
 
   void add_times() {
-    tell(fmt::format("timing {} ways", curve_.points.size()));
-    std::vector<Way> ways;
-    for (const CurvePoint& point : curve_.points) ways.push_back(point.way);
-    const std::vector<Timed> times = frame_times(drawers_, ways, request_.repetitions);
+    report_phase(fmt::format("timing {} ways", curve_.points.size()));
+    std::vector<RenderVariant> variants;
+    for (const CurvePoint& point : curve_.points) variants.push_back(point.variant);
+    const std::vector<Timed> times = frame_times(renderer_cache_, variants, request_.repetitions);
     for (std::size_t i = 0; i < times.size(); ++i) {
       curve_.points[i].ns = times[i].ns;
       curve_.points[i].disturbed = times[i].disturbed;
@@ -187,18 +189,18 @@ private:
 
   void add_standings() {
     std::vector<CurvePoint*> rivals;
-    std::vector<Price> prices;
+    std::vector<ErrorAndTime> errors_and_times;
     for (CurvePoint& point : curve_.points) {
-      if (point.way.threads() > 1) continue;
+      if (point.variant.threads() > 1) continue;
       rivals.push_back(&point);
-      prices.push_back({point.error.rms, point.ns});
+      errors_and_times.push_back({point.error.rms, point.ns});
     }
-    const std::vector<Standing> found = standings(prices);
+    const std::vector<Standing> found = standings(errors_and_times);
     for (std::size_t i = 0; i < found.size(); ++i) rivals[i]->standing = found[i];
   }
 
   const CurveRequest& request_;
-  Drawers drawers_;
+  RendererCache renderer_cache_;
   Curve curve_;
   std::vector<PictureError> errors_;  // one for each different picture
   // those pictures as PNG, if they are not kept uncompressed

@@ -1,4 +1,4 @@
-// Measures error against time for a scene of the user: draws and times it in every way that
+// Measures error against time for a scene of the user: draws and times it in every variant that
 // `glassbox render` offers.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 #include "study/bench/statistics.h"
 #include "study/curve/picture_error.h"
-#include "study/curve/ways.h"
+#include "study/curve/render_variants.h"
 #include "study/experiment/pareto.h"
 #include "study/recommend/pictures.h"
 
@@ -27,7 +27,7 @@ struct CurveRequest {
   int level = 0;                   // the level of `scene`, if it is a built-in scene with levels
   std::map<int, Scene> at_levels;  // the same scene at other levels, for the same view
   ViewOf view;
-  WaysAsked ways;
+  VariantRequest variants;
   bool combine = true;  // combine shading, filter and samples; otherwise each knob is turned alone
   int repetitions = 0;
   // Whether Curve::pictures are wanted; they may take most_bytes. Otherwise the pictures are kept
@@ -38,14 +38,14 @@ struct CurveRequest {
 };
 
 struct CurvePoint {
-  Way way;
+  RenderVariant variant;
   std::size_t picture = 0;  // index of its picture among the different ones (Curve::pictures)
   PictureError error;
   double depth_error = 0;  // see SceneVertices::depth_error
   Quartiles ns;            // per frame
   int disturbed = 0;       // number of disturbed repetitions (see timing.h)
-  // Compared with the other ways that use one thread. None for ways with several threads, whose
-  // times are measured by another clock.
+  // Compared with the other variants that use one thread. None for variants with several
+  // threads, whose times are measured by another clock.
   std::optional<Standing> standing;
 };
 
@@ -55,7 +55,7 @@ struct Curve {
   std::size_t different = 0;           // number of different pictures
   std::vector<Image<Rgba8>> pictures;  // each different picture once; empty if they are not kept
   std::vector<CurvePoint> points;      // the first one is the picture as it was asked for
-  std::vector<NotTurned> left_out;
+  std::vector<SkippedKnob> skipped;
   // px: the largest position error of `vertices` vertices, compared with 50 digits
   double position_error = 0;
   std::size_t vertices = 0;

@@ -33,7 +33,7 @@ void compare(const ExperimentResult& one, const ExperimentResult& other, int thr
   const auto& configurations = one.configurations;
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     for (std::size_t j = i + 1; j < configurations.size(); ++j) {
-      if (!compete(one, configurations[i], configurations[j])) continue;
+      if (!are_competitors(one, configurations[i], configurations[j])) continue;
       const Timing* const times[] = {
           timing_of(configurations[i], threads), timing_of(configurations[j], threads),
           timing_of(other.configurations[i], threads), timing_of(other.configurations[j], threads)};
@@ -54,7 +54,7 @@ void compare(const ExperimentResult& one, const ExperimentResult& other, int thr
 
 }  // namespace
 
-Result<Agreement> agreement(const StudyResults& one, const StudyResults& other) {
+Result<Agreement> find_agreement(const StudyResults& one, const StudyResults& other) {
   Agreement found;
   bool any = false;
   for (const ExperimentResult& experiment : one.experiments) {

@@ -23,6 +23,6 @@ struct Agreement {
 };
 
 // An error if the runs have no experiment in common, or different configurations of the same one.
-Result<Agreement> agreement(const StudyResults& one, const StudyResults& other);
+Result<Agreement> find_agreement(const StudyResults& one, const StudyResults& other);
 
 }  // namespace glassbox::study

@@ -8,13 +8,13 @@ namespace glassbox::study {
 
 namespace {
 
-bool dominates(const Price& a, const Price& b, bool more_is_better = false) {
+bool dominates(const ErrorAndTime& a, const ErrorAndTime& b, bool more_is_better = false) {
   if (std::isnan(a.error)) return false;
   if (std::isnan(b.error)) return !is_faster(b.ns, a.ns);  // a has an answer, and b is not faster
   return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a.ns, b.ns);
 }
 
-Price price_of(const ConfigurationResult& result, int threads) {
+ErrorAndTime error_and_time_of(const ConfigurationResult& result, int threads) {
   return {result.error, timing_of(result, threads)->ns};
 }
 
@@ -37,11 +37,11 @@ const char* name_of(Standing standing) {
   return "untimed";
 }
 
-std::vector<Standing> standings(const std::vector<Price>& competitors) {
+std::vector<Standing> standings(const std::vector<ErrorAndTime>& competitors) {
   std::vector<Standing> all;
-  for (const Price& each : competitors) {
+  for (const ErrorAndTime& each : competitors) {
     const bool beaten = std::ranges::any_of(
-        competitors, [&](const Price& other) { return dominates(other, each); });
+        competitors, [&](const ErrorAndTime& other) { return dominates(other, each); });
     all.push_back(beaten ? Standing::kDominated : Standing::kFront);
   }
   return all;
@@ -54,8 +54,8 @@ const Timing* timing_of(const ConfigurationResult& result, int threads) {
   return nullptr;
 }
 
-bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
-             const ConfigurationResult& b) {
+bool are_competitors(const ExperimentResult& experiment, const ConfigurationResult& a,
+                     const ConfigurationResult& b) {
   return a.measure == b.measure && a.scene == b.scene &&
          (experiment.axis_is_chosen || a.parameter == b.parameter);
 }
@@ -68,8 +68,9 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads)
       standing = Standing::kFront;
       const bool more = more_is_better(experiment, each.measure);
       for (const ConfigurationResult& other : experiment.configurations) {
-        if (timing_of(other, threads) == nullptr || !compete(experiment, each, other)) continue;
-        if (dominates(price_of(other, threads), price_of(each, threads), more))
+        if (timing_of(other, threads) == nullptr || !are_competitors(experiment, each, other))
+          continue;
+        if (dominates(error_and_time_of(other, threads), error_and_time_of(each, threads), more))
           standing = Standing::kDominated;
       }
     }

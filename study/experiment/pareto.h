@@ -17,18 +17,18 @@ enum class Standing {
 const char* name_of(Standing standing);  // for example "front"
 
 // The error and the time of one competitor.
-struct Price {
+struct ErrorAndTime {
   double error = 0;
   Quartiles ns;
 };
 
 // The standing of each competitor among all of them.
-std::vector<Standing> standings(const std::vector<Price>& competitors);
+std::vector<Standing> standings(const std::vector<ErrorAndTime>& competitors);
 
 // Whether two configurations compete: same measure, same scene and, unless the axis is chosen, the
 // same parameter.
-bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
-             const ConfigurationResult& b);
+bool are_competitors(const ExperimentResult& experiment, const ConfigurationResult& a,
+                     const ConfigurationResult& b);
 
 // The standing of each configuration, by its times with this number of threads. Times are ordered
 // by is_faster(), so that another run on a busy machine gives the same standings; errors are exact.

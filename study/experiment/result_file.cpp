@@ -63,7 +63,7 @@ Result<void> write_results(const std::string& path, const StudyResults& results)
   return write_file(path, std::as_bytes(std::span(text)));
 }
 
-Result<StudyResults> resume(const std::string& path, const Origin& origin) {
+Result<StudyResults> resume_results(const std::string& path, const Origin& origin) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return StudyResults{origin, {}};
   auto results = read_results(path);

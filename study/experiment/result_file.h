@@ -15,7 +15,7 @@ Result<void> write_results(const std::string& path, const StudyResults& results)
 
 // Reads the results from which a run continues. No results if there is no file; an error if its
 // results have another origin.
-Result<StudyResults> resume(const std::string& path, const Origin& origin);
+Result<StudyResults> resume_results(const std::string& path, const Origin& origin);
 
 // Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
 std::string first_difference(const Origin& there, const Origin& here);

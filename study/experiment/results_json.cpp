@@ -71,14 +71,14 @@ Json measure_json(const Measure& measure) {
 }
 
 // The reason why a file cannot be read.
-struct Unread {
+struct UnreadableFile {
   std::string cause;
 };
 
 const Json& field(const Json& json, const char* name) {
   if (const auto found = json.find(name); found != json.end()) return *found;
-  throw Unread{std::string("has no '") + name +
-               "', so it was written by an older version, or is damaged"};
+  throw UnreadableFile{std::string("has no '") + name +
+                       "', so it was written by an older version, or is damaged"};
 }
 
 Measure measure_of(const Json& json) {
@@ -93,7 +93,7 @@ double number_of(const Json& json) {
   if (name == "infinity") return kInfinity;
   if (name == "-infinity") return -kInfinity;
   if (name == "nan") return std::numeric_limits<double>::quiet_NaN();
-  throw Unread{"is damaged: '" + name + "' is not a number"};
+  throw UnreadableFile{"is damaged: '" + name + "' is not a number"};
 }
 
 Timing timing_of(const Json& json) {
@@ -147,7 +147,7 @@ StudyResults unchecked_results_of(const Json& json) {
   StudyResults results;
   const std::string effort = field(json, "effort");
   if (effort != "quick" && effort != "full") {
-    throw Unread{"is damaged: '" + effort + "' is not an effort"};
+    throw UnreadableFile{"is damaged: '" + effort + "' is not an effort"};
   }
   results.origin = {field(json, "machine"),
                     field(json, "compiler"),
@@ -161,7 +161,7 @@ StudyResults unchecked_results_of(const Json& json) {
                     field(json, "caches")};
   const Origin& origin = results.origin;
   if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
-    throw Unread{"is damaged: its part does not exist"};
+    throw UnreadableFile{"is damaged: its part does not exist"};
   }
   for (const Json& each : field(json, "experiments"))
     results.experiments.push_back(experiment_of(each));
@@ -225,7 +225,7 @@ Result<StudyResults> results_of(const Json& json) {
   }
   try {
     return unchecked_results_of(json);
-  } catch (const Unread& unread) {
+  } catch (const UnreadableFile& unread) {
     return fail("", unread.cause, kRemedy);
   } catch (const Json::exception&) {
     return fail("", "is damaged: a value has the wrong type", kRemedy);

@@ -16,7 +16,7 @@ namespace glassbox::study {
 
 namespace {
 
-void tell(const RunOptions& options, const std::string& what) {
+void report_phase(const RunOptions& options, const std::string& what) {
   if (options.phase) options.phase(what);
 }
 
@@ -101,19 +101,19 @@ std::string lower_case(std::string text) {
 }  // namespace
 
 ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& options) {
-  tell(options, experiment.id + ": preparing");
+  report_phase(options, experiment.id + ": preparing");
   const std::vector<Configuration> configurations = experiment.configurations(options.effort);
   ExperimentResult result = described(experiment);
   for (const Configuration& each : configurations) {
-    tell(options, fmt::format("{}: error {} of {}", experiment.id, result.configurations.size() + 1,
-                              configurations.size()));
+    report_phase(options, fmt::format("{}: error {} of {}", experiment.id,
+                                      result.configurations.size() + 1, configurations.size()));
     result.configurations.push_back(measured_error(each));
   }
-  tell(options, experiment.id + ": times with one thread");
+  report_phase(options, experiment.id + ": times with one thread");
   result.machine = machine_state();
   add_times(configurations, 1, options.repetitions, result);
   if (experiment.threaded && options.threads > 1) {
-    tell(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
+    report_phase(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
     add_times(configurations, options.threads, options.repetitions, result);
   }
   share_times(result);
@@ -126,7 +126,7 @@ const Experiment* find_experiment(const std::vector<Experiment>& all, const std:
   return found == all.end() ? nullptr : &*found;
 }
 
-Origin origin_here(const std::string& version, Effort effort, int threads) {
+Origin current_origin(const std::string& version, Effort effort, int threads) {
   return {
       machine_name(),    compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1,
       instruction_set(), cache_sizes()};

@@ -28,6 +28,6 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
 const Experiment* find_experiment(const std::vector<Experiment>& all, const std::string& id);
 
 // The origin of results that this program measures on this machine.
-Origin origin_here(const std::string& version, Effort effort, int threads);
+Origin current_origin(const std::string& version, Effort effort, int threads);
 
 }  // namespace glassbox::study

@@ -8,7 +8,7 @@ Result<StudyResults> run_study(const std::vector<const Experiment*>& chosen, con
                                const RunOptions& options, const std::optional<std::string>& file) {
   StudyResults kept{origin, {}};
   if (file) {
-    auto resumed = resume(*file, origin);
+    auto resumed = resume_results(*file, origin);
     if (!resumed) return resumed;
     kept = std::move(*resumed);
   }

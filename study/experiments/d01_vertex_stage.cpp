@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
-#include "study/experiments/d01_ways.h"
-#include "study/experiments/once.h"
+#include "study/experiments/d01_methods.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -16,7 +16,7 @@ namespace d01 {
 
 // ---- the error ----
 
-constexpr int kPointsOfShot = 64;
+constexpr int kPointsPerScene = 64;
 
 // The names of the measures.
 constexpr const char* kLargest = "largest error";
@@ -25,7 +25,7 @@ constexpr const char* kDepth = "depth";
 
 // The picture's diagonal: a vertex with a larger error is simply wrong.
 double diagonal() {
-  return std::sqrt(square(kShotWidth) + square(kShotHeight));
+  return std::sqrt(square(kVertexSceneWidth) + square(kVertexSceneHeight));
 }
 
 struct Errors {
@@ -38,31 +38,32 @@ double distance_of_depth(double error, double distance, const DepthPlanes& plane
   return error * square(distance) / planes.near * (1 - planes.near / planes.far);
 }
 
-template <class Way>
-Errors errors_of(double offset, const DepthPlanes& planes, int shots) {
+template <class Method>
+Errors errors_of(double offset, const DepthPlanes& planes, int scenes) {
   Errors errors;
   double sum = 0, depths = 0;
-  for (int i = 0; i < shots; ++i) {
-    const Shot shot = make_shot(std::uint64_t(i) + 1, offset, kPointsOfShot, planes);
-    const Way way(shot);
-    const ExactShot exact(shot);
-    for (const Point<Object, double>& p : shot.points) {
-      const auto placed = way(Way::input(p));
-      const Pixels seen = Way::pixels(placed);
+  for (int i = 0; i < scenes; ++i) {
+    const VertexScene scene =
+        make_vertex_scene(std::uint64_t(i) + 1, offset, kPointsPerScene, planes);
+    const Method method(scene);
+    const ExactVertexScene exact(scene);
+    for (const Point<Object, double>& p : scene.points) {
+      const auto placed = method(Method::input(p));
+      const Pixels seen = Method::pixels(placed);
       const auto right = exact.screen(p);
       const double squared = std::min(
           square(exact::error_of(seen[0], right.x)) + square(exact::error_of(seen[1], right.y)),
           square(diagonal()));
       sum += squared;
       errors.largest = std::max(errors.largest, std::sqrt(squared));
-      if constexpr (requires { Way::depth(placed); }) {
-        depths += square(distance_of_depth(exact::error_of(Way::depth(placed), right.depth),
+      if constexpr (requires { Method::depth(placed); }) {
+        depths += square(distance_of_depth(exact::error_of(Method::depth(placed), right.depth),
                                            double(right.distance), planes));
       }
     }
   }
-  errors.rms = std::sqrt(sum / (shots * kPointsOfShot));
-  errors.depth = std::sqrt(depths / (shots * kPointsOfShot));
+  errors.rms = std::sqrt(sum / (scenes * kPointsPerScene));
+  errors.depth = std::sqrt(depths / (scenes * kPointsPerScene));
   return errors;
 }
 
@@ -71,7 +72,7 @@ Errors errors_of(double offset, const DepthPlanes& planes, int shots) {
 // Converts an error of each eye coordinate, in world units, to pixels: it has two axes, and is
 // scaled by focal length over distance.
 double in_pixels(double in_eye) {
-  return std::sqrt(2.0) * kShotFocal / kShotDistance * in_eye;
+  return std::sqrt(2.0) * kVertexSceneFocal / kVertexSceneDistance * in_eye;
 }
 
 // The last addition of the viewport gives numbers near the middle of the picture, 512 .. 1023 px.
@@ -83,66 +84,69 @@ double pixel_rounding() {
 // The float stages round numbers of size D, whose mean square is D^2/3 along each axis, 20/3 times
 // on the way to an eye coordinate: once each for the model's translation, its addition, the view's
 // entries, its products and its translation, and 2/3 + 1 for its two sums.
-double of_far_roundings(double offset) {
+double far_rounding_error(double offset) {
   return rms_rounding<float> * offset * std::sqrt(20.0 / 9);
 }
 
 // The error that remains if the origin is at the eye. The distance 4 takes the place of D, and the
 // view has no translation. Besides, the object's own coordinates (mean square 1/5 each in the unit
 // ball) have the roundings of the entries, of the products, and 5/3 times one of a sum.
-double of_near_roundings() {
-  return rms_rounding<float> * std::sqrt(square(kShotDistance) / 3 * (17.0 / 3) + 0.2 * (11.0 / 3));
+double near_rounding_error() {
+  return rms_rounding<float> *
+         std::sqrt(square(kVertexSceneDistance) / 3 * (17.0 / 3) + 0.2 * (11.0 / 3));
 }
 
 // A single matrix: the entries, products and sums of a row over the object, and the rounding of the
 // translation and of the result. These are of size 4 along the gaze and 0.7 across it; errors along
 // the gaze count as x/w = 0.18.
-double of_composed(double roundoff_rms) {
-  const double object = 0.2 * (11.0 / 3), across = 2 * 0.43, along = 2 * square(kShotDistance);
+double composed_matrix_error(double roundoff_rms) {
+  const double object = 0.2 * (11.0 / 3), across = 2 * 0.43,
+               along = 2 * square(kVertexSceneDistance);
   return roundoff_rms * std::sqrt(object + across + square(0.18) * (object + along));
 }
 
 // Composing in double: R e and R T with their products and sums (8/3 rounding errors each), and
 // that of the result, all of size D.
-double of_composition(double offset) {
+double composition_error(double offset) {
   return rms_rounding<double> * offset * std::sqrt(19.0 / 9);
 }
 
 // Steps of 2^-32: 3.6 rounding errors of each world coordinate (the model's entries over the
 // object, the sum, two positions), then the view's entries over the distance, and its sum.
-double of_fixed() {
-  return rms_of_step(0x1p-32) * std::sqrt(3.6 + square(kShotDistance) + 1 + 1);
+double fixed_point_error() {
+  return rms_of_step(0x1p-32) * std::sqrt(3.6 + square(kVertexSceneDistance) + 1 + 1);
 }
 
 using Theory = double (*)(double offset);  // returns the root mean square
 
 double predict_float(double offset) {
-  const double in_eye = std::sqrt(square(of_far_roundings(offset)) + square(of_near_roundings()));
+  const double in_eye =
+      std::sqrt(square(far_rounding_error(offset)) + square(near_rounding_error()));
   return std::min(diagonal(),
                   std::sqrt(square(in_pixels(in_eye)) + square(pixel_rounding<float>())));
 }
 double predict_relative(double) {
-  return std::sqrt(square(in_pixels(of_near_roundings())) + square(pixel_rounding<float>()));
+  return std::sqrt(square(in_pixels(near_rounding_error())) + square(pixel_rounding<float>()));
 }
 double predict_composed(double offset) {
-  const double in_eye =
-      std::sqrt(square(of_composed(rms_rounding<float>)) + square(of_composition(offset)));
+  const double in_eye = std::sqrt(square(composed_matrix_error(rms_rounding<float>)) +
+                                  square(composition_error(offset)));
   return std::sqrt(square(in_pixels(in_eye)) + square(pixel_rounding<float>()));
 }
 double predict_double(double offset) {
-  const double in_eye =
-      std::sqrt(square(of_composed(rms_rounding<double>)) + square(of_composition(offset)));
+  const double in_eye = std::sqrt(square(composed_matrix_error(rms_rounding<double>)) +
+                                  square(composition_error(offset)));
   return std::sqrt(square(in_pixels(in_eye)) + square(pixel_rounding<double>()));
 }
 double predict_fixed(double) {
-  return in_pixels(of_fixed());
+  return in_pixels(fixed_point_error());
 }
 
-// Far from the origin, all points of a shot have the same error; near it, their errors are
+// Far from the origin, all points of a scene have the same error; near it, their errors are
 // independent. The largest of n distances with two normally distributed axes is rms sqrt(ln n),
-// where n is between the number of shots and the number of their points.
-double of_largest(double rms, int shots) {
-  const double few = std::log(shots), many = std::log(shots * kPointsOfShot);
+// where n is between the number of scenes and the number of their points.
+double expected_largest(double rms, int scenes) {
+  const double few = std::log(scenes), many = std::log(scenes * kPointsPerScene);
   return std::min(diagonal(), rms * std::sqrt((few + many) / 2));
 }
 
@@ -150,36 +154,39 @@ double of_largest(double rms, int shots) {
 
 // The quotient is just below 1, so its steps are 2^-24 (double: 2^-53).
 template <class T>
-double of_quotient(double near) {
-  return square(kShotDistance) / near * rms_of_step(double(unit_roundoff<T>));
+double quotient_error(double near) {
+  return square(kVertexSceneDistance) / near * rms_of_step(double(unit_roundoff<T>));
 }
 // A separate projection matrix adds the rounding errors of two entries, a product and a sum,
 // relative to the distance.
-double of_projection(double near) {
-  return square(kShotDistance) / near * std::sqrt(4.0) * rms_rounding<float>;
+double projection_error(double near) {
+  return square(kVertexSceneDistance) / near * std::sqrt(4.0) * rms_rounding<float>;
 }
-double together(double a, double b, double c) {
+double root_sum_square(double a, double b, double c) {
   return std::sqrt(square(a) + square(b) + square(c));
 }
 // z and w come from the same eye coordinate, so its error counts once.
 double predict_depth_float(double near) {
-  const double eye = together(of_far_roundings(1), of_near_roundings(), 0);
-  return together(eye, of_projection(near), of_quotient<float>(near));
+  const double eye = root_sum_square(far_rounding_error(1), near_rounding_error(), 0);
+  return root_sum_square(eye, projection_error(near), quotient_error<float>(near));
 }
 double predict_depth_relative(double near) {
-  return together(of_near_roundings(), of_projection(near), of_quotient<float>(near));
+  return root_sum_square(near_rounding_error(), projection_error(near),
+                         quotient_error<float>(near));
 }
 // z and w have independent errors, each from a row of the single matrix. Together they are sqrt(2)
 // of the error of a row, which causes z/n times as much along the gaze.
 template <class T>
 double predict_depth_composed(double near) {
-  const double row = rms_rounding<T> * std::sqrt(0.2 * (11.0 / 3) + 2 * square(kShotDistance));
-  return together(std::sqrt(2.0) * row * kShotDistance / near, of_quotient<T>(near), 0);
+  const double row =
+      rms_rounding<T> * std::sqrt(0.2 * (11.0 / 3) + 2 * square(kVertexSceneDistance));
+  return root_sum_square(std::sqrt(2.0) * row * kVertexSceneDistance / near,
+                         quotient_error<T>(near), 0);
 }
 
 // The explanation for distances at which n/z is at most 8 units of the last place below 1.
 std::optional<Finding> few_depths(double near) {
-  if (near / kShotDistance > 8 * 0x1p-24) return std::nullopt;
+  if (near / kVertexSceneDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
       "within n/z = 4 u of 1 there are only four depths: the entry of the matrix is 1, its product "
       "is exact, and the quotient of two neighbouring floats is one of the four",
@@ -192,12 +199,12 @@ constexpr double kFar = 100;  // for the rows in which the near plane is moved
 // 12 KiB of doubles fit into the first-level cache
 constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;
 
-template <class Way>
+template <class Method>
 std::function<void(int)> vertices_of(double offset, const DepthPlanes& planes) {
-  const Shot shot = make_shot(1, offset, kTimedPoints, planes);
-  std::vector<typename Way::Input> vertices;
-  for (const Point<Object, double>& p : shot.points) vertices.push_back(Way::input(p));
-  return rounds_of(kRounds, vertices, Way(shot));
+  const VertexScene scene = make_vertex_scene(1, offset, kTimedPoints, planes);
+  std::vector<typename Method::Input> vertices;
+  for (const Point<Object, double>& p : scene.points) vertices.push_back(Method::input(p));
+  return repeated_work(kRounds, vertices, Method(scene));
 }
 
 struct Series {
@@ -206,33 +213,33 @@ struct Series {
   double (*depth)(double near);  // null: no depth
 };
 
-template <class Way>
+template <class Method>
 void add_series(std::vector<Configuration>& all, const Series& series, Effort effort) {
-  const int shots = effort == Effort::kFull ? 160 : 16;
+  const int scenes = effort == Effort::kFull ? 160 : 16;
   constexpr double kItems = double(kTimedPoints) * kRounds;
   for (const double offset : {1.0, 1e2, 1e4, 1e6, 1e8}) {
-    const auto errors = once([=] { return errors_of<Way>(offset, {}, shots); });
+    const auto errors = memoize([=] { return errors_of<Method>(offset, {}, scenes); });
     all.push_back({.series = series.name,
                    .parameter = offset,
                    .error = [=] { return errors().rms; },
                    .predicted_error = series.position(offset),
-                   .work = vertices_of<Way>(offset, {}),
+                   .work = vertices_of<Method>(offset, {}),
                    .items = kItems});
     all.push_back({.series = series.name,
                    .parameter = offset,
                    .measure = kLargest,
                    .error = [=] { return errors().largest; },
-                   .predicted_error = of_largest(series.position(offset), shots)});
+                   .predicted_error = expected_largest(series.position(offset), scenes)});
   }
   for (const double ratio : {1e2, 1e4, 1e6, 1e8}) {
     const DepthPlanes planes{kFar / ratio, kFar};
-    const auto errors = once([=] { return errors_of<Way>(1, planes, shots); });
+    const auto errors = memoize([=] { return errors_of<Method>(1, planes, scenes); });
     all.push_back({.series = series.name,
                    .parameter = ratio,
                    .measure = kPlanes,
                    .error = [=] { return errors().rms; },
                    .predicted_error = series.position(1),
-                   .work = vertices_of<Way>(1, planes),
+                   .work = vertices_of<Method>(1, planes),
                    .items = kItems});
     if (series.depth == nullptr) continue;
     all.push_back({.series = series.name,

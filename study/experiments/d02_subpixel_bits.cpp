@@ -12,8 +12,8 @@
 #include <glassbox/base/trig.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -41,7 +41,7 @@ Triangle random_triangle(Random& random) {
 
 // A triangle that is 20 to 60 px long and half a pixel wide at one end, with width zero at the
 // other.
-Triangle twig(Random& random) {
+Triangle thin_triangle(Random& random) {
   const double x = random.between(64, kSide - 64), y = random.between(64, kSide - 64);
   const double length = random.between(20, 60);
   const SinCos along = sin_cos(random.between(0, 2 * kPi));
@@ -80,9 +80,9 @@ std::int64_t snapped(std::int64_t exact, int bits) {
 // values of a square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32-bit integers hold them up to
 // 6 subpixel bits.
 template <class Int>
-class Covered {
+class CoverageTest {
 public:
-  Covered(const Triangle& t, int bits) : pixel_(Int(1) << (bits + 1)) {
+  CoverageTest(const Triangle& t, int bits) : pixel_(Int(1) << (bits + 1)) {
     std::array<std::array<Int, 2>, 3> v;
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t i = 0; i < 2; ++i) v[k][i] = Int(2 * snapped(t[k][i], bits));
@@ -161,7 +161,7 @@ Changes changes_of(const std::vector<Triangle>& triangles, int bits) {
   std::int64_t changed = 0, united = 0;
   double boundary = 0;
   for (const Triangle& t : triangles) {
-    const Covered<std::int64_t> exact(t, kExactBits), on_grid(t, bits);
+    const CoverageTest<std::int64_t> exact(t, kExactBits), on_grid(t, bits);
     const Box box = box_of(t);
     for (int y = box.y0; y < box.y1; ++y) {
       for (int x = box.x0; x < box.x1; ++x) {
@@ -225,7 +225,7 @@ template <class Int>
 int cover_all(const std::vector<Triangle>& triangles, int bits) {
   int covered = 0;
   for (const Triangle& t : triangles) {
-    const Covered<Int> on_grid(t, bits);
+    const CoverageTest<Int> on_grid(t, bits);
     const Box box = box_of(t);
     for (int y = box.y0; y < box.y1; ++y) covered += on_grid.count(box.x0, box.x1, y);
   }
@@ -257,9 +257,9 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
                Effort effort) {
   const int count = effort == Effort::kFull ? 160000 : 16000;
   constexpr int kTimed = 500;
-  const auto triangles = once([=] { return make_triangles(make, count); });
+  const auto triangles = memoize([=] { return make_triangles(make, count); });
   for (const int bits : {0, 1, 2, 4, 6, 8, 10, 12}) {
-    const auto changes = once([=] { return changes_of(triangles(), bits); });
+    const auto changes = memoize([=] { return changes_of(triangles(), bits); });
     const std::string series = bits <= 6 ? "32-bit edges" : "64-bit edges";
     all.push_back({.series = series,
                    .parameter = double(bits),
@@ -268,8 +268,8 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
                    .predicted_error = predict(bits),
                    .work =
                        [triangles = make_triangles(make, kTimed), bits](int) {
-                         consume(bits <= 6 ? cover_all<std::int32_t>(triangles, bits)
-                                           : cover_all<std::int64_t>(triangles, bits));
+                         do_not_optimize(bits <= 6 ? cover_all<std::int32_t>(triangles, bits)
+                                                   : cover_all<std::int64_t>(triangles, bits));
                        },
                    .items = kTimed});
     all.push_back({.series = series,
@@ -294,7 +294,7 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   add_scene(all, "triangles of up to 64 px", random_triangle, effort);
-  add_scene(all, "twigs half a pixel wide", twig, effort);
+  add_scene(all, "twigs half a pixel wide", thin_triangle, effort);
   return all;
 }
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d03_edges.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -40,10 +40,10 @@ using RoundingError = double (*)(const EdgeSample&);
 double product(const EdgeSample& s) {
   return double(s.dx()) * (s.y - s.from.y);
 }
-double of_difference(const EdgeSample& s) {
+double difference_error(const EdgeSample& s) {
   return kMeanOfNormal * std::sqrt(2.0) * std::abs(product(s));
 }
-double of_plane(const EdgeSample& s) {
+double plane_error(const EdgeSample& s) {
   const double a = -double(s.dy()), b = double(s.dx());
   const double p = double(s.from.x) * s.to.y, q = double(s.to.x) * s.from.y;
   const double ax = a * s.x, by = b * s.y;
@@ -51,17 +51,17 @@ double of_plane(const EdgeSample& s) {
                                    square(ax + by));
 }
 // A single rounding error is uniformly distributed, so its mean size is sqrt(3)/2 of its rms.
-double of_fma(const EdgeSample& s) {
+double fma_error(const EdgeSample& s) {
   return std::sqrt(0.75) * std::abs(product(s));
 }
-double of_exact(const EdgeSample&) {
+double exact_error(const EdgeSample&) {
   return 0;
 }
 // The errors computed from the two ends are independent of each other.
-double of_differences(const EdgeSample& s) {
-  return std::sqrt(square(of_difference(s)) + square(of_difference(s.reversed())));
+double two_sided_difference_error(const EdgeSample& s) {
+  return std::sqrt(square(difference_error(s)) + square(difference_error(s.reversed())));
 }
-double of_fmas(const EdgeSample& s) {
+double two_sided_fma_error(const EdgeSample& s) {
   return kMeanOfNormal * std::sqrt(square(product(s)) + square(product(s.reversed())));
 }
 
@@ -84,12 +84,13 @@ struct Series {
   RoundingError wrong, leak;
 };
 constexpr Series kSeries[] = {
-    {EdgeArithmetic::kFloatDifference, "float, difference form", of_difference, of_differences},
-    {EdgeArithmetic::kFloatPlane, "float, plane form", of_plane, of_exact},
-    {EdgeArithmetic::kFloatFma, "float, difference form with FMA", of_fma, of_fmas},
-    {EdgeArithmetic::kDouble, "double", of_exact, of_exact},
-    {EdgeArithmetic::kInt32Tile, "int32, relative to the tile", of_exact, of_exact},
-    {EdgeArithmetic::kInt64, "int64", of_exact, of_exact},
+    {EdgeArithmetic::kFloatDifference, "float, difference form", difference_error,
+     two_sided_difference_error},
+    {EdgeArithmetic::kFloatPlane, "float, plane form", plane_error, exact_error},
+    {EdgeArithmetic::kFloatFma, "float, difference form with FMA", fma_error, two_sided_fma_error},
+    {EdgeArithmetic::kDouble, "double", exact_error, exact_error},
+    {EdgeArithmetic::kInt32Tile, "int32, relative to the tile", exact_error, exact_error},
+    {EdgeArithmetic::kInt64, "int64", exact_error, exact_error},
 };
 
 void add_series(std::vector<Configuration>& all, const Series& series, int width, Effort effort) {
@@ -97,7 +98,7 @@ void add_series(std::vector<Configuration>& all, const Series& series, int width
   constexpr int kTimed = 500;
   const EdgeArithmetic arithmetic = series.arithmetic;
   const auto work = [arithmetic, triangles = timed_triangles(width, kTimed)](int) {
-    consume(count_covered(arithmetic, triangles));
+    do_not_optimize(count_covered(arithmetic, triangles));
   };
   const auto add = [&](const char* scene, Fault fault, RoundingError theory) {
     all.push_back({.series = series.name,

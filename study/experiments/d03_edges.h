@@ -71,7 +71,7 @@ inline bool right_decision(const EdgeSample& s) {
   return covers(e, s);
 }
 
-// ---- the ways ----
+// ---- the methods ----
 
 // E = dx (y - y0) - dy (x - x0), exact because the factors have 24 bits.
 inline std::int64_t exact_edge(const EdgeSample& s) {

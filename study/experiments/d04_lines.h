@@ -52,7 +52,7 @@ inline Lines wall(double ratio, int count) {
 }
 
 // Keeps every n-th line, so that at most `most` are left.
-inline Lines some(const Lines& lines, std::size_t most) {
+inline Lines subsample_lines(const Lines& lines, std::size_t most) {
   const std::size_t step = (lines.size() + most - 1) / most;
   Lines kept;
   for (std::size_t i = 0; i < lines.size(); i += step) kept.push_back(lines[i]);
@@ -92,45 +92,45 @@ inline Lines rolled_floor() {
 
 // ---- the teapot, 512 x 512 px, 4 x 4 cells a patch, 256 texels along a patch ----
 
-struct SeenCorner {
+struct ScreenCorner {
   double x, y, q, p;  // x and y in px; 1/w and u/w
 };
 
 // Adds the rows of pixel centres inside a triangle. Values that are linear on the screen stay
 // linear beyond its edges, so each row is extended to the borders of the pixels at both ends.
-inline void add_rows(const std::array<SeenCorner, 3>& t, Lines& lines) {
+inline void add_rows(const std::array<ScreenCorner, 3>& t, Lines& lines) {
   const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
   const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
   for (int y = int(std::ceil(top - 0.5)); y + 0.5 < bottom; ++y) {
     double left = HUGE_VAL, right = -HUGE_VAL;
     for (std::size_t k = 0; k < 3; ++k) {
-      const SeenCorner &a = t[k], &b = t[(k + 1) % 3];
+      const ScreenCorner &a = t[k], &b = t[(k + 1) % 3];
       if ((a.y <= y + 0.5) == (b.y <= y + 0.5)) continue;
       const double x = a.x + (b.x - a.x) * (y + 0.5 - a.y) / (b.y - a.y);
       left = std::min(left, x), right = std::max(right, x);
     }
     const int first = int(std::ceil(left - 0.5)), end = int(std::ceil(right - 0.5));
     if (first >= end) continue;
-    using ValueOf = double SeenCorner::*;
+    using ValueOf = double ScreenCorner::*;
     const auto at = [&](int x, ValueOf value) {
       const double dx = x - t[0].x, dy = y + 0.5 - t[0].y;
       const double b = (dx * (t[2].y - t[0].y) - dy * (t[2].x - t[0].x)) / area,
                    c = (dy * (t[1].x - t[0].x) - dx * (t[1].y - t[0].y)) / area;
       return t[0].*value + b * (t[1].*value - t[0].*value) + c * (t[2].*value - t[0].*value);
     };
-    const double q0 = at(first, &SeenCorner::q), q1 = at(end, &SeenCorner::q);
-    lines.push_back(at_its_level(at(first, &SeenCorner::p) / q0, at(end, &SeenCorner::p) / q1, q0,
-                                 q1, end - first));
+    const double q0 = at(first, &ScreenCorner::q), q1 = at(end, &ScreenCorner::q);
+    lines.push_back(at_its_level(at(first, &ScreenCorner::p) / q0, at(end, &ScreenCorner::p) / q1,
+                                 q0, q1, end - first));
   }
 }
 
 inline Lines teapot() {
   constexpr int kSide = 512, kLevel = 4, kTexels = 256;
-  const View view = make_view(frame(make_teapot(), 1).value(), kSide, kSide).value();
+  const View view = make_view(framing_camera(make_teapot(), 1).value(), kSide, kSide).value();
   const Mesh mesh = tessellate_teapot(kLevel);
   Lines lines;
   for (const Face& face : mesh.faces) {
-    std::array<SeenCorner, 3> seen;
+    std::array<ScreenCorner, 3> seen;
     for (std::size_t k = 0; k < 3; ++k) {
       const Corner& corner = mesh.corners[face.first + k];
       const auto& p = mesh.positions[corner.position];

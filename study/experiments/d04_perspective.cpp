@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d04_lines.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/kernels/reciprocal_kernels.h"
-#include "study/experiments/once.h"
+#include "study/experiments/memoize.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace d04 {
 
-// ---- the ways ----
+// ---- the methods ----
 
 struct Screen {  // 1/w and u/w at a place along the line, 0 .. 1
   float q, p;
@@ -110,27 +110,27 @@ Predicted coordinates(const PerspectiveLine& line) {
 // In float, u/w is rounded as a product at the vertex and again when it is multiplied by its share;
 // 1/w has two products and a sum; the division (or product) is the last operation. This gives six
 // rounding errors of rms 0.42 u; the largest of a few hundred is about three times the rms.
-Predicted of_roundings(const Predicted& u) {
+Predicted predict_roundings(const Predicted& u) {
   return {3 * std::sqrt(6.0) * rms_rounding<float> * u.largest,
           6 * square(rms_rounding<float>) * u.square};
 }
 
 // The errors of the table: within 2^-12 from the interval and within 2^-14 from rounding, both
 // uniformly distributed.
-Predicted of_table(const Predicted& u) {
+Predicted predict_table(const Predicted& u) {
   return {kReciprocalError * u.largest, (square(0x1p-12) + square(0x1p-14)) / 3 * u.square};
 }
 
 // The error of Newton's step is always negative and is the square of the previous one: at most
 // 2^-24, with 1/5 of its square as the mean fourth power.
-Predicted of_newton(const Predicted& u) {
+Predicted predict_newton(const Predicted& u) {
   return {square(kReciprocalError) * u.largest, square(0x1p-24) / 5 * u.square};
 }
 
 // Linear interpolation over a span in which 1/w changes by the factor r, and u by du, has the error
 // |du| (t - t/(t + (1 - t) r)). Its largest value is |du| (sqrt r - 1)/(sqrt r + 1); the mean
 // square is its integral, with a = r - 1. Near r = 1 it is a parabola.
-Predicted of_span(double ratio, double du) {
+Predicted predict_span(double ratio, double du) {
   const double r = std::max(ratio, 1 / ratio), a = r - 1;
   const double largest = std::abs(du) * (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
   if (a < 0.05) return {largest, square(largest) * 8 / 15};
@@ -140,7 +140,7 @@ Predicted of_span(double ratio, double du) {
   const double other = (r * r - 1 - 2 * r * std::log(r)) / a3;
   return {largest, square(du) * (1.0 / 3 - 2 * product + other)};
 }
-Predicted of_spans(const PerspectiveLine& line, int span) {
+Predicted predict_spans(const PerspectiveLine& line, int span) {
   Predicted all;
   for (int x = 0; x < line.pixels; x += span) {
     const int length = std::min(span, line.pixels - x);
@@ -148,8 +148,8 @@ Predicted of_spans(const PerspectiveLine& line, int span) {
     const auto q = [&](double far) {
       return (1 - far) * double(line.inverse_w0) + far * double(line.inverse_w1);
     };
-    const Predicted one =
-        of_span(q(start) / q(end), exact_coordinate(line, end) - exact_coordinate(line, start));
+    const Predicted one = predict_span(q(start) / q(end),
+                                       exact_coordinate(line, end) - exact_coordinate(line, start));
     all.largest = std::max(all.largest, one.largest);
     all.square += one.square * length / line.pixels;
   }
@@ -164,13 +164,13 @@ Predicted predict(Perspective method, const PerspectiveLine& line) {
   const Predicted u = coordinates(line);
   switch (method) {
     case Perspective::kDivide:
-      return of_roundings(u);
+      return predict_roundings(u);
     case Perspective::kApproximate:
-      return of_table(u);
+      return predict_table(u);
     case Perspective::kNewton:
-      return of_newton(u) + of_roundings(u);
+      return predict_newton(u) + predict_roundings(u);
     default:
-      return of_spans(line, span_of(method)) + of_roundings(u);
+      return predict_spans(line, span_of(method)) + predict_roundings(u);
   }
 }
 
@@ -210,7 +210,7 @@ std::function<void(int)> work_of(Perspective method, const Lines& lines, int rou
   return [=, out = std::vector<std::int32_t>(lines.size() * kLinePixels)](int) mutable {
     for (int round = 0; round < rounds; ++round) {
       draw_lines(method, lines, texture, out);
-      consume(out.back());
+      do_not_optimize(out.back());
     }
   };
 }
@@ -218,12 +218,12 @@ std::function<void(int)> work_of(Perspective method, const Lines& lines, int rou
 void add_lines(const std::string& scene, const Lines& lines, double parameter,
                std::vector<Configuration>& all) {
   constexpr int kTimed = 250, kRounds = 16;
-  const Lines timed = some(lines, kTimed);
+  const Lines timed = subsample_lines(lines, kTimed);
   double pixels = 0;
   for (const PerspectiveLine& line : timed) pixels += line.pixels;
   for (const Series& series : kSeries) {
     const Perspective method = series.method;
-    const auto errors = once([=] { return errors_of(method, lines); });
+    const auto errors = memoize([=] { return errors_of(method, lines); });
     const Errors predicted = predict(method, lines);
     all.push_back({.series = series.name,
                    .parameter = parameter,

@@ -11,7 +11,7 @@
 #include <glassbox/raster/lanes/target.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/kernels/reciprocal_kernels.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"
@@ -55,7 +55,7 @@ std::vector<float> decade(double from, int count) {
 }
 
 // Where the approximation before a Newton step comes from.
-enum class By { kTable, kProcessor };
+enum class ApproximationSource { kTable, kProcessor };
 
 // The double precision of this computation has an error of only 2^-29 of the smallest error that is
 // measured.
@@ -64,10 +64,10 @@ double relative_error(Reciprocal method, float w, float found) {
   return std::abs(double(found) * x - 1);
 }
 
-double largest_error(Reciprocal method, By by, double from, int count) {
+double largest_error(Reciprocal method, ApproximationSource source, double from, int count) {
   const std::vector<float> all = decade(from, count);
   std::vector<float> found(all.size());
-  if (by == By::kProcessor) {
+  if (source == ApproximationSource::kProcessor) {
     reciprocals(method, all, found);
   } else {
     std::ranges::transform(all, found.begin(), [&](float w) { return approximation(method, w); });
@@ -81,8 +81,8 @@ double largest_error(Reciprocal method, By by, double from, int count) {
 // The error bound of an approximation. Processors guarantee 2^-14 with AVX-512, 1.5 * 2^-12 on
 // earlier x86 (Intel's manual, RCP14PS and RCPPS), and 2^-8 with NEON, whose first estimate has 8
 // bits.
-double error_of_approximation(By by, bool root) {
-  if (by == By::kTable) return root ? kReciprocalRootError : kReciprocalError;
+double error_of_approximation(ApproximationSource source, bool root) {
+  if (source == ApproximationSource::kTable) return root ? kReciprocalRootError : kReciprocalError;
   switch (best_target()) {
     case Target::kAvx512:
       return 0x1p-14;
@@ -95,10 +95,10 @@ double error_of_approximation(By by, bool root) {
   }
 }
 
-double predict(Reciprocal method, By by) {
+double predict(Reciprocal method, ApproximationSource source) {
   const double u = unit_roundoff<float>;
   constexpr double kMagicError = 0.0343758;  // Lomont 2003, for the line nearest to the logarithm
-  const double first = error_of_approximation(by, is_root(method));
+  const double first = error_of_approximation(source, is_root(method));
   switch (method) {
     case Reciprocal::kDivide:
       return u;
@@ -123,29 +123,29 @@ double predict(Reciprocal method, By by) {
 
 struct Series {
   Reciprocal method;
-  By by;
+  ApproximationSource source;
   const char* name;
 };
 // Table values are the same on every machine; the time is that of the processor's own instruction.
 constexpr Series kSeries[] = {
-    {Reciprocal::kDivide, By::kProcessor, "division"},
-    {Reciprocal::kApproximate, By::kProcessor, "approximate"},
-    {Reciprocal::kNewton, By::kProcessor, "approximate and a Newton step"},
-    {Reciprocal::kApproximate, By::kTable, "from a table"},
-    {Reciprocal::kNewton, By::kTable, "from a table and a Newton step"},
-    {Reciprocal::kRootDivide, By::kProcessor, "root and division"},
-    {Reciprocal::kRootApproximate, By::kProcessor, "approximate"},
-    {Reciprocal::kRootNewton, By::kProcessor, "approximate and a Newton step"},
-    {Reciprocal::kRootApproximate, By::kTable, "from a table"},
-    {Reciprocal::kRootNewton, By::kTable, "from a table and a Newton step"},
-    {Reciprocal::kMagic, By::kProcessor, "0x5f3759df"},
-    {Reciprocal::kMagicNewton, By::kProcessor, "0x5f3759df and a Newton step"},
+    {Reciprocal::kDivide, ApproximationSource::kProcessor, "division"},
+    {Reciprocal::kApproximate, ApproximationSource::kProcessor, "approximate"},
+    {Reciprocal::kNewton, ApproximationSource::kProcessor, "approximate and a Newton step"},
+    {Reciprocal::kApproximate, ApproximationSource::kTable, "from a table"},
+    {Reciprocal::kNewton, ApproximationSource::kTable, "from a table and a Newton step"},
+    {Reciprocal::kRootDivide, ApproximationSource::kProcessor, "root and division"},
+    {Reciprocal::kRootApproximate, ApproximationSource::kProcessor, "approximate"},
+    {Reciprocal::kRootNewton, ApproximationSource::kProcessor, "approximate and a Newton step"},
+    {Reciprocal::kRootApproximate, ApproximationSource::kTable, "from a table"},
+    {Reciprocal::kRootNewton, ApproximationSource::kTable, "from a table and a Newton step"},
+    {Reciprocal::kMagic, ApproximationSource::kProcessor, "0x5f3759df"},
+    {Reciprocal::kMagicNewton, ApproximationSource::kProcessor, "0x5f3759df and a Newton step"},
 };
 
 // A processor keeps its guarantee and may be better, by four bits at most; with a larger
 // difference, another instruction would have been timed.
-std::optional<Finding> better_than_promised(By by) {
-  if (by == By::kTable) return std::nullopt;
+std::optional<Finding> better_than_promised(ApproximationSource source) {
+  if (source == ApproximationSource::kTable) return std::nullopt;
   return Finding{"the processor is more accurate than its maker promises", 1.0 / 16, 0.5};
 }
 
@@ -168,19 +168,19 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const Series& series : kSeries) {
     const Reciprocal method = series.method;
-    const By by = series.by;
+    const ApproximationSource source = series.source;
     for (const double from : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
       Configuration each{.series = series.name,
                          .parameter = from,
                          .scene = is_root(method) ? "1/sqrt(w)" : "1/w",
-                         .error = [=] { return largest_error(method, by, from, count); },
-                         .predicted_error = predict(method, by),
-                         .finding = better_than_promised(by)};
-      if (by == By::kProcessor) {
+                         .error = [=] { return largest_error(method, source, from, count); },
+                         .predicted_error = predict(method, source),
+                         .finding = better_than_promised(source)};
+      if (source == ApproximationSource::kProcessor) {
         each.work = [=, memory = std::make_shared<TimedMemory>(from)](int) {
           for (int i = 0; i < kRounds; ++i) {
             reciprocals(method, memory->w, memory->out);
-            consume(memory->out.back());
+            do_not_optimize(memory->out.back());
           }
         };
         each.items = double(kTimed) * kRounds;

@@ -14,9 +14,9 @@
 #include <glassbox/raster/interpolate.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d06_formats.h"
 #include "study/experiments/d06_ladder.h"
+#include "study/experiments/do_not_optimize.h"
 
 namespace glassbox::study {
 
@@ -159,7 +159,7 @@ std::function<void(int)> depth_tests(const Format& format,
       Stored& stored = (*buffer)[i];
       if (in_front(code, stored)) stored = Stored(code);
     }
-    consume(*buffer);
+    do_not_optimize(*buffer);
   };
 }
 

@@ -6,14 +6,14 @@
 #include <glassbox/pipeline/divide.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d07_field.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace d07 {
 
-// ---- the ways ----
+// ---- the methods ----
 
 // One matrix, composed in double and rounded once.
 class Composed {
@@ -62,14 +62,15 @@ private:
 
 // ---- the error ----
 
-template <class Way>
+template <class Method>
 double rms_error(Depth depth, double offset, int fields) {
   double sum = 0;
   for (int i = 0; i < fields; ++i) {
     const Field field = make_field(std::uint64_t(i) + 1, offset, kPointsOfField);
-    const Way way(field, depth);
+    const Method method(field, depth);
     add_squared_errors(
-        field, depth, [&](std::size_t k) { return divide(way(field.points[k])).position.z; }, sum);
+        field, depth, [&](std::size_t k) { return divide(method(field.points[k])).position.z; },
+        sum);
   }
   return rms_of(sum, depth, fields);
 }
@@ -78,18 +79,18 @@ double rms_error(Depth depth, double offset, int fields) {
 
 // A row of the view over coordinates of size D: entries, products and 5/3 sums with a mean square
 // of D^2/3 each; the rounding of the translation adds one more.
-double of_row(double offset) {
+double row_error(double offset) {
   return rms_rounding<float> * offset * std::sqrt(14.0 / 9);
 }
 // Only the rotation, over a vertex about 11.5 units away: the last sum is the result.
-double of_rotation() {
+double rotation_error() {
   const double squared = square(kDistance) + 2 * 25.0 / 3;
   return rms_rounding<float> * std::sqrt(squared / 3 * (2 + 2.0 / 3) + square(kDistance));
 }
 // The error that projection and divide add to the depth d, converted to world units. Standard
 // depth: d and the products before it are just below 1; two matrix entries, a product, a sum, and a
 // quotient in steps of 2^-24 are rounded. Reversed depth: n and the quotient.
-double of_depth(Depth depth) {
+double depth_error(Depth depth) {
   if (depth == Depth::kStandard)
     return distance_of(depth) *
            std::sqrt(3 * square(rms_rounding<float>) + square(rms_of_step(unit_roundoff<float>)));
@@ -102,27 +103,27 @@ double combined(double a, double b) {
 
 using Theory = double (*)(Depth, double offset);
 
-// Standard depth: z and w have independent errors of of_row each, so d has an error of sqrt(2)
-// of_row / z, which causes z/n times as much along the gaze. Reversed depth with an infinite far
+// Standard depth: z and w have independent errors of row_error each, so d has an error of sqrt(2)
+// row_error / z, which causes z/n times as much along the gaze. Reversed depth with an infinite far
 // plane: z is exactly n, and only w has an error.
 double predict_composed(Depth depth, double offset) {
-  const double row = of_row(offset);
+  const double row = row_error(offset);
   return combined(depth == Depth::kStandard ? std::sqrt(2.0) * row * kDistance / kNear : row,
-                  of_depth(depth));
+                  depth_error(depth));
 }
 // z and w have the same error, so the vertex is only seen at a wrong distance.
 double predict_separate(Depth depth, double offset) {
-  return combined(of_row(offset), of_depth(depth));
+  return combined(row_error(offset), depth_error(depth));
 }
 double predict_eye_first(Depth depth, double) {
-  return combined(of_rotation(), of_depth(depth));
+  return combined(rotation_error(), depth_error(depth));
 }
 
 // ---- the table ----
 
 constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // these fit into the first-level cache
 
-template <class Way>
+template <class Method>
 void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,
                 Effort effort) {
   const int fields = effort == Effort::kFull ? 320 : 32;
@@ -132,9 +133,9 @@ void add_series(std::vector<Configuration>& all, const std::string& series, Theo
       all.push_back({.series = series,
                      .parameter = offset,
                      .scene = name_of(depth),
-                     .error = [=] { return rms_error<Way>(depth, offset, fields); },
+                     .error = [=] { return rms_error<Method>(depth, offset, fields); },
                      .predicted_error = theory(depth, offset),
-                     .work = rounds_of(kRounds, field.points, Way(field, depth)),
+                     .work = repeated_work(kRounds, field.points, Method(field, depth)),
                      .items = double(kTimedPoints) * kRounds});
     }
   }

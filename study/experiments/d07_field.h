@@ -12,7 +12,7 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/experiments/d01_shots.h"
+#include "study/experiments/d01_scenes.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study::d07 {

@@ -7,8 +7,8 @@
 #include <glassbox/mesh/normals.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d08_polygons.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -17,7 +17,7 @@ namespace d08 {
 template <class T>
 using Corners = std::array<Point<Object, T>, kPolygonCorners>;
 
-// ---- the ways ----
+// ---- the methods ----
 
 template <class T>
 Vector<Object, T> corner_normal(const Corners<T>& p, std::size_t middle) {
@@ -67,18 +67,18 @@ ExactVector double_newell(const FloatPolygon& p) {
   return newell_vector<double>(std::span<const Point<Object, double>>(wide));
 }
 
-using Way = ExactVector (*)(const FloatPolygon&);
+using Method = ExactVector (*)(const FloatPolygon&);
 
 // ---- the error ----
 
 using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
 
 // The angle itself is computed in double, so an exact result may appear as 2^-53.
-double rms_angle(Way way, MakeCase make, double parameter, int polygons) {
+double rms_angle(Method method, MakeCase make, double parameter, int polygons) {
   double sum = 0;
   for (int i = 0; i < polygons; ++i) {
     const NormalCase c = make(std::uint64_t(i) + 1, parameter);
-    sum += square(angle_between(way(c.corners), c.normal));
+    sum += square(angle_between(method(c.corners), c.normal));
   }
   return std::sqrt(sum / polygons);
 }
@@ -171,7 +171,7 @@ double far_double(double) {
 
 struct Series {
   const char* name;
-  Way way;
+  Method method;
   double (*noisy)(double bend);
   double (*far)(double offset);
 };
@@ -202,9 +202,10 @@ std::vector<Configuration> configurations(Effort effort) {
           {.series = series.name,
            .parameter = parameter,
            .scene = scene,
-           .error = [=, way = series.way] { return rms_angle(way, make, parameter, polygons); },
+           .error = [=, method =
+                            series.method] { return rms_angle(method, make, parameter, polygons); },
            .predicted_error = predicted,
-           .work = rounds_of(kRounds, timed, series.way),
+           .work = repeated_work(kRounds, timed, series.method),
            .items = double(kTimedPolygons) * kRounds});
     };
     for (const double bend : {1e-4, 1e-3, 1e-2, 1e-1})

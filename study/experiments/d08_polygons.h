@@ -11,7 +11,7 @@
 #include <glassbox/base/trig.h>
 
 #include "exact/number.h"
-#include "study/experiments/d01_shots.h"
+#include "study/experiments/d01_scenes.h"
 
 namespace glassbox::study {
 

@@ -14,9 +14,9 @@
 #include <glassbox/raster/triangle_setup.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d09_tests.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {
@@ -28,11 +28,11 @@ constexpr const char* kFallbacks = "exact fallbacks";
 // ---- measures ----
 
 double wrongly_culled(const Surface& surface, const Test& test) {
-  Keep keep(surface.modelled.size());
+  KeepFlags keep(surface.object_triangles.size());
   test(surface, keep);
   double count = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
-    count += !keep[i] && shows_front_exactly(surface.placed[i]);
+    count += !keep[i] && shows_front_exactly(surface.screen_triangles[i]);
   return count;
 }
 
@@ -54,19 +54,19 @@ double chance_to_turn(const ScreenTriangle& t) {
 
 // The expected number of wrong faces.
 double predicted_wrong(const Surface& surface, const Test& test) {
-  Keep keep(surface.modelled.size());
+  KeepFlags keep(surface.object_triangles.size());
   test(surface, keep);
   double sum = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
-    sum += keep[i] ? 0 : chance_to_turn(surface.placed[i]);
+    sum += keep[i] ? 0 : chance_to_turn(surface.screen_triangles[i]);
   return std::round(sum);  // faces are counted in whole numbers
 }
 
-void cull_and_set_up(const Surface& surface, const Test& test, Keep& keep) {
+void cull_and_set_up(const Surface& surface, const Test& test, KeepFlags& keep) {
   test(surface, keep);
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (!keep[i]) continue;
-    const auto setup = setup_triangle(surface.placed[i]);
+    const auto setup = setup_triangle(surface.screen_triangles[i]);
     keep[i] = setup.has_value() && !setup->clockwise;
   }
 }
@@ -76,42 +76,42 @@ void cull_and_set_up(const Surface& surface, const Test& test, Keep& keep) {
 Configuration configuration(const std::string& series, const std::string& scene,
                             const std::shared_ptr<const Surface>& surface, const Test& test,
                             double predicted) {
-  const auto keep = std::make_shared<Keep>(surface->modelled.size());
+  const auto keep = std::make_shared<KeepFlags>(surface->object_triangles.size());
   return {.series = series,
-          .parameter = double(surface->modelled.size()),
+          .parameter = double(surface->object_triangles.size()),
           .scene = scene,
           .error = [=] { return wrongly_culled(*surface, test); },
           .predicted_error = predicted,
           .work = [=](int) { cull_and_set_up(*surface, test, *keep); },
-          .items = double(surface->modelled.size())};
+          .items = double(surface->object_triangles.size())};
 }
 
 void add_filter(const std::string& series, const std::string& scene,
                 const std::shared_ptr<const Surface>& surface, Filter filter, Effort effort,
                 std::vector<Configuration>& all) {
   const int eyes = effort == Effort::kFull ? 200'000 : 20'000;
-  const auto rate = once([=] { return fallbacks(surface->modelled, filter, eyes); });
-  const auto keep = std::make_shared<Keep>(surface->modelled.size());
-  all.push_back({.series = series,
-                 .parameter = double(surface->modelled.size()),
-                 .scene = scene,
-                 .measure = kFallbacks,
-                 .error = [=] { return rate().measured; },
-                 .predicted_error = rate().expected,
-                 .work =
-                     [=](int) {
-                       for (std::size_t i = 0; i < keep->size(); ++i)
-                         (*keep)[i] =
-                             !filter(surface->modelled[i], surface->viewer.eye_or_gaze).back;
-                       consume(*keep);
-                     },
-                 .items = double(surface->modelled.size())});
+  const auto rate = memoize([=] { return fallbacks(surface->object_triangles, filter, eyes); });
+  const auto keep = std::make_shared<KeepFlags>(surface->object_triangles.size());
+  all.push_back(
+      {.series = series,
+       .parameter = double(surface->object_triangles.size()),
+       .scene = scene,
+       .measure = kFallbacks,
+       .error = [=] { return rate().measured; },
+       .predicted_error = rate().expected,
+       .work =
+           [=](int) {
+             for (std::size_t i = 0; i < keep->size(); ++i)
+               (*keep)[i] = !filter(surface->object_triangles[i], surface->viewer.eye_or_gaze).back;
+             do_not_optimize(*keep);
+           },
+       .items = double(surface->object_triangles.size())});
 }
 
 void add_surface(const std::string& scene, const std::shared_ptr<const Surface>& surface,
                  Effort effort, std::vector<Configuration>& all) {
   const auto clusters = std::make_shared<const std::vector<Cluster>>(make_clusters(*surface));
-  const Test cones = [clusters](const Surface& s, Keep& keep) {
+  const Test cones = [clusters](const Surface& s, KeepFlags& keep) {
     keep_by_cones(s, *clusters, keep);
   };
   all.push_back(configuration("none", scene, surface, keep_all, 0));
@@ -127,7 +127,7 @@ void add_surface(const std::string& scene, const std::shared_ptr<const Surface>&
 }
 
 std::shared_ptr<const Surface> framed(const Scene& scene) {
-  return make_surface(scene, make_view(frame(scene, 1).value(), kSide, kSide).value());
+  return make_surface(scene, make_view(framing_camera(scene, 1).value(), kSide, kSide).value());
 }
 
 // A smooth surface as a scanner gives it: an ellipsoid whose corners are moved by up to a third of
@@ -153,7 +153,7 @@ std::shared_ptr<const Surface> koala() {
   return scene ? framed(*scene) : nullptr;
 }
 
-std::shared_ptr<const Surface> ellipsoid(const Grid& grid) {
+std::shared_ptr<const Surface> ellipsoid(const EllipsoidGrid& grid) {
   const BenchScene bench = make_ellipsoid_scene("ellipsoid", grid, kSide, kSide);
   return make_surface(bench.scene, bench.passes.front().view);
 }

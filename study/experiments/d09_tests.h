@@ -32,15 +32,15 @@ using ScreenTriangle = std::array<ScreenVertex, 3>;
 
 // A closed surface that is completely inside the picture, with its triangles on the screen.
 struct Surface {
-  std::vector<ObjectTriangle> modelled;
-  std::vector<ScreenTriangle> placed;
+  std::vector<ObjectTriangle> object_triangles;
+  std::vector<ScreenTriangle> screen_triangles;
   Transform<Clip, Object> clip_from_object;
   ObjectViewer viewer;
   double snapping_margin = 0;  // large enough for all of its triangles
   Viewport viewport;
 };
 
-inline void place(const Draw& draw, const View& view, Surface& surface) {
+inline void add_triangles(const Draw& draw, const View& view, Surface& surface) {
   const ClipTable table = project_vertices(draw, view);
   double largest_w = 0, longest_edge = 0;
   for (const Triangle& triangle : draw.triangulation->triangles) {
@@ -57,8 +57,8 @@ inline void place(const Draw& draw, const View& view, Surface& surface) {
       longest_edge =
           std::max({longest_edge, std::abs(double(a.x) - b.x), std::abs(double(a.y) - b.y)});
     }
-    surface.modelled.push_back(modelled);
-    surface.placed.push_back(placed);
+    surface.object_triangles.push_back(modelled);
+    surface.screen_triangles.push_back(placed);
   }
   // Snapping moves a vertex by 2^-9 px; divide and viewport round by at most 3 u 512 px.
   constexpr double kDisplacement = 0x1p-9 + 3 * 0x1p-24 * kSide;
@@ -69,14 +69,14 @@ inline void place(const Draw& draw, const View& view, Surface& surface) {
 inline std::shared_ptr<const Surface> make_surface(const Scene& scene, const View& view) {
   auto surface = std::make_shared<Surface>();
   surface->viewport = view.viewport;
-  const PreparedScene prepared = prepare(scene, Transfer::kNone);
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kNone);
   const DrawList list = make_draw_list(scene, prepared, view);
   const Draw& draw = list.draws.front();
   const auto& node = scene.nodes[scene.instances[draw.instance].node];
   const Transform<Eye, Object> eye_from_object = view.eye_from_world * node.world_from_node;
   surface->clip_from_object = view.clip_from_eye * eye_from_object;
   surface->viewer = viewer_in_object_space(eye_from_object, true).value();
-  place(draw, view, *surface);
+  add_triangles(draw, view, *surface);
   return surface;
 }
 
@@ -94,36 +94,36 @@ inline bool shows_front(const ScreenTriangle& t) {
 // The same with exact integers from code that is independent of the pipeline.
 inline bool shows_front_exactly(const ScreenTriangle& t) {
   __extension__ typedef __int128 Int128;
-  return exact::turn<Int128>(exact::snapped(t)) < 0;
+  return exact::orientation<Int128>(exact::snapped(t)) < 0;
 }
 
 // ---- the tests: whether a triangle is thrown away before it is set up ----
 
-using Keep = std::vector<std::uint8_t>;
+using KeepFlags = std::vector<std::uint8_t>;
 
-inline void keep_all(const Surface& surface, Keep& keep) {
+inline void keep_all(const Surface& surface, KeepFlags& keep) {
   std::ranges::fill(keep, std::uint8_t(1));
   (void)surface;
 }
 
 // The test of the slides in float: any vertex, and the normal from a cross product (S4.29).
-inline void keep_by_dot(const Surface& surface, Keep& keep) {
+inline void keep_by_dot(const Surface& surface, KeepFlags& keep) {
   const auto& e = surface.viewer.eye_or_gaze;
   const Point<Object> eye(float(e.x), float(e.y), float(e.z));
   for (std::size_t i = 0; i < keep.size(); ++i) {
-    const auto& [a, b, c] = surface.modelled[i];
+    const auto& [a, b, c] = surface.object_triangles[i];
     keep[i] = !(dot(three_point_normal(a, b, c), a - eye) > 0);
   }
 }
 
-inline void keep_by_area(const Surface& surface, Keep& keep) {
-  for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = shows_front(surface.placed[i]);
+inline void keep_by_area(const Surface& surface, KeepFlags& keep) {
+  for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = shows_front(surface.screen_triangles[i]);
 }
 
 // The filter in double, exact expansions if it cannot decide, and a margin for snapping.
-inline void keep_by_exact_test(const Surface& surface, Keep& keep) {
+inline void keep_by_exact_test(const Surface& surface, KeepFlags& keep) {
   for (std::size_t i = 0; i < keep.size(); ++i)
-    keep[i] = !certainly_back(test_back_face(surface.modelled[i], surface.viewer),
+    keep[i] = !certainly_back(test_back_face(surface.object_triangles[i], surface.viewer),
                               surface.snapping_margin);
 }
 
@@ -167,15 +167,15 @@ inline Cluster make_cluster(const std::vector<ObjectTriangle>& triangles, std::s
 
 inline std::vector<Cluster> make_clusters(const Surface& surface) {
   std::vector<Cluster> clusters;
-  for (std::size_t first = 0; first < surface.modelled.size(); first += kClusterSize)
-    clusters.push_back(make_cluster(surface.modelled, first));
+  for (std::size_t first = 0; first < surface.object_triangles.size(); first += kClusterSize)
+    clusters.push_back(make_cluster(surface.object_triangles, first));
   return clusters;
 }
 
 // Rejects a cluster if the eye is behind every plane that its ball and cone allow: (c - eye) . axis
 // >= |c - eye| sin + r.
 inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& clusters,
-                          Keep& keep) {
+                          KeepFlags& keep) {
   for (const Cluster& cluster : clusters) {
     const auto sight = cluster.centre + -surface.viewer.eye_or_gaze;
     const bool back = cluster.sine < 1 &&
@@ -184,7 +184,7 @@ inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& cl
   }
 }
 
-using Test = std::function<void(const Surface&, Keep&)>;
+using Test = std::function<void(const Surface&, KeepFlags&)>;
 
 // ---- filters: a bound tells whether the value's sign is right; if not, expansions decide ----
 

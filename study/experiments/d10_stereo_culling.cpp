@@ -13,8 +13,8 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/d10_lost.h"
-#include "study/experiments/d10_ways.h"
+#include "study/experiments/d10_lost_pixels.h"
+#include "study/experiments/d10_methods.h"
 
 namespace glassbox::study {
 
@@ -58,15 +58,15 @@ void add_scene(const std::string& name, const std::shared_ptr<const Eyes>& eyes,
   double triangles = 0;
   for (const Draw& draw : eyes->list.draws)
     triangles += double(draw.triangulation->triangles.size());
-  for (const Way& way : kWays) {
-    const bool loses = way.cull == cull_by_centre;
-    all.push_back({.series = way.name,
+  for (const Method& method : kMethods) {
+    const bool loses = method.cull == cull_by_centre;
+    all.push_back({.series = method.name,
                    .parameter = 100 * share,
                    .scene = name,
-                   .error = [=] { return lost_columns(*eyes, cull(*eyes, way)); },
+                   .error = [=] { return lost_columns(*eyes, cull(*eyes, method)); },
                    .predicted_error = loses ? predicted : 0,
                    .finding = loses ? finding : std::nullopt,
-                   .work = [=](int) { cull(*eyes, way); },
+                   .work = [=](int) { cull(*eyes, method); },
                    .items = triangles});
   }
 }

@@ -18,7 +18,7 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 
-#include "study/experiments/d10_ways.h"
+#include "study/experiments/d10_methods.h"
 
 namespace glassbox::study::d11 {
 

@@ -15,10 +15,10 @@
 #include <glassbox/render/renderer.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d11_cards.h"
 #include "study/experiments/d11_pair_setup.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "study/experiments/warp/warp.h"
 
 namespace glassbox::study {
@@ -27,7 +27,7 @@ namespace d11 {
 
 using Picture = Image<Rgba8>;
 
-struct Stage {
+struct StereoTestScene {
   std::string name;
   Scene scene;
   View centre, left, right;
@@ -35,84 +35,86 @@ struct Stage {
   RenderSettings settings = {};
 };
 
-Stage make_stage(std::string name, Scene scene, const View& centre, const StereoPair& pair) {
-  Stage stage{.name = std::move(name),
-              .scene = std::move(scene),
-              .centre = centre,
-              .left = eye_view(centre, pair, Side::kLeft),
-              .right = eye_view(centre, pair, Side::kRight),
-              .pair = pair};
-  stage.settings.transfer = Transfer::kNone;
-  stage.settings.background = {0, 0, 0, 255};
-  stage.settings.want_distance = true;
-  return stage;
+StereoTestScene make_test_scene(std::string name, Scene scene, const View& centre,
+                                const StereoPair& pair) {
+  StereoTestScene test_scene{.name = std::move(name),
+                             .scene = std::move(scene),
+                             .centre = centre,
+                             .left = eye_view(centre, pair, Side::kLeft),
+                             .right = eye_view(centre, pair, Side::kRight),
+                             .pair = pair};
+  test_scene.settings.transfer = Transfer::kNone;
+  test_scene.settings.background = {0, 0, 0, 255};
+  test_scene.settings.want_distance = true;
+  return test_scene;
 }
 
-// ---- ways to the right eye's picture, the left one's included ----
+// ---- methods for the right eye's picture, the left one's included ----
 
-struct Shown {
+struct RightEyePicture {
   Picture color;
   Image<float> distance;  // infinite for empty pixels
 };
 
-Shown shown(Framebuffer&& buffers) {
+RightEyePicture right_eye_picture(Framebuffer&& buffers) {
   return {std::move(buffers.color), std::move(buffers.distance)};
 }
-Shown shown(Warped&& warped) {
+RightEyePicture right_eye_picture(Warped&& warped) {
   return {std::move(warped.color), std::move(warped.distance)};
 }
 
-Shown draw_again(const Stage& s) {
+RightEyePicture draw_separately(const StereoTestScene& s) {
   render_staged(s.scene, s.left, s.settings);
-  return shown(render_staged(s.scene, s.right, s.settings).buffers);
+  return right_eye_picture(render_staged(s.scene, s.right, s.settings).buffers);
 }
-Shown draw_together(const Stage& s) {
-  return shown(render_pair(s.scene, s.centre, s.pair, {.render = s.settings}).right);
+RightEyePicture draw_together(const StereoTestScene& s) {
+  return right_eye_picture(render_pair(s.scene, s.centre, s.pair, {.render = s.settings}).right);
 }
-Shown take_the_left_one(const Stage& s) {
-  return shown(render_staged(s.scene, s.left, s.settings).buffers);
+RightEyePicture reuse_left_picture(const StereoTestScene& s) {
+  return right_eye_picture(render_staged(s.scene, s.left, s.settings).buffers);
 }
 template <int layers, bool fill>
-Shown warp_layers(const Stage& s) {
+RightEyePicture warp_layers(const StereoTestScene& s) {
   Warped warped =
       warp(peel(s.scene, s.left, s.settings, layers), s.centre, s.pair, s.settings.background);
   if (fill) fill_holes(warped);
-  return shown(std::move(warped));
+  return right_eye_picture(std::move(warped));
 }
-Shown draw_both_over_tiles(const Stage& s) {
+RightEyePicture draw_both_over_tiles(const StereoTestScene& s) {
   render_tiled(s.scene, s.left, s.settings, {.threads = 1});
-  return shown(render_tiled(s.scene, s.right, s.settings, {.threads = 1}).buffers);
+  return right_eye_picture(render_tiled(s.scene, s.right, s.settings, {.threads = 1}).buffers);
 }
-Shown draw_together_over_tiles(const Stage& s) {
+RightEyePicture draw_together_over_tiles(const StereoTestScene& s) {
   Renderer renderer(s.scene, s.settings.transfer, EngineKind::kTile, {.threads = 1});
-  return shown(renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right);
+  return right_eye_picture(renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right);
 }
 
-Shown warp_from_tiles(const Stage& s) {
+RightEyePicture warp_from_tiles(const StereoTestScene& s) {
   Framebuffer left = render_tiled(s.scene, s.left, s.settings, {.threads = 1}).buffers;
-  return shown(warp({{std::move(left.color), std::move(left.distance)}}, s.centre, s.pair,
-                    s.settings.background));
+  return right_eye_picture(warp({{std::move(left.color), std::move(left.distance)}}, s.centre,
+                                s.pair, s.settings.background));
 }
 
-struct Way {
+struct Method {
   const char* name;
   int layers;  // number of layers that a warp uses; 0: no warp
   bool fill;
   bool exact;
-  Shown (*right)(const Stage&);
+  RightEyePicture (*right)(const StereoTestScene&);
 };
-constexpr Way kWays[] = {{"left picture twice", 0, false, false, take_the_left_one},
-                         {"two full passes", 0, false, true, draw_again},
-                         {"shared vertex stage", 0, false, true, draw_together},
-                         {"depth-image warp", 1, false, false, warp_layers<1, false>},
-                         {"depth-image warp, holes filled", 1, true, false, warp_layers<1, true>},
-                         {"warp of 2 layers", 2, false, false, warp_layers<2, false>},
-                         {"warp of 2 layers, holes filled", 2, true, false, warp_layers<2, true>},
-                         {"warp of 3 layers", 3, false, false, warp_layers<3, false>},
-                         {"warp of 4 layers", 4, false, false, warp_layers<4, false>},
-                         {"tile engine, two full passes", 0, false, true, draw_both_over_tiles},
-                         {"tile engine, shared stages", 0, false, true, draw_together_over_tiles},
-                         {"tile engine, depth-image warp", 1, false, false, warp_from_tiles}};
+constexpr Method kMethods[] = {
+    {"left picture twice", 0, false, false, reuse_left_picture},
+    {"two full passes", 0, false, true, draw_separately},
+    {"shared vertex stage", 0, false, true, draw_together},
+    {"depth-image warp", 1, false, false, warp_layers<1, false>},
+    {"depth-image warp, holes filled", 1, true, false, warp_layers<1, true>},
+    {"warp of 2 layers", 2, false, false, warp_layers<2, false>},
+    {"warp of 2 layers, holes filled", 2, true, false, warp_layers<2, true>},
+    {"warp of 3 layers", 3, false, false, warp_layers<3, false>},
+    {"warp of 4 layers", 4, false, false, warp_layers<4, false>},
+    {"tile engine, two full passes", 0, false, true, draw_both_over_tiles},
+    {"tile engine, shared stages", 0, false, true, draw_together_over_tiles},
+    {"tile engine, depth-image warp", 1, false, false, warp_from_tiles}};
 
 // ---- measures ----
 
@@ -131,11 +133,12 @@ struct Errors {
 // about 100 px/z, is smaller than this.
 constexpr double kLeastDisparity = 0x1p-12;
 
-double parallax_px(const Stage& s, float z) {
+double parallax_px(const StereoTestScene& s, float z) {
   return parallax_at(s.centre, s.pair, double(z)).px;
 }
 
-Errors errors_of(const Shown& right, const Shown& test, const Stage& stage) {
+Errors errors_of(const RightEyePicture& right, const RightEyePicture& test,
+                 const StereoTestScene& test_scene) {
   const StoredImage one = as_stored(right.color), other = as_stored(test.color);
   const Selection everything(right.color.width, right.color.height);
   Errors errors;
@@ -147,7 +150,7 @@ Errors errors_of(const Shown& right, const Shown& test, const Stage& stage) {
       errors.holes += 1;
       continue;
     }
-    const double off = std::abs(parallax_px(stage, z) - parallax_px(stage, found));
+    const double off = std::abs(parallax_px(test_scene, z) - parallax_px(test_scene, found));
     if (off > kLeastDisparity) errors.disparity = std::max(errors.disparity, off);
   }
   errors.holes /= double(right.distance.pixels.size());
@@ -164,7 +167,7 @@ View view_of(const Camera& camera) {
   return make_view(camera, kWidth, kHeight).value();
 }
 
-Stage card_stage() {
+StereoTestScene card_scene() {
   Camera camera;
   camera.lens = PerspectiveLens{0.785398163397448309616, 0.5, 100.0};
   const View centre = view_of(camera);
@@ -176,7 +179,7 @@ Stage card_stage() {
   add_cells(mesh, {0, 0, kWidth, kHeight, 0}, centre, pair, stream);
   for (const Card& card : cards()) add_cells(mesh, card, centre, pair, stream += 1u << 20);
   add_object(scene, std::move(mesh));
-  return make_stage("cards before a wall", std::move(scene), centre, pair);
+  return make_test_scene("cards before a wall", std::move(scene), centre, pair);
 }
 
 // The mean square of uniformly random bytes in 0 .. 255, and that of the difference of two such
@@ -186,20 +189,20 @@ constexpr double kByteSquare = 255.0 * 511 / 6, kDifferenceSquare = (256.0 * 256
 // Holes are black, or are filled with the colour of another cell of the wall; a pixel that shows
 // another surface in the left picture has another cell's colour. Where the rear card of a stack
 // should be visible, the filled hole shows the wall, whose parallax differs by 4 px.
-Errors predicted_on_cards(const Way& way) {
+Errors predicted_on_cards(const Method& method) {
   constexpr double kPixels = kWidth * kHeight;
-  if (way.exact) return {};
-  if (way.layers == 0)
+  if (method.exact) return {};
+  if (method.layers == 0)
     return {std::sqrt(moved_pixels() / kPixels * kDifferenceSquare), 0, kLargestParallax};
-  const double share = hole_pixels(way.layers) / kPixels;
-  if (!way.fill) return {std::sqrt(share * kByteSquare), share, 0};
-  return {std::sqrt(share * kDifferenceSquare), 0, way.layers == 1 ? 4.0 : 0.0};
+  const double share = hole_pixels(method.layers) / kPixels;
+  if (!method.fill) return {std::sqrt(share * kByteSquare), share, 0};
+  return {std::sqrt(share * kDifferenceSquare), 0, method.layers == 1 ? 4.0 : 0.0};
 }
 
-Stage forest_stage(double share) {
+StereoTestScene forest_scene(double share) {
   Scene forest = make_forest();
   const View centre = view_of(forest.cameras.front());
-  return make_stage("forest", std::move(forest), centre, {share * 12, 12});
+  return make_test_scene("forest", std::move(forest), centre, {share * 12, 12});
 }
 
 double square_of(const Rgba8& c) {
@@ -214,15 +217,15 @@ struct LeftEye {
   double parallaxes = 0;  // in px, from the nearest surface to the farthest
 };
 
-LeftEye seen_by_left_eye(const Stage& stage) {
-  LeftEye seen{peel(stage.scene, stage.left, stage.settings, 5)};
+LeftEye seen_by_left_eye(const StereoTestScene& test_scene) {
+  LeftEye seen{peel(test_scene.scene, test_scene.left, test_scene.settings, 5)};
   const auto& [color, distance, depth, id] = seen.layers.front();
   double sum = 0, squares = 0, count = 0, near = HUGE_VAL, far = -HUGE_VAL;
   for (int y = 0; y < kHeight; ++y) {
     double before = 0;  // the left border opens like an edge at the window's depth
     for (int x = 0; x < kWidth; ++x) {
       const float z = distance.at(x, y);
-      const double p = parallax_px(stage, z);  // also for the sky
+      const double p = parallax_px(test_scene, z);  // also for the sky
       if (std::isfinite(z)) {
         const Rgba8& c = color.at(x, y);
         sum += c.r + c.g + c.b, squares += square_of(c), count += 3;
@@ -251,16 +254,16 @@ double share_behind(const LeftEye& seen, std::size_t layer) {
 // Between many thin things, a hole of the first layer shows the next layer, or the one after it, as
 // often as any place of the left picture does. Holes are black; filled holes, and pixels that show
 // another surface in the left picture, have the colour of some other place.
-Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
-  if (way.exact) return {};
-  if (way.layers == 0) return {std::sqrt(2 * seen.variance), 0, seen.parallaxes};
+Errors predicted_among_trees(const Method& method, const LeftEye& seen) {
+  if (method.exact) return {};
+  if (method.layers == 0) return {std::sqrt(2 * seen.variance), 0, seen.parallaxes};
   // If pixels are thrown at random places, 1/e of the places stay empty: the share of holes is not
   // larger, however far things move.
   double share = std::min(seen.opened, std::exp(-1.0));
-  for (int layer = 1; layer < way.layers; ++layer)
+  for (int layer = 1; layer < method.layers; ++layer)
     share *= share_behind(seen, std::size_t(layer - 1));
-  const double square = way.fill ? 2 * seen.variance : seen.mean_square;
-  return {std::sqrt(share * square), way.fill ? 0 : share, seen.parallaxes};
+  const double square = method.fill ? 2 * seen.variance : seen.mean_square;
+  return {std::sqrt(share * square), method.fill ? 0 : share, seen.parallaxes};
 }
 
 // With one layer at 2 %, 9858 pixels stay open; with two layers 5893, and 4005 with back-face
@@ -280,42 +283,45 @@ const Finding kWrongThing{
     "away, because no layer has the surface that belongs there",
     2, 3};
 
-using Prediction = std::function<Errors(const Way&)>;
+using Prediction = std::function<Errors(const Method&)>;
 
-void add_stage(const std::shared_ptr<const Stage>& stage, const Prediction& prediction,
-               std::vector<Configuration>& all) {
-  const auto right = once(
-      [=] { return shown(render_staged(stage->scene, stage->right, stage->settings).buffers); });
-  const double parameter = 100 * stage->pair.half_separation / stage->pair.window;
-  for (const Way& way : kWays) {
-    const auto errors = once([=] { return errors_of(right(), way.right(*stage), *stage); });
-    const Errors predicted = prediction(way);
+void add_scene(const std::shared_ptr<const StereoTestScene>& test_scene,
+               const Prediction& prediction, std::vector<Configuration>& all) {
+  const auto right = memoize([=] {
+    return right_eye_picture(
+        render_staged(test_scene->scene, test_scene->right, test_scene->settings).buffers);
+  });
+  const double parameter = 100 * test_scene->pair.half_separation / test_scene->pair.window;
+  for (const Method& method : kMethods) {
+    const auto errors =
+        memoize([=] { return errors_of(right(), method.right(*test_scene), *test_scene); });
+    const Errors predicted = prediction(method);
     const auto add = [&](const char* measure, double expected, auto error) {
-      all.push_back({.series = way.name,
+      all.push_back({.series = method.name,
                      .parameter = parameter,
-                     .scene = stage->name,
+                     .scene = test_scene->name,
                      .measure = measure,
                      .error = [=] { return error(errors()); },
                      .predicted_error = expected});
     };
     add("", predicted.rms, [](const Errors& e) { return e.rms; });
-    if (way.layers == 0) all.back().finding = kStillTheSame;
-    if (way.layers >= 3) all.back().finding = kWrongThing;
-    all.back().work = [way, stage](int) { way.right(*stage); };
+    if (method.layers == 0) all.back().finding = kStillTheSame;
+    if (method.layers >= 3) all.back().finding = kWrongThing;
+    all.back().work = [method, test_scene](int) { method.right(*test_scene); };
     add(kPsnr, psnr(predicted.rms), [](const Errors& e) { return psnr(e.rms); });
     add(kHoles, predicted.holes, [](const Errors& e) { return e.holes; });
-    if (way.layers >= 3) all.back().finding = kOwnBack;
+    if (method.layers >= 3) all.back().finding = kOwnBack;
     add(kDisparity, predicted.disparity, [](const Errors& e) { return e.disparity; });
   }
 }
 
-void add_setups(const Stage& stage, std::vector<Configuration>& all) {
+void add_setups(const StereoTestScene& test_scene, std::vector<Configuration>& all) {
   const auto triangles = std::make_shared<const std::vector<PairTriangle>>(
-      pair_triangles(*d10::make_eyes(stage.scene, stage.centre, stage.pair)));
+      pair_triangles(*d10::make_eyes(test_scene.scene, test_scene.centre, test_scene.pair)));
   const auto add = [&](const char* series, auto set_up) {
     all.push_back({.series = series,
                    .parameter = double(triangles->size()),
-                   .scene = stage.name,
+                   .scene = test_scene.name,
                    .measure = kSetup,
                    .error =
                        [=] {
@@ -327,7 +333,7 @@ void add_setups(const Stage& stage, std::vector<Configuration>& all) {
                    .predicted_error = 0,
                    .work =
                        [=](int) {
-                         for (const PairTriangle& t : *triangles) consume(set_up(t));
+                         for (const PairTriangle& t : *triangles) do_not_optimize(set_up(t));
                        }});
   };
   add("set-up of each eye", set_up_each);
@@ -336,16 +342,18 @@ void add_setups(const Stage& stage, std::vector<Configuration>& all) {
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  add_stage(std::make_shared<const Stage>(card_stage()), predicted_on_cards, all);
+  add_scene(std::make_shared<const StereoTestScene>(card_scene()), predicted_on_cards, all);
   std::vector<double> shares{0.02};
   if (effort == Effort::kFull) shares = {0.005, 0.01, 0.02, 0.05};
   for (const double share : shares) {
-    const auto forest = std::make_shared<const Stage>(forest_stage(share));
+    const auto forest = std::make_shared<const StereoTestScene>(forest_scene(share));
     const LeftEye seen = seen_by_left_eye(*forest);
-    const auto predicted = [seen](const Way& way) { return predicted_among_trees(way, seen); };
-    add_stage(forest, predicted, all);
+    const auto predicted = [seen](const Method& method) {
+      return predicted_among_trees(method, seen);
+    };
+    add_scene(forest, predicted, all);
   }
-  add_setups(forest_stage(0.02), all);
+  add_setups(forest_scene(0.02), all);
   return all;
 }
 

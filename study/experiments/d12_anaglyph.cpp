@@ -19,9 +19,9 @@
 #include <glassbox/render/staged/staged.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/d12_glasses.h"
 #include "study/experiments/d12_leaves.h"
-#include "study/experiments/d12_seen.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -115,7 +115,7 @@ double relative_luminance(const LightMatrix& lens, const Colour3& shown) {
 }
 
 // Computed for any method, in the same way as Rivalry in rivalry.h.
-double mean_rivalry(const Show1& show, const Scenery& scenery) {
+double mean_rivalry(const ShownColour& show, const Scenery& scenery) {
   const Colour3 white = show({1, 1, 1});
   const double left = relative_luminance(kRedLensLight, white),
                right = relative_luminance(kCyanLensLight, white);
@@ -129,8 +129,8 @@ double mean_rivalry(const Show1& show, const Scenery& scenery) {
   return mean < 0x1p-24 ? 0 : mean;  // colours are floats, so this is only their rounding error
 }
 
-double mean_difference(const Show1& show, const Scenery& scenery) {
-  static const SeenThrough both(both_lenses());
+double mean_difference(const ShownColour& show, const Scenery& scenery) {
+  static const ColourThroughLens both(both_lenses());
   double sum = 0;
   for (const Linear& colour : scenery.colours) {
     sum += ciede2000(both(show(colour)),
@@ -142,7 +142,7 @@ double mean_difference(const Show1& show, const Scenery& scenery) {
 // ---- theory ----
 
 // Y_L/Y_Lw - Y_R/Y_Rw of a colour: linear in the colour unless values are clamped.
-double signed_rivalry(const Show1& show, const Linear& colour) {
+double signed_rivalry(const ShownColour& show, const Linear& colour) {
   const auto share = [&](const LightMatrix& lens) {
     return relative_luminance(lens, show(colour)) / relative_luminance(lens, show({1, 1, 1}));
   };
@@ -151,7 +151,7 @@ double signed_rivalry(const Show1& show, const Linear& colour) {
 
 // The mean of |x| for a normally distributed x, with the mean and the deviation that a . c has over
 // the scenery, where a has the values of each channel alone.
-double predicted_rivalry(const Show1& show, const Scenery& scenery) {
+double predicted_rivalry(const ShownColour& show, const Scenery& scenery) {
   const Colour3 a{signed_rivalry(show, {1, 0, 0}), signed_rivalry(show, {0, 1, 0}),
                   signed_rivalry(show, {0, 0, 1})};
   double mean = 0, squares = 0;
@@ -206,7 +206,7 @@ Timed timed_pictures() {
 
 std::function<void(int)> work_of(const Method& method, const std::shared_ptr<const Timed>& eyes) {
   if (method.recolour.desaturate == 0)
-    return [=](int) { consume(make_anaglyph(eyes->left, eyes->right, method.method)); };
+    return [=](int) { do_not_optimize(make_anaglyph(eyes->left, eyes->right, method.method)); };
   return [=](int) {
     make_anaglyph(recoloured(eyes->left, method.recolour).value(),
                   recoloured(eyes->right, method.recolour).value(), method.method)
@@ -217,7 +217,7 @@ std::function<void(int)> work_of(const Method& method, const std::shared_ptr<con
 // The luminance of the other eye's channels through a lens, divided by that of the eye's own
 // channels: for red and cyan .0136/.0876 and .0176/.3865. The true anaglyph shows the right eye
 // only blue: .0018/.0876 and .0176/.0777.
-void add_ghosts(const Method& method, double parameter, const Viewing& viewing,
+void add_ghosts(const Method& method, double parameter, const AnaglyphViewing& viewing,
                 std::vector<Configuration>& all) {
   if (method.recolour.desaturate != 0) return;
   const bool without_green = method.method == AnaglyphMethod::kTrue;
@@ -242,8 +242,8 @@ std::vector<Configuration> configurations(Effort effort) {
   const auto eyes = std::make_shared<const Timed>(timed_pictures());
   std::vector<Configuration> all;
   for (const Method& method : methods(effort)) {
-    const Viewing seen = viewing(method.method).value();
-    const Show1 show = by_matrix(seen.matrix, method.recolour);
+    const AnaglyphViewing seen = anaglyph_viewing(method.method).value();
+    const ShownColour show = by_matrix(seen.matrix, method.recolour);
     for (const Scenery& scenery : sceneries) {
       double predicted = predicted_rivalry(show, scenery);
       if (&scenery == &sceneries.front()) {
@@ -265,8 +265,8 @@ std::vector<Configuration> configurations(Effort effort) {
   }
   // The two eyes' goals are apart by the difference that the colour method leaves between them. The
   // least sum of the two squared distances is at the midpoint.
-  const Show1 optimum = LabOptimum();
-  const Show1 colour = by_matrix(viewing(AnaglyphMethod::kMask).value().matrix, {});
+  const ShownColour optimum = LabOptimum();
+  const ShownColour colour = by_matrix(anaglyph_viewing(AnaglyphMethod::kMask).value().matrix, {});
   for (const Scenery& scenery : sceneries) {
     all.push_back({.series = "CIELAB optimum, pixel by pixel",
                    .parameter = mean_difference(optimum, scenery),
@@ -276,7 +276,7 @@ std::vector<Configuration> configurations(Effort effort) {
                    .work =
                        [=](int) {
                          for (std::size_t i = 0; i < 64; ++i)
-                           consume(optimum(scenery.colours[i % scenery.colours.size()]));
+                           do_not_optimize(optimum(scenery.colours[i % scenery.colours.size()]));
                        },
                    .items = 64});
   }

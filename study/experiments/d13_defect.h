@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "study/experiments/d13_ways.h"
+#include "study/experiments/d13_methods.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {

@@ -1,12 +1,12 @@
-// Compares ways to turn a rotation a little further, a million times (D-13).
+// Compares methods to turn a rotation a little further, a million times (D-13).
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d13_defect.h"
-#include "study/experiments/d13_ways.h"
+#include "study/experiments/d13_methods.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -16,16 +16,16 @@ namespace d13 {
 
 // The largest defect over the whole run, measured a thousand times and just before
 // renormalisations.
-template <class Way>
+template <class Method>
 double largest_defect(int every, int steps) {
-  Way way(every);
+  Method method(every);
   double largest = 0;
   const int looks = std::max(steps / 1000, 1);
   for (int i = 1, due = looks; i <= steps; ++i) {
-    way.advance();
+    method.advance();
     if (i < due && i != steps) continue;
-    if (!way.is_worst() && i != steps) continue;
-    largest = std::max(largest, frobenius(defect(way.matrix())));
+    if (!method.is_worst() && i != steps) continue;
+    largest = std::max(largest, frobenius(defect(method.matrix())));
     due = i + looks;
   }
   return largest;
@@ -95,11 +95,11 @@ struct Series {
 
 constexpr int kTimedSteps = 100'000;
 
-template <class Way>
+template <class Method>
 void advance_all(int every) {
-  Way way(every);
-  for (int i = 0; i < kTimedSteps; ++i) way.advance();
-  consume(way.matrix());
+  Method method(every);
+  for (int i = 0; i < kTimedSteps; ++i) method.advance();
+  do_not_optimize(method.matrix());
 }
 
 constexpr auto kFloat = largest_defect<RotationProduct<float>>;

@@ -1,15 +1,15 @@
-// Compares ways to compute where the samples of a layered depth image are warped: by products or by
-// additions, in float, fixed point and double (D-14).
+// Compares methods to compute where the samples of a layered depth image are warped: by products or
+// by additions, in float, fixed point and double (D-14).
 #include <cmath>
 #include <memory>
 #include <vector>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/d14_methods.h"
 #include "study/experiments/d14_model.h"
-#include "study/experiments/d14_ways.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/layer_samples.h"
-#include "study/experiments/once.h"
+#include "study/experiments/memoize.h"
 
 namespace glassbox::study {
 
@@ -19,7 +19,7 @@ constexpr const char* kMoved = "moved";
 
 // About 111,600 samples in 90,000 pixels, 1.24 per pixel as on the slides (S1-12). There is one
 // image for each width, seen from several places.
-struct Stage {
+struct LayerTestScene {
   views::LayeredImage image;
   std::vector<Eigen::Matrix4d> warps;
 };
@@ -33,10 +33,10 @@ Eigen::Isometry3d nearby_eye(Random& random) {
   return eye;
 }
 
-Stage make_stage(int width, int eyes) {
+LayerTestScene make_test_scene(int width, int eyes) {
   const int height = 90000 / width;
   const double focal = width, near = 0.5;
-  Stage stage;
+  LayerTestScene test_scene;
   const auto from = perspective_camera(width, height, focal, near, Eigen::Isometry3d::Identity());
   Random random(14);
   views::LayerBuilder builder(from, 0);
@@ -50,12 +50,12 @@ Stage make_stage(int width, int eyes) {
       if (random.integer(0, 99) < 24) add(20, 40);
     }
   }
-  stage.image = builder.pack();
+  test_scene.image = builder.pack();
   for (int i = 0; i < eyes; ++i) {
     const auto to = perspective_camera(width, height, focal, near, nearby_eye(random));
-    stage.warps.push_back(views::warp_matrix(to, from));
+    test_scene.warps.push_back(views::warp_matrix(to, from));
   }
-  return stage;
+  return test_scene;
 }
 
 // ---- errors ----
@@ -83,12 +83,12 @@ struct Errors {
   double moved = 0;  // share of the samples that reach another pixel
 };
 
-template <class Way>
-Errors errors_of(const Stage& stage) {
+template <class Method>
+Errors errors_of(const LayerTestScene& test_scene) {
   double squares = 0, samples = 0, moved = 0;
-  for (const Eigen::Matrix4d& m : stage.warps) {
-    warp_all<Way>(stage.image, m, [&](int x, int y, std::uint32_t i, const auto& at) {
-      const double u = x + 0.5, v = y + 0.5, z = double(stage.image.depth[i]);
+  for (const Eigen::Matrix4d& m : test_scene.warps) {
+    warp_all<Method>(test_scene.image, m, [&](int x, int y, std::uint32_t i, const auto& at) {
+      const double u = x + 0.5, v = y + 0.5, z = double(test_scene.image.depth[i]);
       const Eigen::Vector4d right = m * Eigen::Vector4d(u, v, z, 1);
       const double column = right.x() / right.w(), row = right.y() / right.w();
       const double of_w = beyond(double(at.w), m.row(3), u, v, z);
@@ -106,48 +106,50 @@ Errors errors_of(const Stage& stage) {
 
 // ---- work: one picture, a pixel for each sample, the nearest stays ----
 
-template <class Way>
-void draw(const Stage& stage) {
-  const int width = stage.image.camera.width, height = stage.image.camera.height;
+template <class Method>
+void draw(const LayerTestScene& test_scene) {
+  const int width = test_scene.image.camera.width, height = test_scene.image.camera.height;
   Image<float> depth(width, height, 0.0f);
   Image<Rgba8> color(width, height, Rgba8{0, 0, 0, 255});
-  warp_all<Way>(stage.image, stage.warps.front(), [&](int, int, std::uint32_t i, const auto& at) {
-    if (!(at.w > 0)) return;
-    const auto inverse = 1 / at.w;
-    const auto x = at.x * inverse, y = at.y * inverse;
-    if (!(x >= 0 && y >= 0 && x < decltype(x)(width) && y < decltype(y)(height))) return;
-    const auto z = float(at.z * inverse);
-    const std::size_t pixel = depth.index(int(x), int(y));
-    if (!(z > depth.pixels[pixel])) return;
-    depth.pixels[pixel] = z;
-    color.pixels[pixel] = stage.image.color[i];
-  });
-  consume(color);
+  warp_all<Method>(test_scene.image, test_scene.warps.front(),
+                   [&](int, int, std::uint32_t i, const auto& at) {
+                     if (!(at.w > 0)) return;
+                     const auto inverse = 1 / at.w;
+                     const auto x = at.x * inverse, y = at.y * inverse;
+                     if (!(x >= 0 && y >= 0 && x < decltype(x)(width) && y < decltype(y)(height)))
+                       return;
+                     const auto z = float(at.z * inverse);
+                     const std::size_t pixel = depth.index(int(x), int(y));
+                     if (!(z > depth.pixels[pixel])) return;
+                     depth.pixels[pixel] = z;
+                     color.pixels[pixel] = test_scene.image.color[i];
+                   });
+  do_not_optimize(color);
 }
 
 // ---- the table ----
 
-template <class Way>
-void add_way(const char* name, const std::shared_ptr<const Stage>& stage,
-             std::vector<Configuration>& all) {
-  const int width = stage->image.camera.width, height = stage->image.camera.height;
-  const auto eyes = double(stage->warps.size());
+template <class Method>
+void add_method(const char* name, const std::shared_ptr<const LayerTestScene>& test_scene,
+                std::vector<Configuration>& all) {
+  const int width = test_scene->image.camera.width, height = test_scene->image.camera.height;
+  const auto eyes = double(test_scene->warps.size());
   Predicted mean;
-  for (const Eigen::Matrix4d& m : stage->warps) {
-    const Predicted one = predict<Way>(stage->image, m, std::max(height / 5, 1));
+  for (const Eigen::Matrix4d& m : test_scene->warps) {
+    const Predicted one = predict<Method>(test_scene->image, m, std::max(height / 5, 1));
     mean.mean_square += one.mean_square / eyes;
     mean.moved += one.moved / eyes;
   }
-  const double samples = double(stage->image.samples()) * eyes;
+  const double samples = double(test_scene->image.samples()) * eyes;
   // If not even a hundredth of a sample is expected to move, the share counts as 0.
   if (mean.moved * samples < 0.01) mean.moved = 0;
-  const auto errors = once([stage] { return errors_of<Way>(*stage); });
+  const auto errors = memoize([test_scene] { return errors_of<Method>(*test_scene); });
   all.push_back({.series = name,
                  .parameter = double(width),
                  .error = [errors] { return errors().rms; },
                  .predicted_error = std::sqrt(mean.mean_square),
-                 .work = [stage](int) { draw<Way>(*stage); },
-                 .items = double(stage->image.samples())});
+                 .work = [test_scene](int) { draw<Method>(*test_scene); },
+                 .items = double(test_scene->image.samples())});
   all.push_back({.series = name,
                  .parameter = double(width),
                  .measure = kMoved,
@@ -160,17 +162,17 @@ std::vector<Configuration> configurations(Effort effort) {
   if (effort == Effort::kFull) widths = {300, 942, 2048, 4096, 8192, 16384};
   std::vector<Configuration> all;
   for (const int width : widths) {
-    const auto stage =
-        std::make_shared<const Stage>(make_stage(width, effort == Effort::kQuick ? 8 : 16));
-    add_way<FullProduct<float>>("float, 16 products", stage, all);
-    add_way<Additions<float, kNever>>("float, added up, never restarted", stage, all);
-    add_way<Additions<float, kLine>>("float, added up, restarted each row", stage, all);
-    add_way<Additions<float, 64>>("float, added up, restarted every 64 px", stage, all);
-    add_way<Additions<float, 16>>("float, added up, restarted every 16 px", stage, all);
-    add_way<Multiples>("float, multiples of the step, restarted every 64 px", stage, all);
-    add_way<FixedPoint>("fixed point, added up, restarted each row", stage, all);
-    add_way<FullProduct<double>>("double, 16 products", stage, all);
-    add_way<Additions<double, kLine>>("double, added up, restarted each row", stage, all);
+    const auto test_scene = std::make_shared<const LayerTestScene>(
+        make_test_scene(width, effort == Effort::kQuick ? 8 : 16));
+    add_method<FullProduct<float>>("float, 16 products", test_scene, all);
+    add_method<Additions<float, kNever>>("float, added up, never restarted", test_scene, all);
+    add_method<Additions<float, kLine>>("float, added up, restarted each row", test_scene, all);
+    add_method<Additions<float, 64>>("float, added up, restarted every 64 px", test_scene, all);
+    add_method<Additions<float, 16>>("float, added up, restarted every 16 px", test_scene, all);
+    add_method<Multiples>("float, multiples of the step, restarted every 64 px", test_scene, all);
+    add_method<FixedPoint>("fixed point, added up, restarted each row", test_scene, all);
+    add_method<FullProduct<double>>("double, 16 products", test_scene, all);
+    add_method<Additions<double, kLine>>("double, added up, restarted each row", test_scene, all);
   }
   return all;
 }

@@ -1,4 +1,4 @@
-// Predicts the errors of the ways to warp samples (D-14). Each rounding error is uniformly
+// Predicts the errors of the methods to warp samples (D-14). Each rounding error is uniformly
 // distributed within half a unit in the last place; it repeats if the same step is added again to a
 // number of the same size.
 #pragma once
@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "study/experiments/d14_ways.h"
+#include "study/experiments/d14_methods.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study::d14 {
@@ -67,8 +67,8 @@ double with_depth(double start, double start_variance, double depth, double z) {
          rounding_at<T>(start + z * depth);
 }
 
-// The mean squares of the error of one coordinate of a sample, for each way.
-template <class Way>
+// The mean squares of the error of one coordinate of a sample, for each method.
+template <class Method>
 struct Model;
 
 template <class T>
@@ -176,14 +176,14 @@ inline double share_moved(double deviation) {
 }
 
 // Averages over every `every`-th row of one warp; the error of a coordinate is (dX - x dW)/w.
-template <class Way>
+template <class Method>
 Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, int every) {
   Predicted sum;
   double samples = 0;
   const int width = image.camera.width, height = image.camera.height;
   for (int y = height - 1; y >= 0; y -= every) {
-    Model<Way> x_of, y_of, w_of;
-    if constexpr (std::is_same_v<Way, FixedPoint>) {
+    Model<Method> x_of, y_of, w_of;
+    if constexpr (std::is_same_v<Method, FixedPoint>) {
       x_of.set_step(FixedPoint::kPlace);
       y_of.set_step(FixedPoint::kPlace);
       w_of.set_step(FixedPoint::kShare);
@@ -192,12 +192,12 @@ Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, in
     y_of.begin_row(m.row(1), y, height - 1);
     w_of.begin_row(m.row(3), y, height - 1);
     for (int x = 0; x < width; ++x) {
-      const std::size_t place = image.place(x, y);
+      const std::size_t place = image.pixel_index(x, y);
       for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
         const double z = double(image.depth[i]);
         const Eigen::Vector4d at = m * Eigen::Vector4d(x + 0.5, y + 0.5, z, 1);
         const double w = at.w(), of_w = w_of.variance(z);
-        using T = typename Model<Way>::Number;
+        using T = typename Model<Method>::Number;
         for (const auto& [place_px, variance] :
              {std::pair(at.x() / w, x_of.variance(z)), std::pair(at.y() / w, y_of.variance(z))}) {
           const double before = (variance + square(place_px) * of_w) / square(w);

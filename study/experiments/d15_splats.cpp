@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d15_filter.h"
 #include "study/experiments/d15_splats.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/layer_samples.h"
-#include "study/experiments/once.h"
+#include "study/experiments/memoize.h"
 
 namespace glassbox::study {
 
@@ -19,28 +19,28 @@ constexpr const char *kRms = "rms", *kPsnr = "PSNR", *kSharpness = "sharpness";
 // A wall of n x n samples with independent colours, one behind each pixel of a parallel camera, and
 // the same wall magnified m times. So only sampling matters, and the positions of pixels relative
 // to the samples repeat.
-struct Stage {
+struct LayerTestScene {
   std::string name;
   Magnification m;
   views::LayeredImage wall;
   views::LayerCamera to;
 };
 
-Stage make_stage(int samples, double times, bool tilted) {
+LayerTestScene make_test_scene(int samples, double times, bool tilted) {
   // The first eye sees the wall at 60 degrees, so it is 1/cos 60 = 2 times as wide.
   const Magnification m{tilted ? 2 * times : times, times, times};
-  Stage stage{tilted ? "wall at 60 degrees" : "wall", m, {}, {}};
+  LayerTestScene test_scene{tilted ? "wall at 60 degrees" : "wall", m, {}, {}};
   views::LayerCamera from;
   from.width = from.height = samples;
-  stage.to.width = int(samples * m.x), stage.to.height = int(samples * m.y);
-  stage.to.screen_from_world.diagonal() << m.x, m.y, 1, 1;
+  test_scene.to.width = int(samples * m.x), test_scene.to.height = int(samples * m.y);
+  test_scene.to.screen_from_world.diagonal() << m.x, m.y, 1, 1;
   views::LayerBuilder builder(from, 0);
   Random random(15);
   for (int y = 0; y < samples; ++y) {
     for (int x = 0; x < samples; ++x) builder.add(x, y, 0.5f, random_color(random));
   }
-  stage.wall = builder.pack();
-  return stage;
+  test_scene.wall = builder.pack();
+  return test_scene;
 }
 
 // ---- the error ----
@@ -56,22 +56,22 @@ double channel(const Rgba8& c, int k) {
 }
 
 // Uses only pixels for which all samples that could reach them exist.
-Errors errors_of(const Stage& stage, const Splatted& drawn) {
-  const int margin = int(8 * std::max(stage.m.x, stage.m.y));
-  const int height = stage.wall.camera.height;
+Errors errors_of(const LayerTestScene& test_scene, const Splatted& drawn) {
+  const int margin = int(8 * std::max(test_scene.m.x, test_scene.m.y));
+  const int height = test_scene.wall.camera.height;
   const auto truth = [&](int u, int v, int k) {
     double sum = 0;
-    for (const auto& [sample, area] : truth_in(u, v, stage.m)) {
+    for (const auto& [sample, area] : truth_in(u, v, test_scene.m)) {
       const auto place =
           std::size_t(height - 1 - sample.second) * std::size_t(height) + std::size_t(sample.first);
-      sum += area * channel(stage.wall.color[place], k);
+      sum += area * channel(test_scene.wall.color[place], k);
     }
     return sum;
   };
   double holes = 0, squares = 0, gradient = 0, true_gradient = 0, pixels = 0;
-  for (int v = margin; v < stage.to.height - margin; ++v) {
+  for (int v = margin; v < test_scene.to.height - margin; ++v) {
     std::array<double, 3> before{};
-    for (int u = margin; u < stage.to.width - margin; ++u) {
+    for (int u = margin; u < test_scene.to.width - margin; ++u) {
       ++pixels;
       holes += drawn.depth.at(u, v) == 0;
       for (int k = 0; k < 3; ++k) {
@@ -95,22 +95,24 @@ double psnr(double rms) {
 // ---- the table ----
 
 template <class Footprint>
-void add_footprint(const char* name, const std::shared_ptr<const Stage>& stage, double times,
-                   const Footprint& footprint, std::vector<Configuration>& all) {
-  const Expected expected = expect(stage->m, footprint);
-  const auto errors =
-      once([=] { return errors_of(*stage, splat(stage->wall, stage->to, footprint)); });
+void add_footprint(const char* name, const std::shared_ptr<const LayerTestScene>& test_scene,
+                   double times, const Footprint& footprint, std::vector<Configuration>& all) {
+  const Expected expected = expect(test_scene->m, footprint);
+  const auto errors = memoize(
+      [=] { return errors_of(*test_scene, splat(test_scene->wall, test_scene->to, footprint)); });
   const auto add = [&](const char* measure, double predicted, auto error) {
     all.push_back({.series = name,
                    .parameter = times,
-                   .scene = stage->name,
+                   .scene = test_scene->name,
                    .measure = measure,
                    .error = [=] { return error(errors()); },
                    .predicted_error = predicted});
   };
   add("", expected.holes, [](const Errors& e) { return e.holes; });
-  all.back().work = [=](int) { consume(splat(stage->wall, stage->to, footprint)); };
-  all.back().items = double(stage->wall.samples());
+  all.back().work = [=](int) {
+    do_not_optimize(splat(test_scene->wall, test_scene->to, footprint));
+  };
+  all.back().items = double(test_scene->wall.samples());
   const double rms = std::sqrt(expected.mean_square);
   add(kRms, rms, [](const Errors& e) { return e.rms; });
   add(kPsnr, psnr(rms), [](const Errors& e) { return psnr(e.rms); });
@@ -118,21 +120,23 @@ void add_footprint(const char* name, const std::shared_ptr<const Stage>& stage, 
       [](const Errors& e) { return e.sharpness; });
 }
 
-void add_stage(int samples, double times, bool tilted, std::vector<Configuration>& all) {
-  const auto stage = std::make_shared<const Stage>(make_stage(samples, times, tilted));
-  const Magnification& m = stage->m;
+void add_test_scene(int samples, double times, bool tilted, std::vector<Configuration>& all) {
+  const auto test_scene =
+      std::make_shared<const LayerTestScene>(make_test_scene(samples, times, tilted));
+  const Magnification& m = test_scene->m;
   const double side = std::max(m.focal, 1.0);
-  add_footprint("1 x 1", stage, times, Square{1}, all);
-  add_footprint("3 x 3", stage, times, Square{3}, all);
-  add_footprint("square of side l", stage, times, Square{side}, all);
+  add_footprint("1 x 1", test_scene, times, Square{1}, all);
+  add_footprint("3 x 3", test_scene, times, Square{3}, all);
+  add_footprint("square of side l", test_scene, times, Square{side}, all);
   // sqrt(cos 0 / cos 60): the square has the same area as the sample seen from there (S1-10).
   const double with_tilt = std::max(m.focal * std::sqrt(m.x / m.y), 1.0);
   if (tilted)
-    add_footprint("square of side l, with the tilt", stage, times, Square{with_tilt}, all);
-  add_footprint("four sizes, weights 1, 1/2, 1/4", stage, times, FourSizes::of(with_tilt), all);
-  add_footprint("Gaussian (EWA)", stage, times, Gaussian::of(m), all);
+    add_footprint("square of side l, with the tilt", test_scene, times, Square{with_tilt}, all);
+  add_footprint("four sizes, weights 1, 1/2, 1/4", test_scene, times,
+                FourSizes::for_size(with_tilt), all);
+  add_footprint("Gaussian (EWA)", test_scene, times, Gaussian::for_magnification(m), all);
   const double corner = std::sqrt(0.5);
-  add_footprint("ellipse", stage, times,
+  add_footprint("ellipse", test_scene, times,
                 Ellipse{std::max(m.x, 1.0) * corner, std::max(m.y, 1.0) * corner}, all);
 }
 
@@ -142,7 +146,7 @@ std::vector<Configuration> configurations(Effort effort) {
   if (!quick) magnifications = {0.5, 1, 2, 3, 4};
   std::vector<Configuration> all;
   for (const bool tilted : {false, true}) {
-    for (const double times : magnifications) add_stage(quick ? 40 : 128, times, tilted, all);
+    for (const double times : magnifications) add_test_scene(quick ? 40 : 128, times, tilted, all);
   }
   return all;
 }

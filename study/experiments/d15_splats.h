@@ -62,7 +62,7 @@ struct Ellipse {
 // Uses one of four sizes, with weights that are powers of two (Shade et al. 1998, section 4.3).
 struct FourSizes {
   int side = 1;
-  static FourSizes of(double wanted) {
+  static FourSizes for_size(double wanted) {
     int side = 1;
     while (side < 7 && side < wanted) side += 2;
     return {side};
@@ -87,7 +87,7 @@ struct FourSizes {
 struct Gaussian {
   static constexpr double kReach = 3;  // in standard deviations
   double deviation_x = 1, deviation_y = 1;
-  static Gaussian of(const Magnification& m) {
+  static Gaussian for_magnification(const Magnification& m) {
     return {std::hypot(0.5 * m.x, 0.5), std::hypot(0.5 * m.y, 0.5)};
   }
   double weight(double dx, double dy) const {

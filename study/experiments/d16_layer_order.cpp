@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/experiments/layer_samples.h"
-#include "study/experiments/once.h"
+#include "study/experiments/memoize.h"
 #include "views/layers/draw_layers.h"
 
 namespace glassbox::study {
@@ -78,20 +78,20 @@ const Move kMoves[] = {
      [](double) { return 0.75; }},
 };
 
-struct Stage {
+struct LayerTestScene {
   const Move* move = nullptr;
   views::LayeredImage image;
   views::LayerCamera to;
   Image<Rgba8> right;
 };
 
-Stage make_stage(const Move& move, double layers) {
+LayerTestScene make_test_scene(const Move& move, double layers) {
   const Eigen::Isometry3d first = Eigen::Isometry3d::Identity();
-  Stage stage;
-  stage.move = &move;
-  stage.to = perspective_camera(kSide, kSide, kFocal, kNear,
-                                Eigen::Isometry3d(Eigen::Translation3d(-move.to)));
-  stage.right = Image<Rgba8>(kSide, kSide, Rgba8{0, 0, 0, 0});
+  LayerTestScene test_scene;
+  test_scene.move = &move;
+  test_scene.to = perspective_camera(kSide, kSide, kFocal, kNear,
+                                     Eigen::Isometry3d(Eigen::Translation3d(-move.to)));
+  test_scene.right = Image<Rgba8>(kSide, kSide, Rgba8{0, 0, 0, 0});
   Image<double> nearest(kSide, kSide, std::numeric_limits<double>::infinity());
   views::LayerBuilder builder(perspective_camera(kSide, kSide, kFocal, kNear, first), 0);
   Random random(16);
@@ -114,7 +114,7 @@ Stage make_stage(const Move& move, double layers) {
     builder.add(x, y, depth, color);
     if (!is_inside || z > nearest.at(u, v)) return;
     nearest.at(u, v) = z;
-    stage.right.at(u, v) = color;
+    test_scene.right.at(u, v) = color;
   };
   const int each = move.to.z() > 0 ? int(layers) : 0;
   for (int i = 0; i < each * kSide * kSide; ++i) add(i % kSide, i / kSide % kSide);
@@ -122,21 +122,21 @@ Stage make_stage(const Move& move, double layers) {
     const int u = int(random.integer(0, kSide - 1));
     add(u, int(random.integer(0, kSide - 1)));
   }
-  stage.image = builder.pack();
-  return stage;
+  test_scene.image = builder.pack();
+  return test_scene;
 }
 
-// ---- the three ways: the same loop ----
+// ---- the three methods: the same loop ----
 
-enum class Way { kDepth, kOrder, kPacked };
+enum class Method { kDepth, kOrder, kPacked };
 
-template <Way way>
-Image<Rgba8> draw(const Stage& stage) {
-  const views::LayeredImage& image = stage.image;
-  const Eigen::Matrix4d m = views::warp_matrix(stage.to, image.camera);
+template <Method method>
+Image<Rgba8> draw(const LayerTestScene& test_scene) {
+  const views::LayeredImage& image = test_scene.image;
+  const Eigen::Matrix4d m = views::warp_matrix(test_scene.to, image.camera);
   std::vector<int> rows, columns;
-  if constexpr (way == Way::kOrder) {
-    const Eigen::Vector4d e = image.camera.screen_from_world * views::eye_of(stage.to);
+  if constexpr (method == Method::kOrder) {
+    const Eigen::Vector4d e = image.camera.screen_from_world * views::eye_of(test_scene.to);
     rows = views::visiting_order(e.y(), e.w(), kSide);
     columns = views::visiting_order(e.x(), e.w(), kSide);
   } else {
@@ -146,7 +146,7 @@ Image<Rgba8> draw(const Stage& stage) {
   Image<double> nearest(kSide, kSide, 0.0);
   for (const int y : rows) {
     for (const int x : columns) {
-      const std::size_t place = image.place(x, y);
+      const std::size_t place = image.pixel_index(x, y);
       const Eigen::Vector4d start = m * Eigen::Vector4d(x + 0.5, y + 0.5, 0, 1);
       for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
         const Eigen::Vector4d at = start + double(image.depth[i]) * m.col(2);
@@ -155,7 +155,7 @@ Image<Rgba8> draw(const Stage& stage) {
         const double u = at.x() * inverse, v = at.y() * inverse;
         if (!(u >= 0 && v >= 0 && u < kSide && v < kSide)) continue;
         const std::size_t pixel = color.index(int(u), int(v));
-        if constexpr (way == Way::kDepth) {
+        if constexpr (method == Method::kDepth) {
           const double z = at.z() * inverse;
           if (!(z > nearest.pixels[pixel])) continue;
           nearest.pixels[pixel] = z;
@@ -169,12 +169,12 @@ Image<Rgba8> draw(const Stage& stage) {
 
 // The share of pixels in the middle square that do not show the nearest sample, among those that
 // show something.
-double wrong_share(const Stage& stage, const Image<Rgba8>& drawn) {
-  const int begin = (kSide - stage.move->middle) / 2;
+double wrong_share(const LayerTestScene& test_scene, const Image<Rgba8>& drawn) {
+  const int begin = (kSide - test_scene.move->middle) / 2;
   double wrong = 0, shown = 0;
   for (int y = begin; y < kSide - begin; ++y) {
     for (int x = begin; x < kSide - begin; ++x) {
-      const Rgba8 right = stage.right.at(x, y);
+      const Rgba8 right = test_scene.right.at(x, y);
       shown += right.a != 0;
       wrong += drawn.at(x, y) != right;
     }
@@ -182,16 +182,17 @@ double wrong_share(const Stage& stage, const Image<Rgba8>& drawn) {
   return wrong / shown;
 }
 
-template <Way way>
-void add_way(const char* name, const std::shared_ptr<const Stage>& stage, double layers,
-             double predicted, std::vector<Configuration>& all) {
-  all.push_back({.series = name,
-                 .parameter = layers,
-                 .scene = stage->move->name,
-                 .error = [stage] { return wrong_share(*stage, draw<way>(*stage)); },
-                 .predicted_error = predicted,
-                 .work = [stage](int) { consume(draw<way>(*stage)); },
-                 .items = double(stage->image.samples())});
+template <Method method>
+void add_method(const char* name, const std::shared_ptr<const LayerTestScene>& test_scene,
+                double layers, double predicted, std::vector<Configuration>& all) {
+  all.push_back(
+      {.series = name,
+       .parameter = layers,
+       .scene = test_scene->move->name,
+       .error = [test_scene] { return wrong_share(*test_scene, draw<method>(*test_scene)); },
+       .predicted_error = predicted,
+       .work = [test_scene](int) { do_not_optimize(draw<method>(*test_scene)); },
+       .items = double(test_scene->image.samples())});
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -200,12 +201,12 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const Move& move : kMoves) {
     for (const double layers : counts) {
-      const auto stage = std::make_shared<const Stage>(make_stage(move, layers));
-      add_way<Way::kDepth>("the nearest, by depth", stage, layers, 0, all);
-      add_way<Way::kOrder>("the last, in an order for this eye", stage, layers, move.order(layers),
-                           all);
-      add_way<Way::kPacked>("the last, as they are packed", stage, layers, move.packed(layers),
-                            all);
+      const auto test_scene = std::make_shared<const LayerTestScene>(make_test_scene(move, layers));
+      add_method<Method::kDepth>("the nearest, by depth", test_scene, layers, 0, all);
+      add_method<Method::kOrder>("the last, in an order for this eye", test_scene, layers,
+                                 move.order(layers), all);
+      add_method<Method::kPacked>("the last, as they are packed", test_scene, layers,
+                                  move.packed(layers), all);
     }
   }
   return all;

@@ -10,9 +10,9 @@
 #include <glassbox/mesh/builtin/scenes.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d17_leaves.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "views/layers/depth_peeling.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_builder.h"
@@ -28,7 +28,7 @@ constexpr const char *kStorage = "storage", *kMerged = "merged";
 constexpr int kAllLayers = 14;
 
 // The layers seen from some eyes, peeled, and the picture of another eye.
-struct Stage {
+struct LayerTestScene {
   std::string name;
   std::vector<View> eyes;
   std::vector<std::vector<Layer>> peeled;  // one list per eye
@@ -45,20 +45,22 @@ RenderSettings plain() {
   return settings;
 }
 
-Stage make_stage(std::string name, const Scene& scene, std::vector<View> eyes, const View& other,
-                 int layers, double tolerance) {
-  Stage stage{std::move(name), std::move(eyes), {}, other, {}, tolerance};
-  for (const View& eye : stage.eyes)
-    stage.peeled.push_back(views::peel(scene, eye, plain(), layers));
-  stage.seen = views::peel(scene, other, plain(), 1).front();
-  return stage;
+LayerTestScene make_test_scene(std::string name, const Scene& scene, std::vector<View> eyes,
+                               const View& other, int layers, double tolerance) {
+  LayerTestScene test_scene{std::move(name), std::move(eyes), {}, other, {}, tolerance};
+  for (const View& eye : test_scene.eyes)
+    test_scene.peeled.push_back(views::peel(scene, eye, plain(), layers));
+  test_scene.seen = views::peel(scene, other, plain(), 1).front();
+  return test_scene;
 }
 
-views::LayeredImage built(const Stage& stage, int layers, int eyes, double epsilon) {
-  views::LayerBuilder builder(views::layer_camera(stage.eyes.front()), epsilon);
+views::LayeredImage build_layers(const LayerTestScene& test_scene, int layers, int eyes,
+                                 double epsilon) {
+  views::LayerBuilder builder(views::layer_camera(test_scene.eyes.front()), epsilon);
   for (std::size_t i = 0; i < std::size_t(eyes); ++i) {
-    for (std::size_t k = 0; k < std::min(std::size_t(layers), stage.peeled[i].size()); ++k)
-      builder.add_picture(stage.eyes[i], stage.peeled[i][k].color, stage.peeled[i][k].distance);
+    for (std::size_t k = 0; k < std::min(std::size_t(layers), test_scene.peeled[i].size()); ++k)
+      builder.add_picture(test_scene.eyes[i], test_scene.peeled[i][k].color,
+                          test_scene.peeled[i][k].distance);
   }
   return builder.pack();
 }
@@ -67,23 +69,23 @@ views::LayeredImage built(const Stage& stage, int layers, int eyes, double epsil
 // of the world, in the pixel of that point or the nearest neighbouring pixel. The surface is
 // identified by its colour, or by its distance if surfaces are shaded. Returns nothing if the point
 // is outside the picture.
-std::optional<bool> has(const Stage& stage, std::size_t eye, int layers,
-                        const Eigen::Vector4d& world, const Rgba8& color) {
-  const views::LayerCamera camera = views::layer_camera(stage.eyes[eye]);
+std::optional<bool> contains_surface(const LayerTestScene& test_scene, std::size_t eye, int layers,
+                                     const Eigen::Vector4d& world, const Rgba8& color) {
+  const views::LayerCamera camera = views::layer_camera(test_scene.eyes[eye]);
   const Eigen::Vector4d at = camera.screen_from_world * world;
   const double x = at.x() / at.w(), y = at.y() / at.w(), depth = at.z() / at.w();
   if (!(at.w() > 0) || !(x >= 1 && y >= 0 && x < camera.width - 1 && y < camera.height))
     return std::nullopt;
   const int column = int(x), row = int(y), beside = x - column < 0.5 ? column - 1 : column + 1;
-  const auto count = std::min(std::size_t(layers), stage.peeled[eye].size());
+  const auto count = std::min(std::size_t(layers), test_scene.peeled[eye].size());
   for (std::size_t k = 0; k < count; ++k) {
-    const Layer& layer = stage.peeled[eye][k];
+    const Layer& layer = test_scene.peeled[eye][k];
     for (const int u : {column, beside}) {
       const auto z = double(layer.distance.at(u, row));
       if (!std::isfinite(z)) continue;
-      const double there = views::depth_of(stage.eyes[eye], z);
-      if (stage.tolerance > 0 ? std::abs(there / depth - 1) < stage.tolerance
-                              : layer.color.at(u, row) == color)
+      const double there = views::depth_of(test_scene.eyes[eye], z);
+      if (test_scene.tolerance > 0 ? std::abs(there / depth - 1) < test_scene.tolerance
+                                   : layer.color.at(u, row) == color)
         return true;
     }
   }
@@ -92,19 +94,20 @@ std::optional<bool> has(const Stage& stage, std::size_t eye, int layers,
 
 // The share of pixels whose surface is in none of the layers, among the pixels of the other eye's
 // picture that show something inside the pictures of all first eyes.
-double missing(const Stage& stage, int layers, int eyes) {
-  const views::LayerCamera camera = views::layer_camera(stage.other);
+double missing(const LayerTestScene& test_scene, int layers, int eyes) {
+  const views::LayerCamera camera = views::layer_camera(test_scene.other);
   const Eigen::Matrix4d back = camera.screen_from_world.inverse();
   double without = 0, seen = 0;
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      const auto z = double(stage.seen.distance.at(x, y));
+      const auto z = double(test_scene.seen.distance.at(x, y));
       if (!std::isfinite(z)) continue;
       const Eigen::Vector4d world =
-          back * Eigen::Vector4d(x + 0.5, y + 0.5, views::depth_of(stage.other, z), 1);
+          back * Eigen::Vector4d(x + 0.5, y + 0.5, views::depth_of(test_scene.other, z), 1);
       bool is_within = true, is_there = false;
       for (std::size_t eye = 0; eye < std::size_t(eyes); ++eye) {
-        const auto found = has(stage, eye, layers, world, stage.seen.color.at(x, y));
+        const auto found =
+            contains_surface(test_scene, eye, layers, world, test_scene.seen.color.at(x, y));
         is_within = is_within && found;
         is_there = is_there || found.value_or(false);
       }
@@ -125,51 +128,53 @@ std::string series_of(int eyes) {
   return eyes == 1 ? "one eye's layers" : "two eyes' layers";
 }
 
-struct Law {
+struct MissingShareLaw {
   double covered;  // T: mean number of surfaces on a line
   std::optional<Finding> of_missing = {};
 };
 
-void add_layers(const std::shared_ptr<const Stage>& stage, int layers, int eyes, const Law& law,
-                std::vector<Configuration>& all) {
-  const auto image = once([=] { return built(*stage, layers, eyes, views::kMergedDepths); });
+void add_layers(const std::shared_ptr<const LayerTestScene>& test_scene, int layers, int eyes,
+                const MissingShareLaw& law, std::vector<Configuration>& all) {
+  const auto image =
+      memoize([=] { return build_layers(*test_scene, layers, eyes, views::kMergedDepths); });
   all.push_back({.series = series_of(eyes),
                  .parameter = double(layers),
-                 .scene = stage->name,
-                 .error = [=] { return missing(*stage, layers, eyes); },
+                 .scene = test_scene->name,
+                 .error = [=] { return missing(*test_scene, layers, eyes); },
                  .predicted_error = missing_share(law.covered, layers, eyes),
                  .finding = law.of_missing,
                  .work =
                      [=](int) {
                        views::LayerDrawing drawing;
                        drawing.splat = views::Splat::kPoint;
-                       const auto to = views::layer_camera(stage->other);
-                       consume(views::draw_layers(image(), to, drawing));
+                       const auto to = views::layer_camera(test_scene->other);
+                       do_not_optimize(views::draw_layers(image(), to, drawing));
                      }});
   if (eyes > 1) return;
   all.push_back({.series = series_of(eyes),
                  .parameter = double(layers),
-                 .scene = stage->name,
+                 .scene = test_scene->name,
                  .measure = kStorage,
                  .error = [=] { return bytes_of(image()); },
                  .predicted_error = 4 + 8 * kept_layers(law.covered, layers)});
 }
 
-void add_epsilon(const std::shared_ptr<const Stage>& stage, double epsilon,
+void add_epsilon(const std::shared_ptr<const LayerTestScene>& test_scene, double epsilon,
                  std::vector<Configuration>& all) {
-  all.push_back({.series = series_of(1),
-                 .parameter = epsilon,
-                 .scene = stage->name,
-                 .measure = kMerged,
-                 .error =
-                     [=] {
-                       const auto left = built(*stage, kAllLayers, 1, epsilon).samples(),
-                                  before = built(*stage, kAllLayers, 1, 0).samples();
-                       return 1 - double(left) / double(before);
-                     },
-                 .predicted_error = merged_share(kCovered, epsilon),
-                 .work = [=](int) { consume(built(*stage, kAllLayers, 1, epsilon)); },
-                 .items = 1});
+  all.push_back(
+      {.series = series_of(1),
+       .parameter = epsilon,
+       .scene = test_scene->name,
+       .measure = kMerged,
+       .error =
+           [=] {
+             const auto left = build_layers(*test_scene, kAllLayers, 1, epsilon).samples(),
+                        before = build_layers(*test_scene, kAllLayers, 1, 0).samples();
+             return 1 - double(left) / double(before);
+           },
+       .predicted_error = merged_share(kCovered, epsilon),
+       .work = [=](int) { do_not_optimize(build_layers(*test_scene, kAllLayers, 1, epsilon)); },
+       .items = 1});
 }
 
 const Finding kLargeThings{
@@ -182,24 +187,25 @@ const Finding kTrees{
     0.2, 1};
 
 // A built-in scene: the eye of its camera, and another one a little to the side.
-std::shared_ptr<const Stage> scene_stage(const char* name, double aside) {
+std::shared_ptr<const LayerTestScene> builtin_test_scene(const char* name, double aside) {
   const Scene scene = make_builtin(name).value();
   Camera camera = scene.cameras.at(0);
   const View eye = make_view(camera, 120, 90).value();
   for (int row = 0; row < 3; ++row)
     camera.world_from_eye.at(row, 3) += aside * camera.world_from_eye.at(row, 0);
-  return std::make_shared<const Stage>(
-      make_stage(name, scene, {eye}, make_view(camera, 120, 90).value(), 6, 0.02));
+  return std::make_shared<const LayerTestScene>(
+      make_test_scene(name, scene, {eye}, make_view(camera, 120, 90).value(), 6, 0.02));
 }
 
 // The mean number of surfaces on a line of sight of the first eye.
-double surfaces_on_a_line(const Stage& stage) {
-  return double(built(stage, kAllLayers, 1, 0).samples()) / double(stage.seen.color.pixels.size());
+double surfaces_on_a_line(const LayerTestScene& test_scene) {
+  return double(build_layers(test_scene, kAllLayers, 1, 0).samples()) /
+         double(test_scene.seen.color.pixels.size());
 }
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  const auto slab = std::make_shared<const Stage>(make_stage(
+  const auto slab = std::make_shared<const LayerTestScene>(make_test_scene(
       "leaves", leaves(), {eye_at_angle(0, kSourceWidth), eye_at_angle(-kAngle, kSourceWidth)},
       eye_at_angle(kAngle, kSeenWidth), kAllLayers, 0));
   for (const int layers : {1, 2, 3, 4, 6}) add_layers(slab, layers, 1, {kCovered}, all);
@@ -209,9 +215,9 @@ std::vector<Configuration> configurations(Effort effort) {
     for (const double epsilon : {0x1p-7, 0x1p-5, 0x1p-3}) add_epsilon(slab, epsilon, all);
   }
   const auto add_scene = [&](const char* name, double aside, const Finding& finding) {
-    const auto stage = scene_stage(name, aside);
+    const auto test_scene = builtin_test_scene(name, aside);
     for (const int layers : {1, 2, 3, 4})
-      add_layers(stage, layers, 1, {surfaces_on_a_line(*stage), finding}, all);
+      add_layers(test_scene, layers, 1, {surfaces_on_a_line(*test_scene), finding}, all);
   };
   add_scene("room", 0.17, kLargeThings);
   add_scene("forest", 0.3, kTrees);

@@ -10,7 +10,7 @@
 #include <glassbox/base/trig.h>
 
 #include "views/voxels/coloring.h"
-#include "views/voxels/draw.h"
+#include "views/voxels/draw_voxels.h"
 #include "views/voxels/truth.h"
 
 namespace glassbox::study::d18 {
@@ -19,7 +19,7 @@ using views::Vector3d;
 
 inline constexpr double kRodRadius = 0.03;
 
-struct Shown {
+struct BallPictures {
   views::PictureSet set;
   std::vector<Image<float>> distances;  // along the gaze; infinite beside the object
 };
@@ -58,8 +58,8 @@ inline double hit_rods(const Vector3d& p, const Vector3d& d) {
 
 // `count` cameras on a circle 50 degrees above the ground, 6 radii away; their pictures are `side`
 // px wide and show the whole box.
-inline Shown pictures_of(int count, int side, bool has_rods) {
-  Shown shown;
+inline BallPictures pictures_of(int count, int side, bool has_rods) {
+  BallPictures shown;
   const double reach = has_rods ? 1.25 : 1;
   shown.set.box = views::WorldBox{{-reach, -1, -reach}, {reach, 1, reach}};
   const SinCos up = sin_cos_degrees(50);
@@ -101,7 +101,7 @@ inline Shown pictures_of(int count, int side, bool has_rods) {
 }
 
 // A request with voxels whose edge is the ball's diameter divided by `across`.
-inline views::ColoringRequest request_for(const Shown& shown, int across) {
+inline views::ColoringRequest request_for(const BallPictures& shown, int across) {
   views::ColoringRequest request;
   request.box = *shown.set.box;
   request.voxel_size = 2.0 / across;

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d18_ball.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 
 namespace glassbox::study {
 namespace d18 {
@@ -14,11 +14,11 @@ using views::ColoringSettings;
 
 constexpr int kSide = 96, kPictures = 12;
 
-struct Way {
+struct Method {
   const char* name;
   void (*choose)(ColoringSettings&);
 };
-const Way kWays[] = {
+const Method kMethods[] = {
     {"centre", [](ColoringSettings&) {}},
     {"box", [](ColoringSettings& s) { s.sampled = views::Footprint::kBox; }},
     {"hull", [](ColoringSettings& s) { s.sampled = s.hidden = views::Footprint::kHull; }},
@@ -40,21 +40,23 @@ struct Found {
 };
 
 // The picture that is left out is that of a camera between two others.
-Found found_by(const Way& way, int across, int pictures) {
-  Shown shown = pictures_of(pictures, kSide, false);
+Found found_by(const Method& method, int across, int pictures) {
+  BallPictures shown = pictures_of(pictures, kSide, false);
   const views::CalibratedPicture left_out = shown.set.pictures.back();
   shown.set.pictures.pop_back();
   shown.distances.pop_back();
   views::ColoringRequest request = request_for(shown, across);
-  way.choose(request.settings);
+  method.choose(request.settings);
   const auto coloring = views::color_voxels(shown.set, request);
   if (!coloring) return {INFINITY, INFINITY, INFINITY};
-  const views::SeenSurface seen = views::seen_surface(shown.set, shown.distances, coloring->grid);
+  const views::VisibleSurface seen =
+      views::visible_surface(shown.set, shown.distances, coloring->grid);
   const views::SurfaceErrors errors = views::surface_errors(coloring->voxels, seen);
   const auto drawn = views::draw_voxels(coloring->grid, coloring->voxels, left_out.camera, kSide,
                                         kSide, {0, 0, 0, 255});
-  return {errors.from_truth_mean * request.voxel_size, views::compare(drawn, left_out).rms,
-          double(coloring->judged) * double(shown.set.pictures.size())};
+  return {errors.from_truth_mean * request.voxel_size,
+          views::voxel_picture_errors(drawn, left_out).rms,
+          double(coloring->examined) * double(shown.set.pictures.size())};
 }
 
 // The mean distance of a random point in a cube from its centre is 0.480 of an edge (Robbins 1978):
@@ -77,7 +79,8 @@ double predicted_bytes(int across, int pictures, int side) {
   const double tiles = side / 4.0, words = std::ceil(tiles / 64);
   return pixels * (sizeof(Rgba8) + 1 + 4) + pictures * tiles * (tiles + 16 * words) +
          face * 6 * sizeof(views::ColoredVoxel) +
-         face * (sizeof(views::Verdict) + sizeof(views::Seen) + sizeof(views::VoxelAt));
+         face * (sizeof(views::Verdict) + sizeof(views::VoxelObservation) +
+                 sizeof(views::VoxelPosition));
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -85,24 +88,25 @@ std::vector<Configuration> configurations(Effort effort) {
   if (effort == Effort::kFull) sizes.insert(sizes.end(), {64, 96, 128});
   std::vector<Configuration> all;
   for (const int across : sizes) {
-    for (const Way& way : kWays) {
-      const auto found = once([=] { return found_by(way, across, kPictures); });
-      const auto shown = std::make_shared<Shown>(pictures_of(kPictures, kSide, false));
+    for (const Method& method : kMethods) {
+      const auto found = memoize([=] { return found_by(method, across, kPictures); });
+      const auto shown = std::make_shared<BallPictures>(pictures_of(kPictures, kSide, false));
       shown->set.pictures.pop_back();
       views::ColoringRequest request = request_for(*shown, across);
-      way.choose(request.settings);
+      method.choose(request.settings);
       const double voxels = std::pow(across, 3.0);
-      all.push_back({.series = way.name,
-                     .parameter = double(across),
-                     .error = [=] { return found().surface; },
-                     .predicted_error = predicted_distance(across),
-                     .work = [=](int) { consume(views::color_voxels(shown->set, request)); },
-                     .items = voxels * (kPictures - 1)});
       all.push_back(
-          {.series = way.name, .parameter = double(across), .measure = "left out", .error = [=] {
+          {.series = method.name,
+           .parameter = double(across),
+           .error = [=] { return found().surface; },
+           .predicted_error = predicted_distance(across),
+           .work = [=](int) { do_not_optimize(views::color_voxels(shown->set, request)); },
+           .items = voxels * (kPictures - 1)});
+      all.push_back(
+          {.series = method.name, .parameter = double(across), .measure = "left out", .error = [=] {
              return found().left_out;
            }});
-      all.push_back({.series = way.name,
+      all.push_back({.series = method.name,
                      .parameter = double(across),
                      .measure = "looks",
                      .error = [=] { return found().looks; },
@@ -117,7 +121,7 @@ std::vector<Configuration> configurations(Effort effort) {
                    .measure = "memory",
                    .error =
                        [=] {
-                         const Shown shown = pictures_of(4, side, false);
+                         const BallPictures shown = pictures_of(4, side, false);
                          return double(
                              views::plan_coloring(shown.set, request_for(shown, across))->bytes);
                        },
@@ -126,15 +130,17 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<int> counts{4, 6, 8, 12, 18};
   if (effort == Effort::kFull) counts.insert(counts.end(), {24, 36});
   for (const int count : counts) {
-    const auto found = once([=] { return found_by(kWays[0], 32, count + 1); });
-    const auto shown = std::make_shared<Shown>(pictures_of(count, kSide, false));
-    all.push_back(
-        {.series = "centre",
-         .parameter = double(count),
-         .measure = "pictures",
-         .error = [=] { return found().left_out; },
-         .work = [=](int) { consume(views::color_voxels(shown->set, request_for(*shown, 32))); },
-         .items = std::pow(32, 3.0)});
+    const auto found = memoize([=] { return found_by(kMethods[0], 32, count + 1); });
+    const auto shown = std::make_shared<BallPictures>(pictures_of(count, kSide, false));
+    all.push_back({.series = "centre",
+                   .parameter = double(count),
+                   .measure = "pictures",
+                   .error = [=] { return found().left_out; },
+                   .work =
+                       [=](int) {
+                         do_not_optimize(views::color_voxels(shown->set, request_for(*shown, 32)));
+                       },
+                   .items = std::pow(32, 3.0)});
   }
   return all;
 }

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d18_ball.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 
 namespace glassbox::study {
 namespace d19 {
@@ -27,14 +27,14 @@ struct Lost {
   double judged = 0;  // voxels of the finest level that are looked at, as a share of all
 };
 
-Lost lost_by(const Shown& shown, views::ColoringRequest request) {
+Lost lost_by(const BallPictures& shown, views::ColoringRequest request) {
   const views::Coloring fine = views::color_voxels(shown.set, request).value();
   request.levels = 0;
   const views::Coloring whole = views::color_voxels(shown.set, request).value();
   const auto found = keys_of(fine), all = keys_of(whole);
   const auto kept =
       std::ranges::count_if(all, [&](std::uint64_t key) { return found.contains(key); });
-  return {1 - double(kept) / double(all.size()), double(fine.judged) / double(whole.judged)};
+  return {1 - double(kept) / double(all.size()), double(fine.examined) / double(whole.examined)};
 }
 
 // The level before the finest has cells of two voxels. The cells of the ball's surface and those
@@ -49,21 +49,22 @@ double predicted_judged() {
 std::vector<Configuration> configurations(Effort) {
   std::vector<Configuration> all;
   for (const bool has_rods : {false, true}) {
-    const auto shown = std::make_shared<Shown>(pictures_of(kPictures, kSide, has_rods));
+    const auto shown = std::make_shared<BallPictures>(pictures_of(kPictures, kSide, has_rods));
     const std::string scene = has_rods ? "ball and rods two voxels thick" : "ball";
     for (const double slack : {1.0, 2.0, 4.0}) {
       for (const int levels : {0, 1, 2, 3}) {
         views::ColoringRequest request = request_for(*shown, kAcross);
         request.levels = levels;
         request.slack = slack;
-        const auto lost = once([=] { return lost_by(*shown, request); });
+        const auto lost = memoize([=] { return lost_by(*shown, request); });
         const std::string series = "coarse thresholds times " + std::to_string(int(slack));
-        Configuration share{.series = series,
-                            .parameter = double(levels),
-                            .scene = scene,
-                            .error = [=] { return lost().share; },
-                            .work = [=](int) { consume(views::color_voxels(shown->set, request)); },
-                            .items = std::pow(kAcross, 3.0)};
+        Configuration share{
+            .series = series,
+            .parameter = double(levels),
+            .scene = scene,
+            .error = [=] { return lost().share; },
+            .work = [=](int) { do_not_optimize(views::color_voxels(shown->set, request)); },
+            .items = std::pow(kAcross, 3.0)};
         Configuration judged{.series = series,
                              .parameter = double(levels),
                              .scene = scene,

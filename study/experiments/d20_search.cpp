@@ -7,7 +7,7 @@
 
 #include <glassbox/base/random.h>
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 
 namespace glassbox::study {
 namespace d20 {
@@ -39,36 +39,36 @@ struct WordPair {
   std::size_t index(int x, int y) const { return std::size_t(y * width + x); }
 };
 
-struct Sought {
+struct SearchResult {
   std::size_t at = 0;  // index in the right picture
   std::int64_t compared = 0;
 };
 
 // The word that differs in the fewest bits; the first one if several do.
 template <class Next>
-Sought least_of(const WordPair& pair, std::uint8_t word, std::size_t first, std::size_t count,
-                Next next) {
-  Sought sought{first};
+SearchResult least_of(const WordPair& pair, std::uint8_t word, std::size_t first, std::size_t count,
+                      Next next) {
+  SearchResult result{first};
   int least = kBits + 1;
   for (std::size_t i = 0, at = first; i < count; ++i, at = next(at)) {
     const int cost = std::popcount(unsigned(word ^ pair.right[at]));
-    ++sought.compared;
+    ++result.compared;
     if (cost < least) {
       least = cost;
-      sought.at = at;
+      result.at = at;
     }
   }
-  return sought;
+  return result;
 }
 
-using Search = Sought (*)(const WordPair& pair, int x, int y);
+using Search = SearchResult (*)(const WordPair& pair, int x, int y);
 
-Sought along_row(const WordPair& pair, int x, int y) {
+SearchResult along_row(const WordPair& pair, int x, int y) {
   const std::size_t here = pair.index(x, y);
   return least_of(pair, pair.left[here], here, std::size_t(std::min(pair.disparities, x + 1)),
                   [](std::size_t at) { return at - 1; });
 }
-Sought in_whole_picture(const WordPair& pair, int x, int y) {
+SearchResult in_whole_picture(const WordPair& pair, int x, int y) {
   return least_of(pair, pair.left[pair.index(x, y)], 0, pair.right.size(),
                   [](std::size_t at) { return at + 1; });
 }
@@ -118,32 +118,33 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const int width : widths) {
     const double pixels = width * width * 3 / 4, disparities = width / 4;
-    struct Way {
+    struct Method {
       const char* name;
       Search search;
       double candidates;
     };
-    for (const Way& way : {Way{"along the row", along_row, disparities},
-                           Way{"in the whole picture", in_whole_picture, pixels}}) {
+    for (const Method& method : {Method{"along the row", along_row, disparities},
+                                 Method{"in the whole picture", in_whole_picture, pixels}}) {
       // A million comparisons per call, or those of a picture.
-      const int timed = int(std::clamp(1e6 / way.candidates, 16.0, pixels));
+      const int timed = int(std::clamp(1e6 / method.candidates, 16.0, pixels));
       const WordPair pair(width);
       const int items = for_some(pair, timed, [](int, int) {});
-      all.push_back({.series = way.name,
+      all.push_back({.series = method.name,
                      .parameter = double(width),
-                     .error = [=] { return share_wrong(width, way.search); },
-                     .predicted_error = predicted_wrong(way.candidates),
+                     .error = [=] { return share_wrong(width, method.search); },
+                     .predicted_error = predicted_wrong(method.candidates),
                      .work =
-                         [pair, way, timed](int) {
-                           for_some(pair, timed,
-                                    [&](int x, int y) { consume(way.search(pair, x, y).at); });
+                         [pair, method, timed](int) {
+                           for_some(pair, timed, [&](int x, int y) {
+                             do_not_optimize(method.search(pair, x, y).at);
+                           });
                          },
                      .items = double(items)});
-      all.push_back({.series = way.name,
+      all.push_back({.series = method.name,
                      .parameter = double(width),
                      .measure = "comparisons",
-                     .error = [=] { return comparisons(width, way.search); },
-                     .predicted_error = pixels * way.candidates});
+                     .error = [=] { return comparisons(width, method.search); },
+                     .predicted_error = pixels * method.candidates});
     }
   }
   return all;

@@ -4,7 +4,7 @@
 
 #include <glassbox/base/random.h>
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "views/matching/match.h"
 
 namespace glassbox::study {
@@ -30,13 +30,13 @@ double texture(double x, double y, std::uint64_t seed) {
          t * ((1 - s) * code(column, row + 1) + s * code(column + 1, row + 1));
 }
 
-struct Seen {
+struct RayHit {
   double code = 0, depth = 0;
 };
 
 // Looks from a camera at (eye, 0, 0) along (x, y, 1): sees a pillar, which is half a unit wide in
 // every two units, or the wall Z = 5 + X/2.
-Seen look(double eye, double x, double y) {
+RayHit trace_ray(double eye, double x, double y) {
   const double at = eye + kPillars * x;
   if (at - 2 * std::floor(at / 2) < 0.5) return {texture(at, kPillars * y, 1), kPillars};
   const double z = (kDepth + kSlope * eye) / (1 - kSlope * x);
@@ -62,9 +62,9 @@ Pair pictures(double baseline) {
         double sum = 0;
         for (const double dx : {0.25, 0.75}) {
           for (const double dy : {0.25, 0.75})
-            sum +=
-                look(eye, (x + dx - kWidth / 2 - shift) / kFocal, (y + dy - kHeight / 2) / kFocal)
-                    .code;
+            sum += trace_ray(eye, (x + dx - kWidth / 2 - shift) / kFocal,
+                             (y + dy - kHeight / 2) / kFocal)
+                       .code;
         }
         const auto code = std::uint8_t(std::clamp(sum / 4 + random.between(-3, 3), 0.0, 255.0));
         return Rgba8{code, code, code, 255};
@@ -72,7 +72,7 @@ Pair pictures(double baseline) {
       pair.left.at(x, y) = draw(0, 0);
       pair.right.at(x, y) = draw(baseline, pair.shift);
       pair.depth.at(x, y) =
-          look(0, (x + 0.5 - kWidth / 2) / kFocal, (y + 0.5 - kHeight / 2) / kFocal).depth;
+          trace_ray(0, (x + 0.5 - kWidth / 2) / kFocal, (y + 0.5 - kHeight / 2) / kFocal).depth;
     }
   }
   return pair;
@@ -120,12 +120,12 @@ double wall_at(double x) {
 
 // The part of the left picture that the right camera does not see, and the error of a guess of its
 // depth.
-struct Unseen {
+struct OccludedPart {
   double share = 0;             // of the picture
   double least = 0, worst = 0;  // RMS of the relative errors
 };
 
-Unseen unseen(double baseline_over_depth) {
+OccludedPart predict_occluded_part(double baseline_over_depth) {
   const double product = kFocal * baseline_over_depth * kDepth, edge = kWidth / 2 / kFocal;
   const double nearest = wall_at(-edge), farthest = wall_at(edge);
   // One side of each pillar hides the wall; at both sides of the picture, the wall is outside the
@@ -133,7 +133,7 @@ Unseen unseen(double baseline_over_depth) {
   const double behind = product * (1 / kPillars - 1 / kDepth);   // in px
   const double beside = product * (1 / nearest - 1 / farthest);  // in px
   const double period = 2 * kFocal / kPillars;                   // in px, from pillar to pillar
-  Unseen result{.share = std::min(behind / period + beside / kWidth, 1.0)};
+  OccludedPart result{.share = std::min(behind / period + beside / kWidth, 1.0)};
   // The best guess continues the wall at the last distance that was seen, while the wall itself
   // leans away from it.
   result.least = kSlope / kFocal * behind / std::sqrt(3.0);
@@ -159,7 +159,7 @@ std::optional<Finding> finding(double baseline_over_depth) {
         0.5};
   }
   if (baseline_over_depth < 0.1) return std::nullopt;
-  const Unseen guessed = unseen(baseline_over_depth);
+  const OccludedPart guessed = predict_occluded_part(baseline_over_depth);
   const auto ratio = [&](double of_law, double off) {
     return std::hypot(of_law, std::sqrt(guessed.share) * off / predicted(baseline_over_depth));
   };
@@ -174,15 +174,16 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const double ratio : ratios) {
     const Pair pair = pictures(ratio * kDepth);
-    all.push_back(
-        {.series = "the default matcher",
-         .parameter = ratio,
-         .error = [=] { return depth_error(ratio); },
-         .predicted_error = predicted(ratio),
-         .finding = finding(ratio),
-         .work = [pair, settings = settings_for(pair)](
-                     int) { consume(views::match_pictures(pair.left, pair.right, settings)); },
-         .items = kWidth * kHeight});
+    all.push_back({.series = "the default matcher",
+                   .parameter = ratio,
+                   .error = [=] { return depth_error(ratio); },
+                   .predicted_error = predicted(ratio),
+                   .finding = finding(ratio),
+                   .work =
+                       [pair, settings = settings_for(pair)](int) {
+                         do_not_optimize(views::match_pictures(pair.left, pair.right, settings));
+                       },
+                   .items = kWidth * kHeight});
   }
   return all;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/estimate.h"
 #include "views/two_view/linear_fit.h"
@@ -37,8 +37,8 @@ std::optional<views::RansacResult> sampled(const Problem& problem, views::Estima
                                            std::uint64_t seed) {
   const bool by_five = estimator == views::Estimator::kFivePoint;
   const double threshold = by_five ? 2.0 / 800 : 2.0;
-  return views::ransac(by_five ? problem.calibrated : problem.pixels, views::sampled(estimator),
-                       {threshold, 0.99, 20000, seed});
+  return views::ransac(by_five ? problem.calibrated : problem.pixels,
+                       views::ransac_model(estimator), {threshold, 0.99, 20000, seed});
 }
 
 double median_samples(double outliers, views::Estimator estimator, int runs) {
@@ -83,12 +83,13 @@ std::vector<Configuration> configurations(Effort effort) {
                                         std::pair{"eight points", views::Estimator::kEightPoint}}) {
     for (const double outliers : shares) {
       const Problem timed = problem(outliers, 100);
-      all.push_back({.series = name,
-                     .parameter = outliers,
-                     .error = [=, e = estimator] { return median_samples(outliers, e, runs); },
-                     .predicted_error =
-                         views::samples_needed(1 - outliers, views::sample_size(estimator), 0.99),
-                     .work = [timed, e = estimator](int) { consume(sampled(timed, e, 7)); }});
+      all.push_back(
+          {.series = name,
+           .parameter = outliers,
+           .error = [=, e = estimator] { return median_samples(outliers, e, runs); },
+           .predicted_error =
+               views::samples_needed(1 - outliers, views::sample_size(estimator), 0.99),
+           .work = [timed, e = estimator](int) { do_not_optimize(sampled(timed, e, 7)); }});
     }
   }
   for (const Conditions& known : kConditions) {
@@ -105,7 +106,7 @@ std::vector<Configuration> configurations(Effort effort) {
                            const views::Matches pixels =
                                matches_of(random, rig, known.matches, 0.5, 4, 8);
                            for (int i = 0; i < 20; ++i)
-                             consume(views::fit_fundamental(
+                             do_not_optimize(views::fit_fundamental(
                                  pixels, normalised ? views::Conditioning::kNormalised
                                                     : views::Conditioning::kRaw));
                          },

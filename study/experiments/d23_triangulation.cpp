@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "study/scenes/two_cameras.h"
 
 namespace glassbox::study {
@@ -36,7 +36,7 @@ Spread spread_of(const Setup& setup, views::Triangulator triangulator, int sampl
   Random random(23);
   Spread spread;
   for (int i = 0; i < samples; ++i) {
-    const views::Match pixels = seen(setup.rig, setup.point, kNoise, random);
+    const views::Match pixels = project_match(setup.rig, setup.point, kNoise, random);
     const views::Vector3d off =
         views::triangulate(triangulator, pixels, setup.rig).point.head<3>() - setup.point;
     spread.mean += off / samples;
@@ -59,17 +59,18 @@ std::vector<Configuration> configurations(Effort effort) {
         const Setup setup = converging(degrees, away);
         Random random(24);
         std::vector<views::Match> pixels;
-        for (int i = 0; i < 64; ++i) pixels.push_back(seen(setup.rig, setup.point, kNoise, random));
+        for (int i = 0; i < 64; ++i)
+          pixels.push_back(project_match(setup.rig, setup.point, kNoise, random));
         all.push_back({.series = views::name_of(triangulator),
                        .parameter = degrees,
                        .scene = away == 6 ? "both as far away" : "one six times nearer",
                        .error = [=] { return spread_of(setup, triangulator, samples).rms; },
                        .predicted_error = predicted_rms(setup),
-                       .work = rounds_of(4, pixels,
-                                         [=](const views::Match& match) {
-                                           return views::triangulate(triangulator, match,
-                                                                     setup.rig);
-                                         }),
+                       .work = repeated_work(4, pixels,
+                                             [=](const views::Match& match) {
+                                               return views::triangulate(triangulator, match,
+                                                                         setup.rig);
+                                             }),
                        .items = 256});
       }
     }

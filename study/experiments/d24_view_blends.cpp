@@ -9,7 +9,7 @@
 #include <glassbox/render/renderer.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "views/rings/draw_ring.h"
 #include "views/texture/textured_surface.h"
 
@@ -92,12 +92,15 @@ public:
       : known_(pictures_from(teapot(surface), kStart - 3.5 * degrees, degrees, 8,
                              times_finer * kSize)),
         between_(pictures_from(teapot(surface), kStart, 0, 1, kSize).pictures.front()),
-        surface_(views::TexturedSurface::of(teapot(surface), known_, Blend::kNearest).value()) {}
+        surface_(views::TexturedSurface::create(teapot(surface), known_, Blend::kNearest).value()) {
+  }
 
   views::TexturedPicture drawn_by(Blend blend) const {
-    return surface_.blended_by(blend).draw(between_.camera, kSize, kSize, {0, 0, 0, 255}).value();
+    return surface_.with_blend(blend).draw(between_.camera, kSize, kSize, {0, 0, 0, 255}).value();
   }
-  double rms_of(Blend blend) const { return views::compare(drawn_by(blend), between_).rms; }
+  double rms_of(Blend blend) const {
+    return views::textured_picture_errors(drawn_by(blend), between_).rms;
+  }
 
 private:
   static constexpr double kStart = 20;
@@ -125,8 +128,10 @@ double jump_of(double degrees, Blend blend) {
   const views::ViewBlend views(blend, directions);
   std::map<std::size_t, double> change;
   const auto all = [](std::size_t) { return true; };
-  for (const auto& each : views.from(at(-kStep / 2)).weights(all)) change[each.view] -= each.weight;
-  for (const auto& each : views.from(at(kStep / 2)).weights(all)) change[each.view] += each.weight;
+  for (const auto& each : views.from_direction(at(-kStep / 2)).weights(all))
+    change[each.view] -= each.weight;
+  for (const auto& each : views.from_direction(at(kStep / 2)).weights(all))
+    change[each.view] += each.weight;
   double most = 0;
   for (const auto& [view, weight] : change) most = std::max(most, std::abs(weight));
   return most;
@@ -145,9 +150,9 @@ double predicted_jump(double degrees, Blend blend) {
 // The error of a dull surface comes from the pixels of the pictures; a shiny one has the error of
 // its light in addition, and the squares add. The error of the light is proportional to the angle
 // or its square; the constant is taken from the widest spacing, where it is most of the error.
-class Law {
+class PredictedError {
 public:
-  Law(Blend blend, double widest, const Ring& dull, const Ring& shiny)
+  PredictedError(Blend blend, double widest, const Ring& dull, const Ring& shiny)
       : power_(blend == Blend::kNearest ? 1 : 2),
         widest_(widest),
         light_(std::sqrt(square(shiny.rms_of(blend)) - square(dull.rms_of(blend)))) {}
@@ -162,16 +167,16 @@ private:
   double power_, widest_, light_;
 };
 
-void add_spacing(Blend blend, double degrees, const Law& law, std::vector<Configuration>& all,
-                 const std::shared_ptr<const Ring>& shiny, const std::shared_ptr<const Ring>& dull,
-                 double resampling_at_widest) {
+void add_spacing(Blend blend, double degrees, const PredictedError& law,
+                 std::vector<Configuration>& all, const std::shared_ptr<const Ring>& shiny,
+                 const std::shared_ptr<const Ring>& dull, double resampling_at_widest) {
   const auto add = [&](Surface surface, const std::shared_ptr<const Ring>& ring, double predicted) {
     all.push_back({.series = series_of(blend),
                    .parameter = degrees,
                    .scene = name_of(surface),
                    .error = [=] { return ring->rms_of(blend); },
                    .predicted_error = predicted,
-                   .work = [=](int) { consume(ring->drawn_by(blend)); }});
+                   .work = [=](int) { do_not_optimize(ring->drawn_by(blend)); }});
   };
   add(Surface::kShiny, shiny, law.at(degrees, dull->rms_of(blend)));
   // For a dull surface, the angle makes no difference.
@@ -196,7 +201,7 @@ std::vector<Configuration> configurations(Effort effort) {
   }
   const double widest = spacings.back();
   for (const Blend blend : kAll) {
-    const Law law(blend, widest, *dull[widest], *shiny[widest]);
+    const PredictedError law(blend, widest, *dull[widest], *shiny[widest]);
     for (const double degrees : spacings)
       add_spacing(blend, degrees, law, all, shiny[degrees], dull[degrees],
                   dull[widest]->rms_of(blend));

@@ -8,8 +8,8 @@
 #include <glassbox/base/random.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
-#include "study/experiments/once.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/memoize.h"
 #include "views/polygons/mesh_check.h"
 #include "views/polygons/polygonise.h"
 
@@ -117,7 +117,7 @@ double predicted_triangles(Polygoniser polygoniser) {
 void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int places,
                std::vector<Configuration>& all) {
   const auto surfaces =
-      once([=, &solid] { return surfaces_of(solid, scale, polygoniser, places); });
+      memoize([=, &solid] { return surfaces_of(solid, scale, polygoniser, places); });
   const auto field =
       std::make_shared<const ScalarField>(field_of(solid, scale, Vector3d(0.1, 0.2, 0.3)));
   all.push_back({.series = series_of(polygoniser),
@@ -125,7 +125,7 @@ void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int pl
                  .scene = solid.name,
                  .error = [=] { return std::abs(surfaces().lost); },
                  .predicted_error = solid.lost / (scale * scale),
-                 .work = [=](int) { consume(views::polygonise(*field, 0, polygoniser)); },
+                 .work = [=](int) { do_not_optimize(views::polygonise(*field, 0, polygoniser)); },
                  .items = double(field->values.size())});
   all.push_back({.series = series_of(polygoniser),
                  .parameter = scale,
@@ -154,7 +154,7 @@ double holes_of(double share, Polygoniser polygoniser, int fields) {
   for (int i = 0; i < fields; ++i) {
     const views::MeshCheck check =
         views::check_mesh(views::polygonise(random_field(share, random), 0, polygoniser));
-    holes += double(check.holes + check.crowded);
+    holes += double(check.holes + check.non_manifold_edges);
   }
   return holes / (3.0 * kSide * (kSide - 1) * (kSide - 1) * fields);
 }
@@ -185,14 +185,15 @@ std::vector<Configuration> configurations(Effort effort) {
     for (const double share : {0.3, 0.5, 0.7, 0.9}) {
       Random random(251);
       const auto field = std::make_shared<const ScalarField>(random_field(share, random));
-      all.push_back({.series = series_of(polygoniser),
-                     .parameter = share,
-                     .scene = "random fields",
-                     .measure = kHoles,
-                     .error = [=] { return holes_of(share, polygoniser, is_full ? 200 : 40); },
-                     .predicted_error = predicted_holes(share, polygoniser),
-                     .work = [=](int) { consume(views::polygonise(*field, 0, polygoniser)); },
-                     .items = double(field->values.size())});
+      all.push_back(
+          {.series = series_of(polygoniser),
+           .parameter = share,
+           .scene = "random fields",
+           .measure = kHoles,
+           .error = [=] { return holes_of(share, polygoniser, is_full ? 200 : 40); },
+           .predicted_error = predicted_holes(share, polygoniser),
+           .work = [=](int) { do_not_optimize(views::polygonise(*field, 0, polygoniser)); },
+           .items = double(field->values.size())});
     }
   }
   return all;

@@ -74,16 +74,16 @@ public:
     into_.resize(places_.size());
     for (std::uint32_t v = 0; v < into_.size(); ++v) into_[v] = v;
     make_quadrics();
-    for (std::uint32_t v = 0; v < places_.size(); ++v) offer_edges_of(v);
+    for (std::uint32_t v = 0; v < places_.size(); ++v) add_candidates_at(v);
   }
 
   // Collapses edges until this many triangles are left, or until no more edge can be collapsed.
   void reduce_to(std::size_t triangles) {
-    while (left_ > triangles && !offers_.empty()) {
-      const Offer offer = offers_.top();
-      offers_.pop();
-      if (offer.version != versions_[offer.gone] + versions_[offer.kept]) continue;
-      if (may_collapse(offer.gone, offer.kept)) collapse(offer.gone, offer.kept);
+    while (left_ > triangles && !candidates_.empty()) {
+      const CollapseCandidate candidate = candidates_.top();
+      candidates_.pop();
+      if (candidate.version != versions_[candidate.gone] + versions_[candidate.kept]) continue;
+      if (may_collapse(candidate.gone, candidate.kept)) collapse(candidate.gone, candidate.kept);
     }
   }
 
@@ -123,11 +123,11 @@ public:
   }
 
 private:
-  struct Offer {
+  struct CollapseCandidate {
     double cost;
     std::uint32_t gone, kept, version;
-    // The cheapest offer is on top; offers with the same cost have a fixed order.
-    bool operator<(const Offer& other) const {
+    // The cheapest candidate is on top; candidates with the same cost have a fixed order.
+    bool operator<(const CollapseCandidate& other) const {
       return std::tie(cost, gone, kept) > std::tie(other.cost, other.gone, other.kept);
     }
   };
@@ -165,13 +165,13 @@ private:
         around_[a], [&](std::uint32_t t) { return std::ranges::count(triangles_[t], b) > 0; }));
   }
 
-  void offer(std::uint32_t gone, std::uint32_t kept) {
+  void add_candidate(std::uint32_t gone, std::uint32_t kept) {
     Quadric both = quadrics_[gone];
     both += quadrics_[kept];
-    offers_.push({both.at(places_[kept]), gone, kept, versions_[gone] + versions_[kept]});
+    candidates_.push({both.at(places_[kept]), gone, kept, versions_[gone] + versions_[kept]});
   }
-  void offer_edges_of(std::uint32_t v) {
-    for (const std::uint32_t n : neighbours_of(v)) offer(v, n), offer(n, v);
+  void add_candidates_at(std::uint32_t v) {
+    for (const std::uint32_t n : neighbours_of(v)) add_candidate(v, n), add_candidate(n, v);
   }
 
   // If the only common neighbours of the two are those of the triangles between them, the surface
@@ -213,7 +213,7 @@ private:
     into_[gone] = kept;
     quadrics_[kept] += quadrics_[gone];
     ++versions_[kept];
-    offer_edges_of(kept);
+    add_candidates_at(kept);
   }
 
   std::vector<glm::dvec3> places_;
@@ -221,7 +221,7 @@ private:
   std::vector<std::vector<std::uint32_t>> around_;  // per vertex: its triangles
   std::vector<std::uint32_t> into_, versions_;
   std::vector<Quadric> quadrics_;
-  std::priority_queue<Offer> offers_;
+  std::priority_queue<CollapseCandidate> candidates_;
   std::size_t left_ = 0;
 };
 

@@ -23,7 +23,7 @@
 #include "study/experiment/experiment.h"
 #include "study/experiments/d26_decimation.h"
 #include "study/experiments/d26_surface.h"
-#include "study/experiments/once.h"
+#include "study/experiments/memoize.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -39,7 +39,7 @@ constexpr const char* kDeviation = "deviation";
 constexpr const char* kOutline = "outline";
 
 View view_of_teapot() {
-  const Camera camera = *frame(make_teapot(), double(kWidth) / kHeight);
+  const Camera camera = *framing_camera(make_teapot(), double(kWidth) / kHeight);
   return *make_view(camera, kWidth, kHeight);
 }
 
@@ -372,7 +372,7 @@ std::vector<Configuration> configurations(Effort effort) {
         kPatches, triangles, [level] { return make_teapot(level); },
         [level] { return largest_deviation_px(level); },
         {predict_px(level), predict_outline_px(level)}, all);
-    const auto mesh = once([=] { return decimated(source, triangles); });
+    const auto mesh = memoize([=] { return decimated(source, triangles); });
     add_mesh(
         "decimated by quadrics", triangles, [=] { return scene_of(mesh(), source); },
         [=] { return largest_deviation_px(mesh()); },

@@ -11,7 +11,7 @@
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/d27_walks.h"
-#include "study/experiments/shapes.h"
+#include "study/experiments/random_triangles.h"
 
 namespace glassbox::study {
 

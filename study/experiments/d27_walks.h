@@ -9,7 +9,7 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/lanes/kernels.h>
 
-#include "study/experiments/shapes.h"
+#include "study/experiments/random_triangles.h"
 
 namespace glassbox::study::d27 {
 
@@ -27,7 +27,7 @@ inline std::int64_t least(const EdgeFunction& edge) {
   return edge.owns_zero ? 0 : 1;
 }
 
-// ---- the ways ----
+// ---- the methods ----
 
 // Tests all three edges from scratch for every pixel of the box.
 inline void walk_box(const TriangleSetup& t, Counts& counts) {

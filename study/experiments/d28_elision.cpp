@@ -22,7 +22,7 @@ namespace d28 {
 
 // ---- scenes ----
 
-struct Planned {
+struct PlannedScene {
   std::string name;
   Scene scene;
   View view;
@@ -39,28 +39,30 @@ struct Planned {
 
 constexpr int kWidth = 320, kHeight = 240;
 
-std::shared_ptr<Planned> make(std::string name, Scene scene, const View& view,
-                              const RenderSettings& settings) {
-  auto made = std::make_shared<Planned>(Planned{std::move(name), std::move(scene), view, settings});
-  made->prepared = prepare(made->scene, settings.transfer);
+std::shared_ptr<PlannedScene> make_planned_scene(std::string name, Scene scene, const View& view,
+                                                 const RenderSettings& settings) {
+  auto made = std::make_shared<PlannedScene>(
+      PlannedScene{std::move(name), std::move(scene), view, settings});
+  made->prepared = prepare_scene(made->scene, settings.transfer);
   return made;
 }
 
 View first_view(const Scene& scene) {
-  const Camera camera = scene.cameras.empty() ? frame(scene, double(kWidth) / kHeight).value()
-                                              : scene.cameras.front();
+  const Camera camera = scene.cameras.empty()
+                            ? framing_camera(scene, double(kWidth) / kHeight).value()
+                            : scene.cameras.front();
   return make_view(camera, kWidth, kHeight).value();
 }
 
-std::shared_ptr<Planned> builtin(const std::string& name, const char* scene_name,
-                                 const RenderSettings& settings) {
+std::shared_ptr<PlannedScene> builtin(const std::string& name, const char* scene_name,
+                                      const RenderSettings& settings) {
   Scene scene = make_builtin(name).value();
   const View view = first_view(scene);
-  return make(scene_name, std::move(scene), view, settings);
+  return make_planned_scene(scene_name, std::move(scene), view, settings);
 }
 
 // The camera is turned by a right angle, so most trees are outside the picture.
-std::shared_ptr<Planned> forest_aside() {
+std::shared_ptr<PlannedScene> forest_aside() {
   Scene scene = make_builtin("forest").value();
   Camera camera = scene.cameras.front();
   const SinCos turn = sin_cos_degrees(60);
@@ -69,35 +71,36 @@ std::shared_ptr<Planned> forest_aside() {
   yaw.at(2, 0) = -turn.sin, yaw.at(2, 2) = turn.cos;
   camera.world_from_eye = camera.world_from_eye * yaw;
   const View view = make_view(camera, kWidth, kHeight).value();
-  return make("forest, looked past", std::move(scene), view, {});
+  return make_planned_scene("forest, looked past", std::move(scene), view, {});
 }
 
 // The near plane cuts the teapot in the middle.
-std::shared_ptr<Planned> cut_teapot() {
+std::shared_ptr<PlannedScene> cut_teapot() {
   Scene scene = make_builtin("teapot").value();
-  Camera camera = frame(scene, double(kWidth) / kHeight).value();
+  Camera camera = framing_camera(scene, double(kWidth) / kHeight).value();
   auto& lens = std::get<PerspectiveLens>(camera.lens);
   lens.near = (lens.near + *lens.far) / 2;
   const View view = make_view(camera, kWidth, kHeight).value();
-  return make("teapot, cut by the near plane", std::move(scene), view, {});
+  return make_planned_scene("teapot, cut by the near plane", std::move(scene), view, {});
 }
 
 // A smaller version of the benchmark scene R11: a hundred spheres, none of which is visible.
-std::shared_ptr<Planned> behind_a_wall() {
+std::shared_ptr<PlannedScene> behind_a_wall() {
   BenchScene bench = make_real_scene("R11", kWidth, kHeight).value();
-  return make("100 spheres behind a wall", std::move(bench.scene), bench.passes.front().view, {});
+  return make_planned_scene("100 spheres behind a wall", std::move(bench.scene),
+                            bench.passes.front().view, {});
 }
 
 // A smaller version of the benchmark scene R10: cubes beside and behind each other.
-std::shared_ptr<Planned> many_cubes(int cubes) {
+std::shared_ptr<PlannedScene> many_cubes(int cubes) {
   BenchScene bench = make_real_scene("R10", kWidth, kHeight).value();
   bench.scene.instances.resize(std::size_t(cubes));
-  return make(std::to_string(cubes) + " cubes", std::move(bench.scene), bench.passes.front().view,
-              {});
+  return make_planned_scene(std::to_string(cubes) + " cubes", std::move(bench.scene),
+                            bench.passes.front().view, {});
 }
 
 // 64 parallel quads with one colour each, from back to front; each is an object of its own.
-std::shared_ptr<Planned> parallel_quads() {
+std::shared_ptr<PlannedScene> parallel_quads() {
   BenchScene bench = make_bench_scene("S4bf", kWidth, kHeight).value();
   const Mesh quads = bench.scene.meshes.front();
   Scene scene = bench.scene;
@@ -123,7 +126,8 @@ std::shared_ptr<Planned> parallel_quads() {
     scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
     scene.meshes.push_back(std::move(one));
   }
-  return make("64 parallel quads, back to front", std::move(scene), bench.passes.front().view, {});
+  return make_planned_scene("64 parallel quads, back to front", std::move(scene),
+                            bench.passes.front().view, {});
 }
 
 RenderSettings depth_only() {
@@ -140,7 +144,7 @@ RenderSettings red_only() {
 
 // ---- measuring ----
 
-void draw(const Planned& planned, TileEngine& engine, Rendering& into) {
+void draw(const PlannedScene& planned, TileEngine& engine, Rendering& into) {
   engine.render(planned.scene, planned.prepared, planned.view, planned.settings, into);
 }
 
@@ -153,7 +157,7 @@ double differing_pixels(const Framebuffer& one, const Framebuffer& other, bool d
 }
 
 Configuration configuration(const std::string& series, bool on, Planner planner,
-                            const std::shared_ptr<Planned>& planned) {
+                            const std::shared_ptr<PlannedScene>& planned) {
   const auto engine = [planner](int threads) {
     TileOptions options;
     options.threads = threads;
@@ -184,7 +188,7 @@ struct OneDecision {
   const char* series;
   Planner planner;
   // first those where the decision helps, then those where it does not
-  std::vector<std::shared_ptr<Planned>> scenes;
+  std::vector<std::shared_ptr<PlannedScene>> scenes;
 };
 
 std::vector<OneDecision> decisions_on_scenes(Effort effort) {

@@ -12,26 +12,27 @@ namespace glassbox::study {
 
 namespace d29 {
 
-struct Watched {
+struct TracedScene {
   std::string name;
   Scene scene;
   View view;
   RenderSettings settings;
 };
 
-std::shared_ptr<const Watched> watched(const std::string& name, int width, int height) {
-  auto made = std::make_shared<Watched>();
+std::shared_ptr<const TracedScene> make_traced_scene(const std::string& name, int width,
+                                                     int height) {
+  auto made = std::make_shared<TracedScene>();
   made->name = name;
   made->scene = make_builtin(name).value();
   const double aspect = double(width) / height;
-  const Camera camera = made->scene.cameras.empty() ? frame(made->scene, aspect).value()
+  const Camera camera = made->scene.cameras.empty() ? framing_camera(made->scene, aspect).value()
                                                     : made->scene.cameras.front();
   made->view = make_view(camera, width, height).value();
   made->settings.want_depth = true;
   return made;
 }
 
-// ---- ways to run it ----
+// ---- methods to run it ----
 
 // Every stage calls this observer, which stores nothing.
 class Counter : public Observer {
@@ -42,7 +43,7 @@ public:
     ++events;
   }
   void divided(const ClipVertex&, NdcVertex&) override { ++events; }
-  void placed(const NdcVertex&, ScreenVertex&) override { ++events; }
+  void mapped_to_screen(const NdcVertex&, ScreenVertex&) override { ++events; }
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
               std::optional<TriangleSetup>&) override {
     ++events;
@@ -53,43 +54,45 @@ public:
     ++events;
   }
   void lit(const Varyings&, const Rgba&, Rgba&) override { ++events; }
-  void ended(const FragmentSource&, const Fragment&, Fate) override { ++events; }
+  void fragment_finished(const FragmentSource&, const Fragment&, FragmentResult) override {
+    ++events;
+  }
 
   std::uint64_t events = 0;
 };
 
-Rendering run_untraced(const Watched& w) {
+Rendering run_untraced(const TracedScene& w) {
   return render_staged(w.scene, w.view, w.settings);
 }
-Rendering run_counted(const Watched& w) {
+Rendering run_counted(const TracedScene& w) {
   Counter counter;
   return render_staged(w.scene, w.view, w.settings, &counter);
 }
-Rendering run_filtered(const Watched& w) {
+Rendering run_filtered(const TracedScene& w) {
   TraceFilter filter;
   const int x = int(w.view.viewport.width()) / 2, y = int(w.view.viewport.height()) / 2;
   filter.pixels = PixelRect{x, y, x + 1, y + 1};
   return trace(w.scene, w.view, w.settings, filter).rendering;
 }
-Rendering run_dumped(const Watched& w) {
+Rendering run_dumped(const TracedScene& w) {
   return trace(w.scene, w.view, w.settings, TraceFilter{}).rendering;
 }
 // Every stage calls an observer that does nothing.
-Rendering run_watched(const Watched& w) {
+Rendering run_observed(const TracedScene& w) {
   Observer nothing;
   return render_staged(w.scene, w.view, w.settings, &nothing);
 }
 
-struct Way {
+struct Method {
   const char* name;
   double records;  // value on the axis
-  Rendering (*run)(const Watched&);
+  Rendering (*run)(const TracedScene&);
 };
-constexpr Way kWays[] = {{"compiled out: no observer", 0, run_untraced},
-                         {"called at every stage, nothing done", 1, run_watched},
-                         {"counters at every stage", 2, run_counted},
-                         {"trace of one pixel", 3, run_filtered},
-                         {"full trace", 4, run_dumped}};
+constexpr Method kMethods[] = {{"compiled out: no observer", 0, run_untraced},
+                               {"called at every stage, nothing done", 1, run_observed},
+                               {"counters at every stage", 2, run_counted},
+                               {"trace of one pixel", 3, run_filtered},
+                               {"full trace", 4, run_dumped}};
 
 double differing_pixels(const Framebuffer& one, const Framebuffer& other) {
   double count = 0;
@@ -104,15 +107,16 @@ std::vector<Configuration> configurations(Effort effort) {
   if (effort == Effort::kFull) names = {"cube", "teapot", "forest", "room", "f-glyph", "checker"};
   std::vector<Configuration> all;
   for (const std::string& name : names) {
-    const auto w = watched(name, 160, 120);
-    for (const Way& way : kWays) {
+    const auto w = make_traced_scene(name, 160, 120);
+    for (const Method& method : kMethods) {
       all.push_back(
-          {.series = way.name,
-           .parameter = way.records,
+          {.series = method.name,
+           .parameter = method.records,
            .scene = name,
-           .error = [=] { return differing_pixels(way.run(*w).buffers, run_untraced(*w).buffers); },
+           .error =
+               [=] { return differing_pixels(method.run(*w).buffers, run_untraced(*w).buffers); },
            .predicted_error = 0,
-           .work = [=](int) { way.run(*w); }});
+           .work = [=](int) { method.run(*w); }});
     }
   }
   return all;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
+#include "study/experiments/do_not_optimize.h"
 #include "views/klt/clouds.h"
 #include "views/klt/transform.h"
 
@@ -80,7 +80,7 @@ double variance_without(const views::Klt& klt, int kept) {
 // Storing components as bytes adds the rounding error to the loss, within a tenth as long as the
 // steps are small compared with the stored values.
 std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
-  const double added = rounding_of(klt, kept) / klt.dropped(kept);
+  const double added = rounding_of(klt, kept) / klt.truncation_error(kept);
   if (added < 0.5) return std::nullopt;
   return Finding{
       "components stored as bytes are rounded, by more than the error of the dropped components",
@@ -102,11 +102,11 @@ std::vector<Configuration> configurations(Effort effort) {
            .error = [=] { return views::mean_squared_error(planet->bands, again(*planet, kept)); },
            .predicted_error = predicted,
            .finding = std::move(finding),
-           .work = [=](int) { consume(again(*planet, kept)); },
+           .work = [=](int) { do_not_optimize(again(*planet, kept)); },
            .items = double(planet->bands.pixels())});
     };
-    add("components", from_components, klt.dropped(kept), std::nullopt);
-    add("components in bytes", from_bytes, klt.dropped(kept), finding_of_bytes(klt, kept));
+    add("components", from_components, klt.truncation_error(kept), std::nullopt);
+    add("components in bytes", from_bytes, klt.truncation_error(kept), finding_of_bytes(klt, kept));
     add("the bands of most variance", some_bands, variance_without(klt, kept), std::nullopt);
   }
   return all;

@@ -15,9 +15,9 @@
 #include <glassbox/render/staged/vertex_stage.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d31_pieces.h"
-#include "study/experiments/shapes.h"
+#include "study/experiments/do_not_optimize.h"
+#include "study/experiments/random_triangles.h"
 
 namespace glassbox::study {
 
@@ -48,7 +48,7 @@ Triangles star_chart() {
 // clipped are left out.
 Triangles forest() {
   const Scene scene = make_forest();
-  const PreparedScene prepared = prepare(scene, Transfer::kNone);
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kNone);
   const View view = make_view(scene.cameras.front(), 256, 160).value();
   const DrawList list = make_draw_list(scene, prepared, view);
   const auto planes = frustum_planes();
@@ -140,7 +140,7 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
                [=, pattern = pattern](int) {
                  Positions positions = start_positions(pattern, count);
                  for (std::size_t i = 0; i < samples->pieces.size(); ++i)
-                   consume(estimate(pattern, samples->pieces[i], i, positions));
+                   do_not_optimize(estimate(pattern, samples->pieces[i], i, positions));
                },
            .items = items});
     }
@@ -166,7 +166,7 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
                  .work =
                      [=](int) {
                        for (const Piece& piece : samples->pieces)
-                         consume(covered_share<double>(piece));
+                         do_not_optimize(covered_share<double>(piece));
                      },
                  .items = items});
 }

@@ -53,8 +53,8 @@ struct EyeSpace {
   using Vertex = Point<Eye>;
   Lens lens;
 
-  Vertex enter(const Point<Eye>& p) const { return p; }
-  Point<Clip> leave(const Vertex& v) const { return to_clip(lens, v); }
+  Vertex from_eye(const Point<Eye>& p) const { return p; }
+  Point<Clip> to_clip_point(const Vertex& v) const { return to_clip(lens, v); }
   // Needs a product and a sum for each side of the pyramid.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
@@ -87,8 +87,8 @@ struct ClipSpace {
   using Vertex = Point<Clip>;
   Lens lens;
 
-  Vertex enter(const Point<Eye>& p) const { return to_clip(lens, p); }
-  Point<Clip> leave(const Vertex& v) const { return v; }
+  Vertex from_eye(const Point<Eye>& p) const { return to_clip(lens, p); }
+  Point<Clip> to_clip_point(const Vertex& v) const { return v; }
   // Needs a sum, or nothing.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
@@ -161,7 +161,7 @@ void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
   Polygon<Space> polygon;
   unsigned all = ~0u, any = 0;
   for (const Point<Eye>& p : triangle) {
-    const auto v = space.enter(p);
+    const auto v = space.from_eye(p);
     unsigned code = 0;
     for (std::size_t plane = 0; plane < kPlanes; ++plane)
       code |= unsigned(space.distance(plane, v) < 0) << plane;
@@ -177,13 +177,13 @@ void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
   outline.count = polygon.count;
   outline.cut_by = polygon.cut_by;
   for (std::size_t i = 0; i < polygon.count; ++i)
-    outline.vertices[i] = space.leave(polygon.vertices[i]);
+    outline.vertices[i] = space.to_clip_point(polygon.vertices[i]);
 }
 
 // ---- the error ----
 
 // The distance in px between a vertex and the edge of the picture that has cut it.
-inline double off_the_edge(const Point<Clip>& p, int plane) {
+inline double distance_from_edge(const Point<Clip>& p, int plane) {
   const double along = double(plane < 2 ? p.x : p.y) / double(p.w);
   const double half_side = (plane < 2 ? kWidth : kHeight) / 2;
   return std::abs(std::abs(along) - 1) * half_side;

@@ -8,8 +8,8 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "study/experiment/experiment.h"
-#include "study/experiments/consume.h"
 #include "study/experiments/d32_clippers.h"
+#include "study/experiments/do_not_optimize.h"
 
 namespace glassbox::study {
 
@@ -48,7 +48,7 @@ double farthest_off(double size, std::size_t count) {
     for (std::size_t i = 0; i < outline.count; ++i) {
       const auto plane = outline.cut_by[i];
       if (plane >= 0 && plane < 4)
-        farthest = std::max(farthest, off_the_edge(outline.vertices[i], plane));
+        farthest = std::max(farthest, distance_from_edge(outline.vertices[i], plane));
     }
   }
   return farthest;
@@ -70,7 +70,7 @@ void add_series(std::vector<Configuration>& all, const char* series, double pred
                Outline outline;
                for (const EyeTriangle& triangle : triangles) {
                  clip(space, triangle, outline);
-                 consume(outline);
+                 do_not_optimize(outline);
                }
              },
          .items = double(kTimed)});

@@ -1,4 +1,4 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 
 namespace glassbox::study {
 
@@ -16,8 +16,8 @@ const std::vector<ExtremeCase>& extreme_cases() {
   return all;
 }
 
-const std::vector<LeftOut>& left_out_cases() {
-  static const std::vector<LeftOut> all{
+const std::vector<OmittedCase>& omitted_cases() {
+  static const std::vector<OmittedCase> all{
       {"C-116", "Pixels and vertices that are not numbers",
        "the loaders refuse them and name the place (tests/mesh, tests/images), so they reach no "
        "later stage"},

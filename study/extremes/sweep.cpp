@@ -27,7 +27,7 @@ bool within_bounds(const SweepSeries& series) {
 SweepSeries with_limit(SweepSeries series, double tolerance) {
   const auto beyond = std::ranges::find_if(
       series.points, [&](const SweepPoint& point) { return !(point.error <= tolerance); });
-  if (beyond != series.points.end()) series.gives_up = beyond->parameter;
+  if (beyond != series.points.end()) series.failure_parameter = beyond->parameter;
   return series;
 }
 

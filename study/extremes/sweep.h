@@ -21,7 +21,7 @@ struct SweepSeries {
   bool ours = false;  // the method of the pipeline
   std::vector<SweepPoint> points = {};
   // The first parameter whose error is greater than the sweep tolerates; none if it never is.
-  std::optional<double> gives_up = {};
+  std::optional<double> failure_parameter = {};
 };
 
 struct Sweep {
@@ -43,7 +43,7 @@ const std::vector<Sweep>& sweeps();
 // because a bound holds for naive code too.
 bool within_bounds(const SweepSeries& series);
 
-// Sets `gives_up` to the first point, in the given order, whose error is above the tolerance.
+// Sets `failure_parameter` to that of the first point with an error above the tolerance.
 SweepSeries with_limit(SweepSeries series, double tolerance);
 
 }  // namespace glassbox::study

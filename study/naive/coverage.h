@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "study/extremes/kit/coverage.h"
+#include "study/extremes/common/coverage.h"
 
 namespace glassbox::study::naive {
 
@@ -17,7 +17,8 @@ namespace glassbox::study::naive {
 // Computes the cross product in float from positions that are not snapped, and counts >= 0 as
 // "inside", as most tutorials do. Rounding gives two neighbours different answers, and both draw
 // the pixels exactly on their common edge.
-inline void float_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+inline void float_covers(const ScreenTriangle& t, const PixelRect& window,
+                         const PixelVisitor& visit) {
   const auto cross = [](const Point<Screen>& a, const Point<Screen>& b, float x, float y) {
     return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
   };
@@ -82,7 +83,7 @@ struct CoverageParts {
 
 // The same as pipeline_covers if no part is exchanged.
 inline void covers_with(const CoverageParts& parts, const ScreenTriangle& t,
-                        const PixelRect& window, const Visit& visit) {
+                        const PixelRect& window, const PixelVisitor& visit) {
   SnappedTriangle v;
   for (std::size_t k = 0; k < 3; ++k) {
     v[k] = {parts.snap(t[k].position.x), parts.snap(t[k].position.y)};
@@ -112,8 +113,8 @@ inline void covers_with(const CoverageParts& parts, const ScreenTriangle& t,
   }
 }
 
-inline Covers covers_with(const CoverageParts& parts) {
-  return [parts](const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+inline CoverageFunction covers_with(const CoverageParts& parts) {
+  return [parts](const ScreenTriangle& t, const PixelRect& window, const PixelVisitor& visit) {
     covers_with(parts, t, window, visit);
   };
 }

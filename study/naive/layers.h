@@ -73,7 +73,7 @@ inline SplatPicture splat(const views::LayeredImage& image, const views::LayerCa
   const auto columns = order(loop.columns, image.camera.width, true);
   for (const int y : order(loop.rows, image.camera.height, false)) {
     for (const int x : columns) {
-      const std::size_t place = image.place(x, y);
+      const std::size_t place = image.pixel_index(x, y);
       const std::size_t begin = image.first[place], end = image.first[place + 1];
       for (std::size_t k = begin; k < end; ++k)
         draw(x, y, loop.back_to_front ? k : begin + end - 1 - k);

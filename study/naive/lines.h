@@ -6,13 +6,13 @@
 
 #include <glassbox/raster/line.h>
 
-#include "study/extremes/kit/coverage.h"
+#include "study/extremes/common/coverage.h"
 
 namespace glassbox::study::naive {
 
 // Draws from the rounded first pixel to the rounded last one, including both: lines that continue
 // each other draw the joint twice.
-inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const PixelVisitor& visit) {
   int x = a.x >> 8, y = a.y >> 8;
   const int x1 = b.x >> 8, y1 = b.y >> 8;
   const int dx = std::abs(x1 - x), dy = -std::abs(y1 - y);
@@ -35,7 +35,7 @@ inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Visi
 
 // The right rule, plus the pixel in whose diamond the line ends.
 inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
-                                 const Visit& visit) {
+                                 const PixelVisitor& visit) {
   for_each_line_pixel(a, b, {-64, -64, 64, 64}, [&](const LinePixel& p) { visit(p.x, p.y); });
   const int x = b.x >> kSubpixelBits, y = b.y >> kSubpixelBits;
   if (in_diamond(b, x, y)) visit(x, y);
@@ -43,7 +43,8 @@ inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
 
 // The right rule without the diamond in which the line starts, if it starts past the diamond's
 // centre.
-inline void line_without_start(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+inline void line_without_start(const SnappedVertex& a, const SnappedVertex& b,
+                               const PixelVisitor& visit) {
   const LineSetup line = setup_line(a, b);
   for (int major = line.first; major < line.end; ++major) {
     const int minor = line.minor_at(major);

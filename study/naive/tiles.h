@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/screen_scene.h"
 
 namespace glassbox::study::naive {
 
@@ -22,10 +22,10 @@ inline bool has_a_vertex_in(const ScreenTriangle& t, const PixelRect& tile) {
   });
 }
 
-inline TrianglesDrawn drawn_by_tiles(const std::vector<ScreenTriangle>& triangles, int picture_side,
-                                     int tile_side, const TileRules& rules) {
-  TrianglesDrawn drawn{Image<int>(picture_side, picture_side),
-                       Image<int>(picture_side, picture_side)};
+inline TriangleCoverage drawn_by_tiles(const std::vector<ScreenTriangle>& triangles,
+                                       int picture_side, int tile_side, const TileRules& rules) {
+  TriangleCoverage drawn{Image<int>(picture_side, picture_side),
+                         Image<int>(picture_side, picture_side)};
   for (int y = 0; y < picture_side; y += tile_side) {
     for (int x = 0; x < picture_side; x += tile_side) {
       const PixelRect tile{x, y, x + tile_side, y + tile_side};

@@ -11,7 +11,7 @@
 
 #include "views/two_view/estimate.h"
 #include "views/two_view/linear_fit.h"
-#include "views/two_view/model.h"
+#include "views/two_view/pair_kind.h"
 #include "views/two_view/pose.h"
 
 namespace glassbox::study::naive {
@@ -75,14 +75,14 @@ inline Matrix3d essential_of_rank_two(const Matches& calibrated) {
 // ---- what kind of pair it is ----
 
 // Accepts every result of the eight points as a general pair of cameras.
-inline views::PairKind always_general(const views::PairJudgement&) {
+inline views::PairKind always_general(const views::PairClassification&) {
   return views::PairKind::kGeneral;
 }
 
 // A rotation is a homography, and so is a plane: this code takes a rotation for a plane and uses
 // five points.
-inline views::PairKind turned_is_a_plane(const views::PairJudgement& judged) {
-  return judged.kind == views::PairKind::kTurned ? views::PairKind::kPlane : judged.kind;
+inline views::PairKind turned_is_a_plane(const views::PairClassification& judged) {
+  return judged.kind == views::PairKind::kPureRotation ? views::PairKind::kPlane : judged.kind;
 }
 
 // ---- poses and points ----

@@ -2,7 +2,8 @@
 
 namespace glassbox::study {
 
-std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit) {
+std::optional<std::size_t> fastest_candidate(const std::vector<Candidate>& candidates,
+                                             double limit) {
   const auto fits = [&](const Candidate& each) { return each.ns && each.error < limit; };
   const Candidate* fastest = nullptr;
   for (const Candidate& each : candidates) {
@@ -19,8 +20,8 @@ std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, do
   return best;
 }
 
-std::optional<std::size_t> nearest_to_render(const std::vector<Candidate>& candidates,
-                                             double limit) {
+std::optional<std::size_t> first_render_candidate(const std::vector<Candidate>& candidates,
+                                                  double limit) {
   for (const bool in_render : {true, false}) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (candidates[i].in_render == in_render && candidates[i].error < limit) return i;

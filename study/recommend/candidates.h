@@ -29,11 +29,12 @@ struct Comparison {
 // The fastest timed candidate with an error below `limit`. Candidates whose quartiles of time
 // overlap with those of the fastest count as equally fast; among them the most accurate one is
 // chosen. None if no candidate is accurate enough.
-std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit);
+std::optional<std::size_t> fastest_candidate(const std::vector<Candidate>& candidates,
+                                             double limit);
 
 // The first candidate with an error below `limit` that glassbox render offers; if there is none,
 // the first of the others below `limit`.
-std::optional<std::size_t> nearest_to_render(const std::vector<Candidate>& candidates,
-                                             double limit);
+std::optional<std::size_t> first_render_candidate(const std::vector<Candidate>& candidates,
+                                                  double limit);
 
 }  // namespace glassbox::study

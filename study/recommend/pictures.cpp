@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer) {
+Image<Rgba8> downsample(const Image<Rgba8>& large, int factor, Transfer transfer) {
   Image<Rgba8> small(large.width / factor, large.height / factor, {});
   const double share = 1.0 / (factor * factor);
   for (int y = 0; y < small.height; ++y) {
@@ -64,8 +64,8 @@ Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& vie
   return view(settings, factor).map([&](const View& large) {
     Renderer renderer(scene, settings.transfer);
     return ReferencePicture{
-        shrunk(renderer.render(large, settings).buffers.color, factor, settings.transfer), factor,
-        settings.depth};
+        downsample(renderer.render(large, settings).buffers.color, factor, settings.transfer),
+        factor, settings.depth};
   });
 }
 

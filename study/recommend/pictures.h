@@ -28,7 +28,7 @@ Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& vie
                                            const RenderSettings& settings);
 
 // Averages each block of factor x factor pixels in linear light and encodes the mean again.
-Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer);
+Image<Rgba8> downsample(const Image<Rgba8>& large, int factor, Transfer transfer);
 
 // The root mean square difference of red, green and blue; 1 for the whole range of a byte. Both
 // pictures have the same size.

@@ -36,11 +36,12 @@ exact::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& v
           exact::exactly<Decimal>(world_from_object(scene, draw)));
 }
 
-enum class Where { kInside, kBeside, kNotBetweenPlanes };
+enum class VertexRegion { kInside, kBeside, kNotBetweenPlanes };
 
-Where where(const exact::Vector4<Decimal>& clip) {
-  if (clip[3] <= 0 || clip[2] < 0 || clip[2] > clip[3]) return Where::kNotBetweenPlanes;
-  return abs(clip[0]) <= clip[3] && abs(clip[1]) <= clip[3] ? Where::kInside : Where::kBeside;
+VertexRegion region_of(const exact::Vector4<Decimal>& clip) {
+  if (clip[3] <= 0 || clip[2] < 0 || clip[2] > clip[3]) return VertexRegion::kNotBetweenPlanes;
+  return abs(clip[0]) <= clip[3] && abs(clip[1]) <= clip[3] ? VertexRegion::kInside
+                                                            : VertexRegion::kBeside;
 }
 
 // The eye-space distance of a point in clip space. It needs only z and w, because rows 2 and 3 of a
@@ -51,8 +52,8 @@ double distance_of(const View& view, const exact::Vector4<Decimal>& clip) {
                 Decimal(view.clip_from_eye.at(2, 2)));
 }
 
-RightPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::size_t draw,
-                    std::uint32_t vertex) {
+ExactVertexPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::size_t draw,
+                          std::uint32_t vertex) {
   const auto half = [](float a, float b) {
     return (Decimal(double(a)) + Decimal(double(b))) / Decimal(2);
   };
@@ -62,7 +63,7 @@ RightPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::
   return {draw, vertex, double(x), double(y), distance_of(view, clip)};
 }
 
-// ---- ways to compute it ----
+// ---- methods to compute it ----
 
 // The chosen vertices, one array per coordinate, grouped into runs of the same draw: a loop over
 // them can be vectorized.
@@ -148,9 +149,10 @@ PlaceAll as_render_does(const View& view, const std::vector<Draw>& draws) {
   });
 }
 
-VertexColumns columns_of(const std::vector<Draw>& draws, const std::vector<RightPlace>& places) {
+VertexColumns columns_of(const std::vector<Draw>& draws,
+                         const std::vector<ExactVertexPlace>& places) {
   VertexColumns all;
-  for (const RightPlace& place : places) {
+  for (const ExactVertexPlace& place : places) {
     const auto& p = draws[place.draw].mesh->positions[place.vertex];
     if (all.runs.empty() || all.runs.back().draw != place.draw) {
       all.runs.push_back({place.draw, all.x.size(), all.x.size()});
@@ -164,7 +166,7 @@ VertexColumns columns_of(const std::vector<Draw>& draws, const std::vector<Right
 }
 
 // The largest distance, in pixels.
-double largest_distance(const ScreenColumns& found, const std::vector<RightPlace>& places) {
+double largest_distance(const ScreenColumns& found, const std::vector<ExactVertexPlace>& places) {
   double largest = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double off = std::hypot(found.x[i] - places[i].x, found.y[i] - places[i].y);
@@ -203,16 +205,17 @@ double distance_at(const View& view, double depth) {
 SceneVertices::SceneVertices(const Scene& scene, const View& view)
     : scene_(&scene),
       view_(view),
-      prepared_(prepare(scene, Transfer::kSrgb)),
+      prepared_(prepare_scene(scene, Transfer::kSrgb)),
       list_(make_draw_list(scene, prepared_, view)) {}
 
-Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, std::size_t most) {
+Result<SceneVertices> SceneVertices::sample(const Scene& scene, const View& view,
+                                            std::size_t most) {
   SceneVertices vertices(scene, view);
   std::size_t all = 0;
   for (const Draw& draw : vertices.list_.draws) all += draw.mesh->positions.size();
   // Ten times as many vertices as needed are examined, because most of a scene may be out of sight.
   const std::size_t step = std::max<std::size_t>(1, all / (10 * most));
-  std::vector<RightPlace> inside, beside;
+  std::vector<ExactVertexPlace> inside, beside;
   std::size_t number = 0;
   for (std::size_t d = 0; d < vertices.list_.draws.size(); ++d) {
     const Draw& draw = vertices.list_.draws[d];
@@ -222,11 +225,11 @@ Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, st
       const auto& p = draw.mesh->positions[i];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
       const auto clip = matrix * exact::exactly<Decimal>(p);
-      if (const Where at = where(clip); at != Where::kNotBetweenPlanes)
-        (at == Where::kInside ? inside : beside).push_back(place_of(view, clip, d, i));
+      if (const VertexRegion at = region_of(clip); at != VertexRegion::kNotBetweenPlanes)
+        (at == VertexRegion::kInside ? inside : beside).push_back(place_of(view, clip, d, i));
     }
   }
-  const std::vector<RightPlace>& usable = inside.empty() ? beside : inside;
+  const std::vector<ExactVertexPlace>& usable = inside.empty() ? beside : inside;
   if (usable.empty()) {
     return fail("", "no vertex of the scene lies between the near and the far plane",
                 "look at the scene from another place: --eye, --look-at, or --camera");
@@ -272,7 +275,7 @@ Comparison SceneVertices::positions() const {
 
 double SceneVertices::depth_error(DepthFormat format) const {
   double worst = 0;
-  for (const RightPlace& right : places_) {
+  for (const ExactVertexPlace& right : places_) {
     const NdcVertex ndc = divide(project_vertex(list_.draws[right.draw], right.vertex));
     const double depth = depth_of(format, depth_code(format, ndc.position.z));
     const double scale =

@@ -14,7 +14,7 @@
 namespace glassbox::study {
 
 // The exact place of a vertex: computed with 50 digits and rounded to the nearest double.
-struct RightPlace {
+struct ExactVertexPlace {
   std::size_t draw = 0;
   std::uint32_t vertex = 0;
   double x = 0, y = 0;  // px
@@ -27,7 +27,8 @@ public:
   // Takes `most` vertices inside the picture, evenly spread over the tables; if there are none,
   // vertices beside the picture. The scene must outlive this object. An error if no vertex is
   // between the near and far planes.
-  static Result<SceneVertices> of(const Scene& scene, const View& view, std::size_t most = 4000);
+  static Result<SceneVertices> sample(const Scene& scene, const View& view,
+                                      std::size_t most = 4000);
 
   // The largest distance on the screen between the place to which glassbox render snaps a vertex
   // and its exact place, in pixels.
@@ -50,7 +51,7 @@ private:
   View view_;
   PreparedScene prepared_;
   DrawList list_;
-  std::vector<RightPlace> places_;
+  std::vector<ExactVertexPlace> places_;
 };
 
 }  // namespace glassbox::study

@@ -38,7 +38,7 @@ void mark_differences(const Image<std::uint32_t>& a, const Image<std::uint32_t>&
 }
 
 // The picture moves by -offset; screen y points down.
-View seen_at(View view, const SampleOffset& offset) {
+View view_at_sample(View view, const SampleOffset& offset) {
   const double x = -2.0 * offset.x / kSubpixels / view.viewport.width();
   const double y = 2.0 * offset.y / kSubpixels / view.viewport.height();
   Transform<Clip, Eye>& clip_from_eye = view.clip_from_eye;

@@ -18,6 +18,6 @@ void mark_differences(const Image<std::uint32_t>& a, const Image<std::uint32_t>&
                       Image<std::uint8_t>& edge);
 
 // The view in which pixel centres show what samples at `offset` show in `view`.
-View seen_at(View view, const SampleOffset& offset);
+View view_at_sample(View view, const SampleOffset& offset);
 
 }  // namespace glassbox::study

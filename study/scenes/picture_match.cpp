@@ -15,7 +15,7 @@ int largest_difference(const Rgba8& a, const Rgba8& b) {
 }
 
 // Whether one of the pixel's neighbours looks different.
-bool shows_edge(const JudgedPicture& ours, int x, int y) {
+bool shows_edge(const EnginePicture& ours, int x, int y) {
   const auto& [color, covered] = ours.picture;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, color.height - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, color.width - 1); ++u) {
@@ -26,7 +26,7 @@ bool shows_edge(const JudgedPicture& ours, int x, int y) {
   return false;
 }
 
-std::uint64_t edges_shown(const JudgedPicture& ours) {
+std::uint64_t edges_shown(const EnginePicture& ours) {
   std::uint64_t count = 0;
   for (int y = 0; y < ours.edge.height; ++y) {
     for (int x = 0; x < ours.edge.width; ++x) {
@@ -61,7 +61,7 @@ bool PictureMatch::same() const {
          at_edges() <= allowed_at_edges();
 }
 
-PictureMatch match(const JudgedPicture& ours, const Picture& theirs) {
+PictureMatch match(const EnginePicture& ours, const Picture& theirs) {
   PictureMatch found;
   found.bounds = ours.bounds;
   found.pixels = ours.edge.pixels.size();

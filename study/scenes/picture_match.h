@@ -27,7 +27,7 @@ struct MatchBounds {
   int eyes = 1;     // number of eyes drawn into the picture, each with its own edges
 };
 
-struct JudgedPicture {
+struct EnginePicture {
   Picture picture;
   // 1 where one of the pixel's eight neighbours shows another triangle, or nothing.
   Image<std::uint8_t> edge;
@@ -66,6 +66,6 @@ struct PictureMatch {
 };
 
 // Compares two pictures of the same size.
-PictureMatch match(const JudgedPicture& ours, const Picture& theirs);
+PictureMatch match(const EnginePicture& ours, const Picture& theirs);
 
 }  // namespace glassbox::study

@@ -70,14 +70,15 @@ Scene make_glass() {
   const std::uint32_t wall = add_material(scene, "wall", {1, 1, 1, 1});
   scene.materials[wall].texture =
       add_texture(scene, make_checks(8, 32, {232, 228, 216}, {36, 40, 52}));
-  add_object(scene, make_pane(24, 16, wall, 2), place({0, 0, -6}));
+  add_object(scene, make_pane(24, 16, wall, 2), placement_transform({0, 0, -6}));
   for (int i = 0; i < kGlassLayers; ++i) {
     const auto number = std::uint64_t(i);
     const std::uint32_t glass =
         add_material(scene, "glass " + std::to_string(i), color_of(number, 0.125f));
     scene.materials[glass].alpha_mode = AlphaMode::kBlend;
     const int layer = 5 * i % kGlassLayers, aside = i - kGlassLayers / 2;
-    add_object(scene, make_pane(9, 5.5, glass), place({0.02 * aside, 0.01 * i, -4 + layer * 0.25}));
+    add_object(scene, make_pane(9, 5.5, glass),
+               placement_transform({0.02 * aside, 0.01 * i, -4 + layer * 0.25}));
   }
   return scene;
 }
@@ -92,8 +93,9 @@ Scene make_many() {
     const int x = i % kAcross, y = i / kAcross % kDown, z = i / kAcross / kDown;
     const double turn_degrees = 360 * random_unit(4, std::uint64_t(i));
     add_instance(scene, 0, "cube",
-                 place({(x - (kAcross - 1) / 2.0) * 0.3, (y - (kDown - 1) / 2.0) * 0.3, -z * 0.5},
-                       turn_degrees, {0.05, 0.05, 0.05}));
+                 placement_transform(
+                     {(x - (kAcross - 1) / 2.0) * 0.3, (y - (kDown - 1) / 2.0) * 0.3, -z * 0.5},
+                     turn_degrees, {0.05, 0.05, 0.05}));
   }
   return scene;
 }
@@ -101,15 +103,16 @@ Scene make_many() {
 Scene make_hidden() {
   Scene scene = empty_scene("hidden");
   add_object(scene, make_pane(24, 16, add_material(scene, "wall", {0.7f, 0.7f, 0.65f, 1})),
-             place({0, 0, 2}));
+             placement_transform({0, 0, 2}));
   constexpr int kSide = 10;
   static_assert(kSide * kSide == kHiddenSpheres);
   scene.meshes.push_back(
       only_mesh_of(make_sphere(kSphereLevel), add_material(scene, "ball", {0.8f, 0.3f, 0.2f, 1})));
   for (int i = 0; i < kHiddenSpheres; ++i) {
     const int column = i % kSide, row = i / kSide;
-    add_instance(scene, 1, "ball",
-                 place({(column - 4.5) * 0.9, (row - 4.5) * 0.6, 0}, 0, {0.3, 0.3, 0.3}));
+    add_instance(
+        scene, 1, "ball",
+        placement_transform({(column - 4.5) * 0.9, (row - 4.5) * 0.6, 0}, 0, {0.3, 0.3, 0.3}));
   }
   return scene;
 }
@@ -122,14 +125,15 @@ Scene make_scattered() {
   for (int i = 0; i < kScattered; ++i) {
     const int column = i % 5 - 2, row = i / 5;
     if (i < kScatteredInView) {
-      add_instance(scene, 0, "seen", place({column * 1.2, row * 1.4 - 0.7, 0}, 0, {0.5, 0.5, 0.5}));
+      add_instance(scene, 0, "seen",
+                   placement_transform({column * 1.2, row * 1.4 - 0.7, 0}, 0, {0.5, 0.5, 0.5}));
       continue;
     }
     const double aside = row % 3 == 0 ? 0 : row % 3 == 1 ? -60 : 60;
     const double behind = row % 3 == 0 ? 14 : 0;
-    add_instance(
-        scene, 0, "unseen",
-        place({aside + column * 1.2, row % 7 * 1.4 - 4, behind + row % 5}, 0, {0.5, 0.5, 0.5}));
+    add_instance(scene, 0, "unseen",
+                 placement_transform({aside + column * 1.2, row % 7 * 1.4 - 4, behind + row % 5}, 0,
+                                     {0.5, 0.5, 0.5}));
   }
   return scene;
 }

@@ -80,7 +80,7 @@ BenchScene empty_scene(std::string name) {
 
 // ---- S1, S1b, S2, S5, S6, S7: an ellipsoid in the light ----
 
-BenchScene ellipsoid_scene(std::string name, const Grid& grid, double shift_x) {
+BenchScene ellipsoid_scene(std::string name, const EllipsoidGrid& grid, double shift_x) {
   BenchScene bench = empty_scene(std::move(name));
   add_material(bench.scene, "matte", {0.8f, 0.6f, 0.4f, 1});
   Transform<World, Object> placed = turned(0.5, 0.3);
@@ -237,7 +237,8 @@ Result<BenchScene> make_bench_scene(std::string_view name, int width, int height
   return fail(std::string(name), "is not a scene of the benchmark", "choose one of " + list);
 }
 
-BenchScene make_ellipsoid_scene(std::string name, const Grid& grid, int width, int height) {
+BenchScene make_ellipsoid_scene(std::string name, const EllipsoidGrid& grid, int width,
+                                int height) {
   return seen_once(ellipsoid_scene(std::move(name), grid, 0), {width, height});
 }
 

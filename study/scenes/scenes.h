@@ -14,7 +14,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 
-#include "study/scenes/grid.h"
+#include "study/scenes/ellipsoid.h"
 
 namespace glassbox::study {
 
@@ -55,16 +55,16 @@ bool same_name(std::string_view a, std::string_view b);
 Result<BenchScene> make_bench_scene(std::string_view name, int width, int height);
 
 // The ellipsoid, light and camera of scene S1 with another grid; used to measure scaling.
-BenchScene make_ellipsoid_scene(std::string name, const Grid& grid, int width, int height);
+BenchScene make_ellipsoid_scene(std::string name, const EllipsoidGrid& grid, int width, int height);
 
 // Wraps any scene and view into a benchmark scene with one pass.
 BenchScene make_bench_scene(std::string name, Scene scene, const View& view);
 
-inline constexpr Grid kFineGrid{500, 1000, 0};    // scene S1
-inline constexpr Grid kBandedGrid{500, 1000, 4};  // scene S1b
-inline constexpr Grid kScannedGrid{133, 266, 0};  // scene S2
-inline constexpr int kQuads = 64;                 // scene S4
-inline constexpr int kCheckerSide = 1024;         // in texels, scene S3
+inline constexpr EllipsoidGrid kFineGrid{500, 1000, 0};    // scene S1
+inline constexpr EllipsoidGrid kBandedGrid{500, 1000, 4};  // scene S1b
+inline constexpr EllipsoidGrid kScannedGrid{133, 266, 0};  // scene S2
+inline constexpr int kQuads = 64;                          // scene S4
+inline constexpr int kCheckerSide = 1024;                  // in texels, scene S3
 
 // The texture of scene S3: squares of 32 texels, where each texel is changed by a hash of its
 // position.

@@ -37,7 +37,7 @@ inline views::StereoRig rig_at(const views::Vector3d& centre,
 }
 
 // A random point in the unit ball, but not near its centre.
-inline views::Vector3d anywhere(Random& random) {
+inline views::Vector3d random_ball_point(Random& random) {
   for (;;) {
     const double x = random.between(-1, 1), y = random.between(-1, 1);
     const views::Vector3d v(x, y, random.between(-1, 1));
@@ -47,7 +47,7 @@ inline views::Vector3d anywhere(Random& random) {
 
 // A rig whose right camera is 0.3 to 1 away in any direction and turned by up to half a radian.
 inline views::StereoRig random_rig(Random& random) {
-  const views::Vector3d centre = anywhere(random), axis = anywhere(random) / 8;
+  const views::Vector3d centre = random_ball_point(random), axis = random_ball_point(random) / 8;
   return rig_at(centre, turned_by(axis.x(), axis.y(), axis.z()));
 }
 
@@ -63,16 +63,16 @@ inline views::Vector2d pixel_noise(Random& random, double sigma) {
   return sigma * views::Vector2d(x, gaussian(random));
 }
 
-inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& point) {
+inline views::Match project_match(const views::StereoRig& rig, const views::Vector3d& point) {
   const views::Vector3d left = rig.left_intrinsic * point;
   const views::Vector3d right =
       rig.right_intrinsic * rig.pose.rotation * (point - rig.pose.translation);
   return {left.hnormalized(), right.hnormalized()};
 }
 
-inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& point, double sigma,
-                         Random& random) {
-  views::Match match = seen(rig, point);
+inline views::Match project_match(const views::StereoRig& rig, const views::Vector3d& point,
+                                  double sigma, Random& random) {
+  views::Match match = project_match(rig, point);
   match.left += pixel_noise(random, sigma);
   match.right += pixel_noise(random, sigma);
   return match;
@@ -80,8 +80,8 @@ inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& poi
 
 // A random point that the left picture shows, between two distances along its gaze, and in front of
 // the right camera.
-inline views::Vector3d point_before(Random& random, const views::StereoRig& rig, double nearest,
-                                    double farthest) {
+inline views::Vector3d random_visible_point(Random& random, const views::StereoRig& rig,
+                                            double nearest, double farthest) {
   for (;;) {
     const double x = random.between(0, 640), y = random.between(0, 480);
     const views::Vector3d point =
@@ -94,7 +94,8 @@ inline views::Matches matches_of(Random& random, const views::StereoRig& rig, in
                                  double sigma, double nearest = 2, double farthest = 10) {
   views::Matches matches;
   while (int(matches.size()) < count)
-    matches.push_back(seen(rig, point_before(random, rig, nearest, farthest), sigma, random));
+    matches.push_back(
+        project_match(rig, random_visible_point(random, rig, nearest, farthest), sigma, random));
   return matches;
 }
 
@@ -106,8 +107,8 @@ inline views::Matches matches_of_plane(Random& random, const views::StereoRig& r
   const views::Vector3d normal = views::Vector3d(lean, random.between(-0.5, 0.5), -1).normalized();
   views::Matches matches;
   while (int(matches.size()) < count) {
-    const views::Vector3d ray = point_before(random, rig, 2, 10);
-    matches.push_back(seen(rig, ray * (-6 / ray.dot(normal)), sigma, random));
+    const views::Vector3d ray = random_visible_point(random, rig, 2, 10);
+    matches.push_back(project_match(rig, ray * (-6 / ray.dot(normal)), sigma, random));
   }
   return matches;
 }
@@ -119,7 +120,7 @@ inline views::Matches calibrated(const views::Matches& pixels, const views::Ster
 
 // The distance of two matrices after scaling both to norm 1, where a difference in sign does not
 // count.
-inline double apart(const views::Matrix3d& a, const views::Matrix3d& b) {
+inline double matrix_distance(const views::Matrix3d& a, const views::Matrix3d& b) {
   const views::Matrix3d p = a.normalized(), q = b.normalized();
   return std::min((p - q).norm(), (p + q).norm());
 }

@@ -1,5 +1,5 @@
-// The condition numbers of a scene in one view (numbers.h): where each is worst, the bound that
-// follows, and advice.
+// The condition numbers of a scene in one view (condition_formulas.h): where each is worst, the
+// bound that follows, and advice.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 namespace glassbox::study {
 
 // A place in the scene.
-struct StiffPlace {
+struct ScenePlace {
   std::uint32_t instance = 0, triangle = 0;  // triangle: number in the whole scene
   std::optional<std::uint32_t> corner;       // 0 to 2
   std::optional<std::uint32_t> position;     // index of the corner's position in Mesh::positions
   int x = -1, y = -1;                        // the pixel, for fragments
 };
 
-struct StiffNumber {
+struct ConditionNumber {
   std::string key;       // stable, for example "far-over-near"
   std::string name;      // for example "far over near"
   double condition = 0;  // may be infinite
@@ -31,7 +31,7 @@ struct StiffNumber {
   std::optional<double> pixels;
   std::string formula;  // formula of the bound
   std::string source;   // for example "extreme case of slivers (C-47)"
-  std::optional<StiffPlace> place;
+  std::optional<ScenePlace> place;
   // Only for depth: the number of depth tests that exact depths might decide otherwise. If it is 0,
   // the bound does no harm.
   std::optional<std::uint64_t> tests_in_doubt;
@@ -46,8 +46,8 @@ struct StiffNumber {
 };
 
 struct Stiffness {
-  std::vector<StiffNumber> numbers;
-  std::vector<std::string> left_out;  // one sentence each
+  std::vector<ConditionNumber> numbers;
+  std::vector<std::string> not_computed;  // one sentence each
 };
 
 // `up` is the vector with which the view was made; none if the view was given as a pose. Runs the

@@ -37,12 +37,12 @@ constexpr const char* kTwoScenes = R"({
   "buffers": [{"uri": "triangle.bin", "byteLength": 36}]
 })";
 
-void write_two_scenes(const Workplace& here) {
+void write_two_scenes(const WorkingDirectory& here) {
   here.write("triangle.bin", float_bytes({-1, 0, 1, 1, 0, 1, 0, 1, -1}));
   here.write("two.gltf", kTwoScenes);
 }
 
-std::string picture_by_camera(const Workplace& here, const std::string& options) {
+std::string picture_by_camera(const WorkingDirectory& here, const std::string& options) {
   const Outcome outcome = here.run("render two.gltf --size 32x32 -o p.ppm " + options);
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -50,7 +50,7 @@ std::string picture_by_camera(const Workplace& here, const std::string& options)
 }
 
 TEST_CASE("a camera is chosen by name or index; the first one is the default") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_two_scenes(here);
   const std::string front = picture_by_camera(here, "");
   const std::string above = picture_by_camera(here, "--camera above");
@@ -68,14 +68,14 @@ TEST_CASE("a camera is chosen by name or index; the first one is the default") {
 }
 
 TEST_CASE("only the default scene of a file is drawn") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_two_scenes(here);
   const Outcome outcome = here.run("render two.gltf --size 8x8 --json -");
   CHECK(contains(outcome.out, "\"triangles\": 1,"));
 }
 
 TEST_CASE("a lens on the command line replaces the camera's, its pose stays") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_two_scenes(here);
   const std::string wide = picture_by_camera(here, "--camera front --fov 90");
   CHECK(wide != picture_by_camera(here, "--camera front"));
@@ -86,7 +86,7 @@ TEST_CASE("a lens on the command line replaces the camera's, its pose stays") {
 TEST_CASE("without a camera the whole scene is in the picture, whatever its size and place") {
   for (const char* scale : {"1", "1e-6", "1e6"}) {
     for (const char* offset : {"0", "3"}) {
-      const Workplace here;
+      const WorkingDirectory here;
       // A diamond without flat sides along the view. The exponents of its coordinates in the OBJ
       // text give the scale.
       const std::string s(scale), o(offset);
@@ -114,7 +114,7 @@ TEST_CASE("without a camera the whole scene is in the picture, whatever its size
 }
 
 TEST_CASE("with --up alone the whole scene is in the picture, upright, from its own distance") {
-  const Workplace here;
+  const WorkingDirectory here;
   // A tower 12 units high along z, the up axis of many scans.
   here.write("tower.obj",
              "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 12\nv 1 -1 12\nv 1 1 12\nv -1 1 12\n"
@@ -138,7 +138,7 @@ TEST_CASE("with --up alone the whole scene is in the picture, upright, from its 
 }
 
 TEST_CASE("--up 0,1,0, of any length, is what goes without saying, byte for byte") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* scene : {"teapot", "cube --fov 20", "teapot --ortho 9"}) {
     const std::string words = std::string("render ") + scene + " --size 64x48 -o ";
     REQUIRE(here.run(words + "a.ppm").exit_code == 0);
@@ -153,7 +153,7 @@ TEST_CASE("--up 0,1,0, of any length, is what goes without saying, byte for byte
 }
 
 TEST_CASE("--far inf and no far plane at all are the same; what lies far is drawn") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("far.obj", "v -1e9 -1e9 -1e9\nv 1e9 -1e9 -1e9\nv 0 1e9 -1e9\nf 1 2 3\n");
   const Outcome outcome = here.run(
       "render far.obj --size 8x8 --eye 0,0,0 --look-at 0,0,-1 --near 0.1 --far inf --depth-out "
@@ -197,7 +197,7 @@ TEST_CASE("degenerate cameras are rejected with the reason and the remedy") {
       {"--ortho 2 --frustum -1,1,-1,1", {"--frustum", "give one"}},
       {"--camera 0 --eye 1,2,3", {"--camera", "give one"}}};
   for (const auto& [options, parts] : cases) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Outcome outcome = here.run("render cube --size 8x8 " + options);
     INFO(options << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
@@ -212,7 +212,7 @@ TEST_CASE("degenerate cameras are rejected with the reason and the remedy") {
 }
 
 TEST_CASE("a camera that is not there is refused with the names of those that are") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_two_scenes(here);
   for (const char* name : {"2", "-1", "behind", "Front"}) {
     const Outcome outcome = here.run(std::string("render two.gltf --camera ") + name);
@@ -223,7 +223,7 @@ TEST_CASE("a camera that is not there is refused with the names of those that ar
 }
 
 TEST_CASE("a plane asked for moves the one that was found out of its way") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("wall.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
   const std::string start = "render wall.obj --size 4x4 --eye 0,0,5 --look-at 0,0,0 ";
   for (const char* planes : {"--near 9", "--far 1", "--ortho 4 --near 9", "--ortho 4 --far 1",
@@ -235,7 +235,7 @@ TEST_CASE("a plane asked for moves the one that was found out of its way") {
 }
 
 TEST_CASE("a scene without cameras says so when one is asked for") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const Outcome outcome = here.run("render a.obj --camera 0");
   CHECK(outcome.exit_code == 2);

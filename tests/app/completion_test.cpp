@@ -15,7 +15,7 @@ namespace glassbox::test {
 namespace {
 
 bool is_there(const std::string& program) {
-  return in_shell(Workplace(), "command -v " + program).exit_code == 0;
+  return in_shell(WorkingDirectory(), "command -v " + program).exit_code == 0;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -25,8 +25,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Writes the completion script of a shell into a workplace.
-Workplace& with_script(Workplace& here, const std::string& shell) {
+// Writes the completion script of a shell into a working directory.
+WorkingDirectory& with_script(WorkingDirectory& here, const std::string& shell) {
   const Outcome outcome = here.run("completion " + shell);
   REQUIRE(outcome.exit_code == 0);
   REQUIRE(outcome.err.empty());
@@ -38,7 +38,7 @@ Workplace& with_script(Workplace& here, const std::string& shell) {
 
 // Returns what bash offers when the cursor is at the end of the last word. The words are those that
 // bash passes to its completion function.
-std::set<std::string> offered(const Workplace& here, const std::vector<std::string>& words) {
+std::set<std::string> offered(const WorkingDirectory& here, const std::vector<std::string>& words) {
   std::string line = "source ./script; COMP_WORDS=(";
   for (const std::string& word : words) line += "'" + word + "' ";
   line += "); COMP_CWORD=" + std::to_string(words.size() - 1) +
@@ -53,7 +53,7 @@ std::set<std::string> offered(const Workplace& here, const std::vector<std::stri
 using Words = std::set<std::string>;
 
 TEST_CASE("bash completes subcommands, options, choices, scenes and files") {
-  Workplace here;
+  WorkingDirectory here;
   with_script(here, "bash");
   here.write("robot.obj", "");
   const auto at = [&](const std::vector<std::string>& words) { return offered(here, words); };
@@ -78,7 +78,7 @@ TEST_CASE("bash completes subcommands, options, choices, scenes and files") {
 }
 
 TEST_CASE("every option of every subcommand is in the scripts and in the manual") {
-  Workplace here;
+  WorkingDirectory here;
   const std::string bash = here.run("completion bash").out, zsh = here.run("completion zsh").out;
   const std::string fish = here.run("completion fish").out, man = here.run("man").out;
   for (const char* command : {"render", "info", "diff", "study run", "lab check", "bench"}) {
@@ -106,7 +106,7 @@ TEST_CASE("every option of every subcommand is in the scripts and in the manual"
 // run.
 TEST_CASE("the TAB key completes in an interactive bash") {
   NEED_PSEUDO_TERMINAL();
-  Workplace here;
+  WorkingDirectory here;
   with_script(here, "bash");
   here.write("rc",
              "source ./script\nglassbox() { printf '<%s>' \"$@\"; }\nPS1=\n"
@@ -122,7 +122,7 @@ TEST_CASE("the TAB key completes in an interactive bash") {
 // ---- zsh and fish ----
 
 TEST_CASE("zsh reads its script without a complaint") {
-  Workplace here;
+  WorkingDirectory here;
   with_script(here, "zsh");
   const std::string script = here.read("script");
   CHECK(script.starts_with("#compdef glassbox\n"));
@@ -137,7 +137,7 @@ TEST_CASE("zsh reads its script without a complaint") {
 TEST_CASE("the TAB key completes in an interactive zsh") {
   NEED_PSEUDO_TERMINAL();
   if (!is_there("zsh")) SKIP_TEST("zsh is not there");
-  Workplace here;
+  WorkingDirectory here;
   with_script(here, "zsh");
   here.write("rc",
              "autoload -U compinit; compinit -u -d ./dump\nsource ./script\nPS1=\n"
@@ -152,7 +152,7 @@ TEST_CASE("the TAB key completes in an interactive zsh") {
 }
 
 TEST_CASE("fish reads its script without a complaint and completes with it") {
-  Workplace here;
+  WorkingDirectory here;
   with_script(here, "fish");
   CHECK(contains(here.read("script"), "complete -c glassbox -f\n"));
   if (!is_there("fish")) {
@@ -178,14 +178,14 @@ TEST_CASE("fish reads its script without a complaint and completes with it") {
 }
 
 TEST_CASE("a shell that is not known is refused") {
-  check_refused(Workplace().run("completion tcsh"), {"'tcsh'", "bash, zsh or fish"});
-  check_refused(Workplace().run("completion"), {"SHELL"});
+  check_refused(WorkingDirectory().run("completion tcsh"), {"'tcsh'", "bash, zsh or fish"});
+  check_refused(WorkingDirectory().run("completion"), {"SHELL"});
 }
 
 // ---- the manual ----
 
 TEST_CASE("the manual has the sections of man pages and every subcommand") {
-  const Outcome outcome = Workplace().run("man");
+  const Outcome outcome = WorkingDirectory().run("man");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   for (const char* part : {".TH GLASSBOX 1 ", "\n.SH NAME\n", "\n.SH SYNOPSIS\n",
@@ -202,7 +202,7 @@ TEST_CASE("the manual has the sections of man pages and every subcommand") {
 }
 
 TEST_CASE("man and groff format the manual without a warning") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("glassbox.1", here.run("man").out);
   if (!is_there("groff") && !is_there("man")) {
     SKIP_TEST("neither man nor groff is there: only the page's lines were looked at");

@@ -19,7 +19,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }
 
 // Writes a triangle in a data URI. Its normal texture, animation and extension are not drawn.
-void write_wishes(const Workplace& here) {
+void write_undrawn_features(const WorkingDirectory& here) {
   here.write("wishes.gltf", R"({
     "asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "name": "a"}],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
@@ -33,30 +33,30 @@ void write_wishes(const Workplace& here) {
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
 }
 
-const char* const kSaid[] = {
+const char* const kWarnings[] = {
     "the extension 'KHR_materials_sheen' is not supported and was ignored in one place",
     "normal textures are not drawn (1 material)",
     "1 animation is not played: everything is drawn where the file places it"};
 
 TEST_CASE("what a glTF file asks for and a picture lacks is one line on standard error") {
-  const Workplace here;
-  write_wishes(here);
+  const WorkingDirectory here;
+  write_undrawn_features(here);
   for (const char* command :
        {"render wishes.gltf --size 32x32 -o a.png", "explain wishes.gltf --size 32x32",
         "pixel wishes.gltf --size 32x32 --at 8,20", "step wishes.gltf --size 32x32 --triangle 0"}) {
     CAPTURE(command);
     const Outcome outcome = here.run(command);
     REQUIRE(outcome.exit_code == 0);
-    for (const char* said : kSaid) {
-      CAPTURE(said, outcome.err);
-      CHECK(count_of(outcome.err, said) == 1);
+    for (const char* warning : kWarnings) {
+      CAPTURE(warning, outcome.err);
+      CHECK(count_of(outcome.err, warning) == 1);
     }
   }
 }
 
 TEST_CASE("info lists what is in a glTF file, as text and as JSON") {
-  const Workplace here;
-  write_wishes(here);
+  const WorkingDirectory here;
+  write_undrawn_features(here);
   const Outcome text = here.run("info wishes.gltf");
   REQUIRE(text.exit_code == 0);
   for (const char* part :
@@ -66,7 +66,7 @@ TEST_CASE("info lists what is in a glTF file, as text and as JSON") {
     CAPTURE(part, text.out);
     CHECK(contains(text.out, part));
   }
-  for (const char* said : kSaid) CHECK(count_of(text.out, said) == 1);
+  for (const char* warning : kWarnings) CHECK(count_of(text.out, warning) == 1);
   const Json json = Json::parse(here.run("info wishes.gltf --json -").out);
   CHECK(json.at("warnings").size() == 3);
   CHECK(json.at("animations") == Json::parse(R"([{"name": "spin", "channels": 1}])"));
@@ -79,8 +79,8 @@ TEST_CASE("info lists what is in a glTF file, as text and as JSON") {
 }
 
 TEST_CASE("step tells what is emitted from what is lit") {
-  const Workplace here;
-  write_wishes(here);
+  const WorkingDirectory here;
+  write_undrawn_features(here);
   const Outcome outcome = here.run("step wishes.gltf --size 32x32 --triangle 0");
   CHECK(contains(outcome.out, "emitted  (0, 0.5, 0), linear\n"));
   CHECK(contains(outcome.out, ", linear, with the emitted light\n"));
@@ -88,7 +88,7 @@ TEST_CASE("step tells what is emitted from what is lit") {
 }
 
 TEST_CASE("a PLY file is rendered, described and stepped through like any other") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("part.ply",
              "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
              "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -109,7 +109,7 @@ TEST_CASE("a PLY file is rendered, described and stepped through like any other"
 }
 
 TEST_CASE("a point cloud is refused in one line") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("cloud.ply",
              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
              "property float z\nend_header\n0 0 0\n");

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <glassbox/base/random.h>
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/skip.h"
 
 namespace glassbox::test {
@@ -61,7 +61,8 @@ std::string obj_of(const std::vector<Triangle2>& triangles, int side, double ext
   return text;
 }
 
-Plane ids(const Workplace& here, const std::vector<Triangle2>& triangles, int side, double extent) {
+Plane ids(const WorkingDirectory& here, const std::vector<Triangle2>& triangles, int side,
+          double extent) {
   here.write("triangles.obj", obj_of(triangles, side, extent));
   std::ostringstream command;
   command
@@ -82,11 +83,11 @@ std::string text_of(const Triangle2& t) {
 constexpr int kTile = 32;  // px
 
 // Many triangles in one picture, one in each tile.
-struct Sheet {
+struct TriangleGrid {
   int tiles;  // in each direction
   std::vector<Triangle2> triangles;
 
-  Triangle2 placed(std::size_t n) const {
+  Triangle2 placed_triangle(std::size_t n) const {
     Triangle2 t = triangles[n];
     for (Corner2& c : t) {
       c.x += std::int64_t(n % std::size_t(tiles)) * kTile * 256;
@@ -96,17 +97,17 @@ struct Sheet {
   }
 };
 
-// Checks every pixel of the sheet: it has the number of its tile's triangle if `covered` returns
+// Checks every pixel of the grid: it has the number of its tile's triangle if `covered` returns
 // true, and 0 otherwise.
 template <class Covered>
-void check_sheet(const Sheet& sheet, double extent, const Covered& covered) {
-  const Workplace here;
+void check_grid(const TriangleGrid& grid, double extent, const Covered& covered) {
+  const WorkingDirectory here;
   std::vector<Triangle2> placed;
-  for (std::size_t n = 0; n < sheet.triangles.size(); ++n) placed.push_back(sheet.placed(n));
-  const Plane plane = ids(here, placed, sheet.tiles * kTile, extent);
+  for (std::size_t n = 0; n < grid.triangles.size(); ++n) placed.push_back(grid.placed_triangle(n));
+  const Plane plane = ids(here, placed, grid.tiles * kTile, extent);
   for (std::size_t n = 0; n < placed.size(); ++n) {
-    const int x0 = int(n % std::size_t(sheet.tiles)) * kTile;
-    const int y0 = int(n / std::size_t(sheet.tiles)) * kTile;
+    const int x0 = int(n % std::size_t(grid.tiles)) * kTile;
+    const int y0 = int(n / std::size_t(grid.tiles)) * kTile;
     int wrong = 0;
     for (int j = 0; j < kTile; ++j) {
       for (int i = 0; i < kTile; ++i) {
@@ -114,7 +115,7 @@ void check_sheet(const Sheet& sheet, double extent, const Covered& covered) {
         if (plane.at(x0 + i, y0 + j) != expected) ++wrong;
       }
     }
-    INFO("triangle " << n << text_of(sheet.triangles[n]) << ", extent " << extent);
+    INFO("triangle " << n << text_of(grid.triangles[n]) << ", extent " << extent);
     CHECK(wrong == 0);
   }
 }
@@ -132,13 +133,13 @@ TEST_CASE(
   INFO("seed " << kSeed);
   Random random(kSeed);
   for (const double extent : {512.0, 1.0, 0x1p-10, 0x1p+20}) {
-    Sheet sheet{16, {}};
+    TriangleGrid grid{16, {}};
     for (int n = 0; n < 256; ++n) {
-      sheet.triangles.push_back(
+      grid.triangles.push_back(
           {random_corner(random), random_corner(random), random_corner(random)});
     }
-    check_sheet(sheet, extent,
-                [&](std::size_t n, int i, int j) { return owns(sheet.triangles[n], i, j); });
+    check_grid(grid, extent,
+               [&](std::size_t n, int i, int j) { return owns(grid.triangles[n], i, j); });
   }
 }
 
@@ -185,14 +186,14 @@ TEST_CASE("whole runs agree with the exact coverage masks of the reference table
   std::vector<Row> inside, outside;
   for (const Row& row : read_rows(path)) (row.inside_tile() ? inside : outside).push_back(row);
   REQUIRE(inside.size() > 100);
-  // Triangles within the picture are drawn 256 in a sheet.
+  // Triangles within the picture are drawn 256 in a grid.
   for (std::size_t first = 0; first < inside.size(); first += 256) {
-    Sheet sheet{16, {}};
+    TriangleGrid grid{16, {}};
     for (std::size_t n = first; n < std::min(first + 256, inside.size()); ++n) {
-      sheet.triangles.push_back(inside[n].triangle);
+      grid.triangles.push_back(inside[n].triangle);
     }
-    check_sheet(sheet, 512,
-                [&](std::size_t n, int i, int j) { return inside[first + n].covers(i, j); });
+    check_grid(grid, 512,
+               [&](std::size_t n, int i, int j) { return inside[first + n].covers(i, j); });
   }
   // Triangles that extend beyond the picture are drawn alone. Only some of them, because each needs
   // a run of the program.
@@ -200,8 +201,8 @@ TEST_CASE("whole runs agree with the exact coverage masks of the reference table
   for (std::size_t n = 0; n < outside.size(); n += step) {
     const Row& row = outside[n];
     INFO("row " << row.id);
-    check_sheet({1, {row.triangle}}, 32,
-                [&](std::size_t, int i, int j) { return row.covers(i, j); });
+    check_grid({1, {row.triangle}}, 32,
+               [&](std::size_t, int i, int j) { return row.covers(i, j); });
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 #include "tests/compare/environment.h"
 
 namespace glassbox::test {
@@ -32,7 +32,7 @@ public:
     return here.run("diff ref out " + options);
   }
   bool exists(const std::string& name) const { return fs::exists(here.file(name)); }
-  Workplace here;
+  WorkingDirectory here;
 };
 
 TEST_CASE("directories of the same pictures are one line and 0") {
@@ -136,7 +136,7 @@ TEST_CASE("heat maps do not become pictures to compare, and no report replaces a
 }
 
 TEST_CASE("approving makes the tests the references, and then they are the same") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoFolders two;
   for (const char* name : {"ref/a.png", "out/a.png", "ref/b.png", "out/sub/deep.png"})
     two.add(name);
@@ -157,7 +157,7 @@ TEST_CASE("approving makes the tests the references, and then they are the same"
 }
 
 TEST_CASE("approving deletes nothing and takes nothing that is broken") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoFolders two;
   for (const char* name : {"ref/a.png", "ref/gone.png", "ref/bad.png"}) two.add(name);
   two.add("out/a.png", 9);
@@ -170,7 +170,7 @@ TEST_CASE("approving deletes nothing and takes nothing that is broken") {
 }
 
 TEST_CASE("a single picture is approved, new or different, and nothing is complained about") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoFolders two;
   two.add("ref/a.png");
   two.add("out/a.png", 9);
@@ -188,7 +188,7 @@ TEST_CASE("a single picture is approved, new or different, and nothing is compla
 }
 
 TEST_CASE("on a server --approve is refused before anything is read") {
-  const Variable ci("CI", "1");
+  const EnvironmentVariable ci("CI", "1");
   const TwoFolders two;
   two.add("ref/a.png");
   two.add("out/a.png", 9);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 
 namespace glassbox::test {
 namespace {
@@ -18,7 +18,7 @@ StoredImage picture(int channels, Format format) {
 
 Outcome diff(const std::string& reference, const std::string& test,
              const std::string& options = "") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a", reference);
   here.write("b", test);
   return here.run("diff a b " + options);

@@ -7,7 +7,7 @@
 
 #include <zlib.h>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/images/png_builder.h"
 
 namespace glassbox::test {
@@ -54,7 +54,7 @@ std::string large_png(int last_sample) {
 }
 
 TEST_CASE("one wrong pixel in the last corner of 16384 x 16384 is found") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a.png", large_png(100));
   here.write("b.png", large_png(100));
   here.write("c.png", large_png(101));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 
 #include <glassbox/compare/pixels/tolerance.h>
 
@@ -35,7 +35,7 @@ public:
     for (const PixelAt& at : black) set_sample(mask, at.x, at.y, 0, 0);
     here.write(name, png_of(mask));
   }
-  Workplace here;
+  WorkingDirectory here;
 };
 
 TEST_CASE("boxes and masks leave pixels out, alone and together") {

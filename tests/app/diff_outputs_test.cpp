@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 
 #include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/images/read.h>
@@ -31,7 +31,7 @@ public:
     here.write("b.png", png_of(image));
   }
   Outcome diff(const std::string& options) const { return here.run("diff a.png b.png " + options); }
-  Workplace here;
+  WorkingDirectory here;
 };
 
 TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
@@ -44,7 +44,7 @@ TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
   const StoredImage bytes = blank(1, 1, 1, Format::kBytes);
   CHECK(heat->at(3, 3) == heat_colours()[heat_level(40, bytes)]);
   CHECK(heat->at(10, 5) == heat_colours()[heat_level(1, bytes)]);
-  CHECK(heat->at(1, 1) == heat_colours()[kHeatLeftOut]);
+  CHECK(heat->at(1, 1) == heat_colours()[kHeatNotCompared]);
   CHECK(heat->at(20, 9) == heat_colours()[kHeatSame]);
   CHECK(two.diff("-o heat.ppm").exit_code == 1);
   CHECK(read_image(two.here.file("heat.ppm")));

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 #include "tests/compare/environment.h"
 
 #include <glassbox/images/png_text.h>
@@ -38,14 +38,14 @@ std::string inspect_command(const std::string& out) {
 }
 
 TEST_CASE("the command that is printed runs, and shows the pixel that differs") {
-  const Variable name("GLASSBOX_INVOKED_AS", GLASSBOX_PROGRAM);
+  const EnvironmentVariable name("GLASSBOX_INVOKED_AS", GLASSBOX_PROGRAM);
   const std::vector<std::string> recipes{
       "teapot --size 40x30", "room --size 40x30 --shade flat --background 1,0.5,0.25 --depth d32r",
       "f-glyph --size 40x30 --eye -5,2,-7 --cull none --wireframe",
       "cube --size 40x30 --eye=-.5,2,7 --look-at=-0.1,0,0 --fov 30 --near 0.1 --far inf",
       "forest --size 40x30 --ortho 8 --show depth"};
   for (const std::string& recipe : recipes) {
-    const Workplace here;
+    const WorkingDirectory here;
     REQUIRE(here.run("render " + recipe + " -o a.png").exit_code == 0);
     here.write("b.png", altered(here.file("a.png"), 23, 14));
     const Outcome outcome = here.run("diff a.png b.png");
@@ -70,11 +70,11 @@ TEST_CASE("the command that is printed runs, and shows the pixel that differs") 
 }
 
 TEST_CASE("names that a shell would take apart are quoted") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string odd = "a 'b' $(touch ran);.obj";
   here.write(odd, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::filesystem::create_symlink(GLASSBOX_PROGRAM, here.file("glass box"));
-  const Variable name("GLASSBOX_INVOKED_AS", "./glass box");
+  const EnvironmentVariable name("GLASSBOX_INVOKED_AS", "./glass box");
   REQUIRE(
       run_program(GLASSBOX_PROGRAM, {"render", odd, "--size", "20x20", "-o", "a.png"}, here.path())
           .exit_code == 0);
@@ -90,7 +90,7 @@ TEST_CASE("names that a shell would take apart are quoted") {
 
 // Compares two pictures that differ in one pixel, both with this recipe as their text.
 Outcome diff_of(const std::string& scene, const std::string& options) {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::vector<TextEntry> text{
       {"Software", "glassbox 0.1.0"}, {"glassbox scene", scene}, {"glassbox options", options}};
   StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}});
@@ -157,7 +157,7 @@ TEST_CASE("a scene that a shell would obey is harmless in quotes") {
   const std::string command =
       inspect_command(diff_of("x; touch ran #`touch ran`$(touch ran)'", "[]").out);
   REQUIRE(!command.empty());
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = run_program("/bin/sh", {"-c", command}, here.path());
   CHECK(outcome.exit_code != 0);
   CHECK(here.names().empty());
@@ -170,7 +170,7 @@ TEST_CASE("a long command is printed whole or not at all") {
 }
 
 TEST_CASE("recipes that differ are told, and so are versions") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render teapot:2 --size 40x30 -o a.png").exit_code == 0);
   REQUIRE(here.run("render teapot:2 --size 40x30 --shade flat -o b.png").exit_code == 0);
   const Outcome outcome = here.run("diff a.png b.png");
@@ -192,7 +192,7 @@ TEST_CASE("recipes that differ are told, and so are versions") {
 }
 
 TEST_CASE("other sizes are explained by the recipes, too, without a pixel to inspect") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube --size 40x30 -o a.png").exit_code == 0);
   REQUIRE(here.run("render cube --size 41x30 -o b.png").exit_code == 0);
   const Outcome outcome = here.run("diff a.png b.png");
@@ -202,7 +202,7 @@ TEST_CASE("other sizes are explained by the recipes, too, without a pixel to ins
 }
 
 TEST_CASE("a picture without a recipe, or one that passes, has no command") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube --size 40x30 -o a.png").exit_code == 0);
   const StoredImage image = value_of(read_stored(here.file("a.png")));
   StoredImage other = image;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/diff_kinds.h"
+#include "tests/app/picture_file_kinds.h"
 
 #include <glassbox/compare/pixels/tolerance.h>
 
@@ -16,9 +16,9 @@ constexpr int kSevenWidth = 24, kSevenHeight = 18;  // px
 constexpr int kWrongX = 13, kWrongY = 7;
 
 // Pictures of one kind: r is the reference, the others are test pictures.
-class Situations {
+class TestPictures {
 public:
-  explicit Situations(const Kind& kind) : kind_(kind) {
+  explicit TestPictures(const PictureFileKind& kind) : kind_(kind) {
     const StoredImage reference = sample_picture(kind, kSevenWidth, kSevenHeight);
     write("r", reference);
     write("same", reference);
@@ -42,8 +42,8 @@ private:
   void write(const std::string& name, const StoredImage& image) const {
     here_.write(name + kind_.extension, kind_.encode(image));
   }
-  Kind kind_;
-  Workplace here_;
+  PictureFileKind kind_;
+  WorkingDirectory here_;
 };
 
 void check_different(const Outcome& outcome, const std::string& name) {
@@ -60,9 +60,9 @@ void check_refused_by_name(const Outcome& outcome, const std::string& name) {
 
 TEST_CASE(
     "the same is 0, any difference 1, and what is missing or corrupt 2, in every kind of file") {
-  for (const Kind& kind : all_kinds()) {
+  for (const PictureFileKind& kind : all_kinds()) {
     INFO(kind.name);
-    const Situations all(kind);
+    const TestPictures all(kind);
     const Outcome same = all.diff("same");
     CHECK(same.exit_code == 0);
     CHECK(same.out == all.name("same") + ": same\n");
@@ -76,10 +76,10 @@ TEST_CASE(
 }
 
 TEST_CASE("what is said of a difference is where it is, how large, and what may be behind it") {
-  for (const Kind& kind : all_kinds()) {
+  for (const PictureFileKind& kind : all_kinds()) {
     if (!kind.exact) continue;
     INFO(kind.name);
-    const Situations all(kind);
+    const TestPictures all(kind);
     const char* step = kind.format == Format::kBytes    ? "1/255"
                        : kind.format == Format::kShorts ? "1/65535"
                                                         : "1 ulp";
@@ -104,10 +104,10 @@ TEST_CASE("what is said of a difference is where it is, how large, and what may 
 }
 
 TEST_CASE("a tolerance lets pass exactly what it says") {
-  for (const Kind& kind : all_kinds()) {
+  for (const PictureFileKind& kind : all_kinds()) {
     if (!kind.exact) continue;
     INFO(kind.name);
-    const Situations all(kind);
+    const TestPictures all(kind);
     CHECK(all.diff("same", "--fuzzy 0;0").exit_code == 0);
     CHECK(all.diff("same", "--fuzzy 1;1").exit_code == 1);
     CHECK(all.diff("up", "--fuzzy maxDifference=0-1;totalPixels=0-432").exit_code == 0);
@@ -130,8 +130,8 @@ TEST_CASE("a tolerance lets pass exactly what it says") {
 
 TEST_CASE(
     "the annotation that --suggest-fuzzy prints makes the pictures pass, and no tighter one does") {
-  for (const Kind& kind : all_kinds()) {
-    const Situations all(kind);
+  for (const PictureFileKind& kind : all_kinds()) {
+    const TestPictures all(kind);
     for (const char* test : {"same", "up", "wrong", "shifted"}) {
       const Outcome outcome = all.diff(test, "--suggest-fuzzy");
       INFO(kind.name << ", " << test << ": " << outcome.out);

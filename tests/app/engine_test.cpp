@@ -27,7 +27,7 @@ using Json = nlohmann::json;
 
 // Returns all files that a command writes, by name, except JSON, which has times.
 std::vector<std::pair<std::string, std::string>> files_of(const std::string& words) {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("walk.json", R"({"camera_path": 1, "keyframes": [
       {"time": 0, "eye": [0, 2, 14], "look_at": [0, 1.5, 0]},
       {"time": 1, "eye": [3, 1.6, 6], "look_at": [0, 1.5, -2]}]})");
@@ -81,7 +81,7 @@ TEST_CASE("no target and no number of threads changes a byte") {
 
 // Runs the program and returns the largest number of threads that was seen until it has written the
 // file `last`.
-std::size_t most_threads(const Workplace& here, const std::string& words, const char* last) {
+std::size_t most_threads(const WorkingDirectory& here, const std::string& words, const char* last) {
   namespace fs = std::filesystem;
   std::size_t most = 0;
   const Outcome outcome = here.run(words, [&](pid_t process) {
@@ -102,14 +102,14 @@ std::size_t most_threads(const Workplace& here, const std::string& words, const 
 
 TEST_CASE("a picture is drawn and compressed on no more threads than --threads says") {
   const std::string words = "render room --size 1600x900 -o x.png --json done.json --threads ";
-  const Workplace alone;
+  const WorkingDirectory alone;
   CHECK(most_threads(alone, words + "1", "done.json") == 1);
-  const Workplace together;
+  const WorkingDirectory together;
   CHECK(most_threads(together, words + "4", "done.json") > 1);
 }
 
 TEST_CASE("glassbox stereo finds the same with either engine, but for what it took") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto findings = [&](const std::string& options) {
     const Outcome outcome = here.run("stereo room --size 96x54 --json - " + options);
     INFO(outcome.err);
@@ -128,7 +128,7 @@ TEST_CASE("glassbox stereo finds the same with either engine, but for what it to
 }
 
 TEST_CASE("an engine, a target or a number of threads that cannot be is refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto available = available_targets();
   std::string names;
   for (const Target target : available)
@@ -161,7 +161,7 @@ TEST_CASE("an engine, a target or a number of threads that cannot be is refused"
 }
 
 TEST_CASE("--help says what the engine options are") {
-  const Outcome outcome = Workplace().run("render --help");
+  const Outcome outcome = WorkingDirectory().run("render --help");
   for (const char* word : {"--engine", "--threads", "--target", "--no-plan", "scalar"}) {
     INFO(word);
     CHECK(contains(outcome.out, word));
@@ -169,7 +169,7 @@ TEST_CASE("--help says what the engine options are") {
 }
 
 TEST_CASE("--json says which engine drew") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto engine = [&](const std::string& options) {
     const Outcome outcome = here.run("render cube --size 16x9 --json - " + options);
     REQUIRE(outcome.exit_code == 0);
@@ -188,7 +188,7 @@ TEST_CASE("--json says which engine drew") {
 
 // Returns how many pictures are in the folder. Each must be whole, and there may be no other files
 // except those in `known`.
-std::size_t whole_pictures(const Workplace& here, const std::vector<std::string>& known) {
+std::size_t whole_pictures(const WorkingDirectory& here, const std::vector<std::string>& known) {
   std::size_t count = 0;
   for (const std::string& name : here.names()) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -202,7 +202,7 @@ std::size_t whole_pictures(const Workplace& here, const std::vector<std::string>
 
 TEST_CASE("a render that is interrupted at any time leaves the whole picture or none") {
   for (const int after_ms : {0, 5, 10, 20, 30, 40, 60, 80, 120, 160, 240, 320}) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Outcome outcome =
         here.run("render teapot:24 --size 1280x720 -o t.png", [&](pid_t process) {
           std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
@@ -221,7 +221,7 @@ TEST_CASE("a render that is interrupted at any time leaves the whole picture or 
 TEST_CASE("a sequence that is interrupted ends with a whole frame, and says how many there are") {
   for (const char* engine : {"tile --threads 2", "staged"}) {
     INFO(engine);
-    const Workplace here;
+    const WorkingDirectory here;
     here.write("walk.json", R"({"camera_path": 1, "keyframes": [
         {"time": 0, "eye": [0, 2, 14], "look_at": [0, 1.5, 0]},
         {"time": 1, "eye": [3, 1.6, 6], "look_at": [0, 1.5, -2]}]})");

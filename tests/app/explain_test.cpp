@@ -34,7 +34,7 @@ Json decision(const Json& decisions, const std::string& stage) {
 }
 
 TEST_CASE("explain says how many samples are drawn, and of what they are not") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("explain room --size 96x64 --samples 4 --json -");
   REQUIRE(outcome.exit_code == 0);
   const Json plan = Json::parse(outcome.out).at("plan");
@@ -54,7 +54,7 @@ TEST_CASE("explain says how many samples are drawn, and of what they are not") {
 }
 
 TEST_CASE("explain says of every stage whether it is needed, and why, and writes no picture") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("explain teapot --size 96x64");
   REQUIRE(outcome.exit_code == 0);
   for (const char* part : {"left out", "needed", "clip test of vertices", "divide by w", "light"}) {
@@ -75,7 +75,7 @@ TEST_CASE("explain says of every stage whether it is needed, and why, and writes
 }
 
 TEST_CASE("explain without the plan leaves nothing out that a proof would") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = Json::parse(here.run("explain cube --size 96x64 --no-plan --json -").out);
   const Json& draw = json.at("plan").at("draws")[0];
   CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == true);
@@ -83,7 +83,7 @@ TEST_CASE("explain without the plan leaves nothing out that a proof would") {
 }
 
 TEST_CASE("explain --analyze draws with the tile engine, and counts items, times and bytes") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("explain room --size 96x64 --analyze --threads 2");
   REQUIRE(outcome.exit_code == 0);
   for (const char* part : {"2 threads", "coverage", "bytes", "thread by thread", "fragments"}) {
@@ -102,7 +102,7 @@ TEST_CASE("explain --analyze draws with the tile engine, and counts items, times
 }
 
 TEST_CASE("explain --analyze counts the clusters that are out of sight") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string ball = "explain sphere:128 --size 480x360 --analyze ";
   const Outcome outcome = here.run(ball);
   REQUIRE(outcome.exit_code == 0);
@@ -117,7 +117,7 @@ TEST_CASE("explain --analyze counts the clusters that are out of sight") {
 }
 
 TEST_CASE("explain --engine staged counts what goes into every stage and what comes out") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("explain room --size 96x64 --engine staged");
   REQUIRE(outcome.exit_code == 0);
   for (const char* stage : {"clip", "back-face cull", "coverage", "depth test", "fragments"}) {
@@ -130,7 +130,7 @@ TEST_CASE("explain --engine staged counts what goes into every stage and what co
 
 TEST_CASE(
     "explain says of a scene of many draws what the largest need, and how many more there are") {
-  const Workplace here;
+  const WorkingDirectory here;
   // A pole at two hundred places, some of them beyond the picture's edge.
   std::string nodes, list;
   for (int i = 0; i < 200; ++i) {
@@ -160,7 +160,7 @@ TEST_CASE(
 }
 
 TEST_CASE("explain refuses what render refuses") {
-  const Workplace here;
+  const WorkingDirectory here;
   CHECK(here.run("explain nothing-of-this-name").exit_code == 2);
   CHECK(here.run("explain room --fov 400").exit_code == 2);
   CHECK(here.run("explain room --engine staged --no-plan").exit_code == 2);
@@ -180,7 +180,7 @@ std::vector<std::string> stages_in(const Json& json) {
 
 TEST_CASE("explain leaves a blank between a stage's name and its reason") {
   constexpr std::size_t kColumn = 24;  // the column in plan_report.cpp
-  const Workplace here;
+  const WorkingDirectory here;
   std::vector<std::string> all;
   for (const char* words : {"room --stereo anaglyph", "forest --samples 4", "cube --show depth",
                             "teapot --wireframe", "checker --no-plan"}) {
@@ -198,7 +198,7 @@ TEST_CASE("explain leaves a blank between a stage's name and its reason") {
 
 TEST_CASE(
     "explain --stereo says of both eyes what their pictures need, and what their stages did") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string pair = "explain room --size 96x64 --stereo anaglyph ";
   const Outcome plain = here.run(pair);
   REQUIRE(plain.exit_code == 0);
@@ -232,7 +232,7 @@ TEST_CASE(
 TEST_CASE(
     "explain --stereo: what is the same for both eyes is said once; one picture for both; the "
     "staged engine; cropped eyes") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string pair = "explain cube --size 96x64 --stereo ";
   const Outcome same = here.run(pair + "pair");
   REQUIRE(same.exit_code == 0);
@@ -255,7 +255,7 @@ TEST_CASE(
 }
 
 TEST_CASE("explain refuses options of two eyes without --stereo, as render does") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words : {"--glasses red-cyan", "--stereo anaglyph --seen-by left"}) {
     const Outcome refused = here.run(std::string("explain cube --size 96x64 ") + words);
     CHECK(refused.exit_code == 2);

@@ -14,7 +14,7 @@ namespace glassbox::test {
 namespace {
 
 TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::filesystem::create_directory(here.file("folder"));
   here.write("notes.txt", "hello");
   here.write("empty.obj", "");
@@ -43,7 +43,7 @@ TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
 }
 
 TEST_CASE("what is printed and does not arrive is an error, and no file takes its place") {
-  const Workplace here;
+  const WorkingDirectory here;
   if (!std::filesystem::exists("/dev/full")) SKIP_TEST("there is no /dev/full");
   for (const char* words :
        {"info cube", "info cube --json -", "--help", "explain cube --size 8x8"}) {
@@ -57,7 +57,7 @@ TEST_CASE("what is printed and does not arrive is an error, and no file takes it
 }
 
 TEST_CASE("a file that grows beyond its limit is an error, and nothing of it is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome limited =
       in_shell(here, "ulimit -f 4; exec \"$0\" render teapot --size 200x200 -o a.ppm");
   check_refused(limited, {"a.ppm", "File too large", "free some space"});
@@ -67,7 +67,7 @@ TEST_CASE("a file that grows beyond its limit is an error, and nothing of it is 
 // The stack of a thread takes 8 MiB of address space. How many threads oneTBB starts before the
 // picture is drawn is not under our control.
 TEST_CASE("with threads that cannot be started the picture is whole, or it is told what to do") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string picture = here.run("render room --size 320x200 -o -").out;
   for (const char* limit : {"120000", "300000", "500000"}) {
     const std::string within = std::string("ulimit -v ") + limit + "; exec \"$0\" ";
@@ -88,7 +88,7 @@ TEST_CASE("with threads that cannot be started the picture is whole, or it is to
 
 // few_threads.cpp allows a program to start FEW_THREADS threads and no more.
 TEST_CASE("where some threads cannot be started an output is whole, or there is none") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string few =
       std::string("export LD_PRELOAD='") + GLASSBOX_FEW_THREADS + "' FEW_THREADS=";
   const std::string program = "; exec timeout 60 \"$0\" ";
@@ -123,7 +123,7 @@ TEST_CASE("where some threads cannot be started an output is whole, or there is 
 }
 
 TEST_CASE("a GLB cut short anywhere is refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
   const std::string whole = here.read("f.glb");
   for (const std::size_t size : {std::size_t(4), std::size_t(11), std::size_t(12), std::size_t(19),
@@ -136,7 +136,7 @@ TEST_CASE("a GLB cut short anywhere is refused") {
 }
 
 TEST_CASE("an output that cannot be written is refused before anything is") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::filesystem::create_directory(here.file("folder.png"));
   const auto before = here.names();
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
@@ -161,7 +161,7 @@ TEST_CASE("an output that cannot be written is refused before anything is") {
 }
 
 TEST_CASE("a picture that was there before survives a run that fails") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("cube.png", "mine");
   check_refused(here.run("render cube --near 3 --far 2"), {"far plane"});
   CHECK(here.read("cube.png") == "mine");

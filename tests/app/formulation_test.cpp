@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Image<Rgba8> picture_by_formulation(const Workplace& here, const std::string& words) {
+Image<Rgba8> picture_by_formulation(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("render " + words + " -o p.png");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -34,7 +34,7 @@ const std::vector<std::string> kForms{"--view-from axis-angle", "--projection fr
                                       "--view-from axis-angle --projection t_pers"};
 
 TEST_CASE("every formulation draws the same picture but for a pixel in ten thousand (S3-14)") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* scene : {"teapot", "room", "forest"}) {
     const std::string words = std::string(scene) + " --size 320x180 ";
     const Image<Rgba8> usual = picture_by_formulation(here, words);
@@ -54,7 +54,7 @@ TEST_CASE("every formulation draws the same picture but for a pixel in ten thous
 }
 
 TEST_CASE("both engines draw a formulation alike, and the commands about pictures take it") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const std::string& form : kForms) {
     const std::string words = "room --size 96x64 " + form;
     CHECK(differing_pixels(picture_by_formulation(here, words),
@@ -69,7 +69,7 @@ TEST_CASE("both engines draw a formulation alike, and the commands about picture
 }
 
 TEST_CASE("a formulation that the lens or the depth does not allow is refused in one line") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words :
        {"--projection t_pers --ortho 4", "--projection frustum --ortho 4",
         "--projection alpha_beta --depth d32r", "--projection t_pers --frustum -1,2,-1,1 --near 3",
@@ -83,7 +83,7 @@ TEST_CASE("a formulation that the lens or the depth does not allow is refused in
 
 TEST_CASE(
     "step shows the perspective matrix in two steps, and what a projection without depth loses") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string out = here.run("step cube --size 320x180 --triangle 10 --vertex 0").out;
   CHECK(contains(unwrapped(out), "makes the viewing pyramid regular"));
   CHECK(contains(out, "the pyramid becomes the box"));
@@ -105,7 +105,7 @@ TEST_CASE(
 
 TEST_CASE(
     "step shows the factors of the formulation asked for, and how far it is from the usual one") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string start = "step cube --size 320x180 --triangle 10 --vertex 0 ";
   const std::string turned = here.run(start + "--view-from axis-angle").out;
   for (const char* part : {"T(-eye)", "R(a, theta): ", "R_z(roll): ", "their product, bit for bit",
@@ -126,7 +126,7 @@ TEST_CASE(
 // ---- --cull-stage ----
 
 TEST_CASE("culling in object space draws the same bytes, and says how many faces it found") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* scene : {"teapot", "room", "forest"}) {
     const std::string words = std::string(scene) + " --size 160x90 ";
     const Image<Rgba8> usual = picture_by_formulation(here, words);
@@ -143,7 +143,7 @@ TEST_CASE("culling in object space draws the same bytes, and says how many faces
 }
 
 TEST_CASE("explain has the decision about culling in object space where it was asked for") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto decision = [&](const std::string& words) -> Json {
     const Outcome outcome = here.run("explain teapot --size 96x64 --json - " + words);
     INFO(outcome.err);
@@ -164,7 +164,7 @@ TEST_CASE("explain has the decision about culling in object space where it was a
 }
 
 TEST_CASE("step says of a triangle whether it is culled before clipping, and by which number") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string start = "step cube --size 160x90 --cull back --cull-stage object --triangle ";
   int removed = 0, kept = 0;
   for (int i = 0; i < 12; ++i) {

@@ -51,7 +51,7 @@ std::string frames(const std::string& scene, int count, const std::string& optio
          " --path p.json -o f.png " + options;
 }
 
-Json frames_report(const Workplace& here, const std::string& words) {
+Json frames_report(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run(words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -67,7 +67,7 @@ TEST_CASE("measured parallax keeps the budget in every frame, and steps keep the
     for (const std::string options :
          {"--stereo pair", "--stereo anaglyph --parallax-budget 1,2 --max-step 0.003",
           "--stereo interlaced --parallax-budget 0.5 --release-frames 3"}) {
-      const Workplace here;
+      const WorkingDirectory here;
       here.write("p.json", path);
       const Json json = frames_report(here, frames(scene, 24, options));
       const Json& stereo = json["stereo"];
@@ -92,7 +92,7 @@ TEST_CASE("measured parallax keeps the budget in every frame, and steps keep the
 }
 
 TEST_CASE("where the window jumps, the separation falls and rises once, without overshoot (C-79)") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", kJump);
   const Json json = frames_report(here, frames("forest", 40, "--stereo pair --release-frames 3"));
   std::vector<double> separations;
@@ -105,7 +105,7 @@ TEST_CASE("where the window jumps, the separation falls and rises once, without 
 }
 
 TEST_CASE("a budget of nothing gives the mono picture in both eyes; --eye-separation is the most") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", kSmoothWalk);
   const Json flat =
       frames_report(here, frames("forest", 3, "--stereo anaglyph --parallax-budget 0"));
@@ -124,7 +124,7 @@ TEST_CASE("a budget of nothing gives the mono picture in both eyes; --eye-separa
 
 TEST_CASE("a frame's recipe makes the frame as a single picture") {
   for (const std::string options : {"--stereo anaglyph", "--stereo over-under --shade flat", ""}) {
-    const Workplace here;
+    const WorkingDirectory here;
     here.write("p.json", kSmoothWalk);
     REQUIRE(here.run(frames("forest", 5, options)).exit_code == 0);
     const std::string bytes = here.read("f-0004.png");
@@ -142,7 +142,7 @@ TEST_CASE("a frame's recipe makes the frame as a single picture") {
 }
 
 TEST_CASE("frames are numbered after the name, where the pattern says, or in a directory") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", kSmoothWalk);
   std::filesystem::create_directory(here.file("shots"));
   const std::string words = "render cube --size 8x8 --frames 2 --path p.json";
@@ -162,7 +162,7 @@ TEST_CASE("frames are numbered after the name, where the pattern says, or in a d
 }
 
 TEST_CASE("the first and the last frame are the first and the last keyframe; fov and up count") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", path_of(R"({"time": 5, "eye": [4, 3, 8], "look_at": [0, 1, 0], "fov": 30},
                         {"time": 9, "eye": [-4, 5, 8], "look_at": [0, 0, 0], "up": [1, 1, 0],
                          "fov": 70})"));
@@ -180,7 +180,7 @@ TEST_CASE("the first and the last frame are the first and the last keyframe; fov
 }
 
 TEST_CASE("the plot tells its numbers in words and as lines of as many points as frames") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", kSmoothWalk);
   const Outcome outcome = here.run(frames("forest", 7, "--stereo pair --parallax-budget 2,1"));
   REQUIRE(outcome.exit_code == 0);
@@ -206,7 +206,7 @@ TEST_CASE("the plot tells its numbers in words and as lines of as many points as
 // ---- bad input ----
 
 TEST_CASE("a path that is none is refused with the place that is wrong") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string eye = R"("eye": [0, 1, 5], "look_at": [0, 0, 0])";
   const std::string a = "{\"time\": 0, " + eye + "}";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
@@ -260,7 +260,7 @@ TEST_CASE("a path that is none is refused with the place that is wrong") {
 }
 
 TEST_CASE("options of frames that make no sense are refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.json", kSmoothWalk);
   here.write("w.json", kJump);
   here.write("cross.json", path_of(R"({"time": 0, "eye": [0, 0, 5], "look_at": [0, 0, 0]},
@@ -305,7 +305,7 @@ TEST_CASE("options of frames that make no sense are refused") {
 }
 
 TEST_CASE("a camera that sees nothing, stands in a wall or does not move is told") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto said = [&](const std::string& path) {
     here.write("p.json", path);
     const Outcome outcome = here.run(frames("room", 3, "--stereo pair"));

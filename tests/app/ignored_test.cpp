@@ -14,7 +14,7 @@ struct RunWithOptions {
 };
 
 RunWithOptions run_with_options(const std::string& words) {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("render " + words + " --size 48x32 -o p.ppm");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -55,7 +55,7 @@ TEST_CASE("a window without parallax is ignored with a note") {
 }
 
 TEST_CASE("step names what points and what triangles have no use for") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.txt", "1 0 0 0  0 1 0 0  0 0 -1.02 -0.202  0 0 -1 0");
   const std::string point = "step --point 0,0,-5 --proj p.txt --size 64x64";
   const Outcome plain = here.run(point);
@@ -84,7 +84,7 @@ std::string without_time(std::string text) {
 }
 
 TEST_CASE("what pictures around a scene have no use for is named, and changes nothing") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views ring cube -o ring --views 5 --size 32x32").exit_code == 0);
   REQUIRE(here.run("info cube --write cube.glb").exit_code == 0);
   const auto check = [&](const std::string& words, const std::vector<std::string>& options) {

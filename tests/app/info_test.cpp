@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json info(const Workplace& here, const std::string& scene) {
+Json info(const WorkingDirectory& here, const std::string& scene) {
   const Outcome outcome = here.run("info " + scene + " --json -");
   INFO(scene << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -22,7 +22,7 @@ Json info(const Workplace& here, const std::string& scene) {
 }
 
 TEST_CASE("a closed cube is described and nothing is wrong with it") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = info(here, "cube");
   CHECK(json["scene"] == "cube");
   CHECK(json["instances"] == 1);
@@ -75,7 +75,7 @@ TEST_CASE("what is wrong with a mesh is found, counted and said") {
        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 -1 0\nv 0 3 0\nf 1 2 3 4 5\n", "self_intersecting_faces", 1,
        "1 face that crosses itself"}};
   for (const Case& c : cases) {
-    const Workplace here;
+    const WorkingDirectory here;
     here.write("m.obj", c.obj);
     const Json mesh = info(here, "m.obj")["meshes"][0];
     INFO(c.what << "\n" << mesh.dump(1));
@@ -90,7 +90,7 @@ TEST_CASE("what is wrong with a mesh is found, counted and said") {
 }
 
 TEST_CASE("vertices that nothing uses are left out, with a warning") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nf 1 2 3\n");
   const Json json = info(here, "m.obj");
   CHECK(json["bounds"]["high"] == Json({1, 1, 0}));
@@ -100,7 +100,7 @@ TEST_CASE("vertices that nothing uses are left out, with a warning") {
 }
 
 TEST_CASE("vertices of a glTF file that nothing uses are counted or warned of") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("m.bin", float_bytes({0, 0, 0, 1, 0, 0, 0, 1, 0, 7, 7, 7}) +
                           std::string("\x00\x00\x01\x00\x02\x00", 6));
   here.write("m.gltf", R"({
@@ -117,7 +117,7 @@ TEST_CASE("vertices of a glTF file that nothing uses are counted or warned of") 
 }
 
 TEST_CASE("--json FILE writes the same that --json - prints") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome printed = here.run("info room --json -");
   const Outcome written = here.run("info room --json room.json");
   REQUIRE(written.exit_code == 0);
@@ -128,7 +128,7 @@ TEST_CASE("--json FILE writes the same that --json - prints") {
 TEST_CASE("--write gives a GLB of the same scene, for every built-in one") {
   for (const char* name : {"teapot:3", "cube", "sphere:8", "forest", "room", "checker", "thicket",
                            "f-glyph", "depth-ladder"}) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Json before = info(here, std::string(name) + " --write s.glb");
     const Json after = info(here, "s.glb");
     INFO(name);
@@ -143,7 +143,7 @@ TEST_CASE("--write gives a GLB of the same scene, for every built-in one") {
 }
 
 TEST_CASE("lines and points are counted as drawn") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\np 1 2 3\n");
   const Json json = info(here, "m.obj");
   CHECK(json["lines"] == 2);

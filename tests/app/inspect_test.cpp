@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/manifest.h"
 
 namespace glassbox::test {
@@ -23,7 +23,7 @@ std::size_t rows_of(const Json& manifest, const std::string& column) {
 }
 
 TEST_CASE("inspect writes one page that names nothing outside of itself") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("inspect teapot:4 --size 64x48 --pixel 32,24 -o page.html");
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -39,7 +39,7 @@ TEST_CASE("inspect writes one page that names nothing outside of itself") {
 }
 
 TEST_CASE("the counts of the page are those of glassbox render") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome rendered = here.run("render room --size 80x60 -o p.png --engine staged --json -");
   REQUIRE(rendered.exit_code == 0);
   REQUIRE(here.run("inspect room --size 80x60 -o p.html").exit_code == 0);
@@ -55,7 +55,7 @@ TEST_CASE("the counts of the page are those of glassbox render") {
 }
 
 TEST_CASE("the page repeats its own command line") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(
       here.run("inspect cube --size 40x30 --shade flat --rect 10,10,20,20 -o a.html").exit_code ==
       0);
@@ -71,7 +71,7 @@ TEST_CASE("the page repeats its own command line") {
 }
 
 TEST_CASE("names in the scene are text, whatever is in them") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a.obj", "o </script><script>alert(1)\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   REQUIRE(here.run("inspect a.obj --size 32x32 -o p.html").exit_code == 0);
   CHECK(here.read("p.html").find("alert(1)</script>") == std::string::npos);
@@ -79,7 +79,7 @@ TEST_CASE("names in the scene are text, whatever is in them") {
 }
 
 TEST_CASE("inspect refuses what it cannot show, says what to do, and writes nothing") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto refuses = [&](const std::string& words, const std::string& reason) {
     const Outcome outcome = here.run("inspect " + words);
     INFO(words << ": " << outcome.err);
@@ -101,7 +101,7 @@ TEST_CASE("inspect refuses what it cannot show, says what to do, and writes noth
 }
 
 TEST_CASE("a rectangle makes a page of what would be too much") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("inspect teapot --size 64x48 --max-triangles 900 --rect 30,20,34,24 -o p.html")
               .exit_code == 0);
   const Json page = manifest_of(here.read("p.html"));

@@ -17,7 +17,7 @@
 namespace glassbox::test {
 namespace {
 
-Image<Rgba8> read_picture(const Workplace& here, const std::string& name) {
+Image<Rgba8> read_picture(const WorkingDirectory& here, const std::string& name) {
   const auto image = read_image(here.file(name));
   INFO(name);
   REQUIRE(image);
@@ -26,7 +26,7 @@ Image<Rgba8> read_picture(const Workplace& here, const std::string& name) {
 
 // Returns the bytes of the PPM that these options give. A PNG would contain the options.
 std::string picture_bytes(const std::string& options) {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("render " + options + " --size 48x32 -o p.ppm");
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -34,8 +34,8 @@ std::string picture_bytes(const std::string& options) {
 }
 
 TEST_CASE("a picture is named after its scene and written where the user stands") {
-  const Workplace here;
-  const Workplace elsewhere;
+  const WorkingDirectory here;
+  const WorkingDirectory elsewhere;
   elsewhere.write("a.b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::map<std::string, std::string> names{
       {"teapot", "teapot.png"}, {"sphere:4", "sphere.png"}, {elsewhere.file("a.b.obj"), "a.b.png"}};
@@ -48,7 +48,7 @@ TEST_CASE("a picture is named after its scene and written where the user stands"
 }
 
 TEST_CASE("without options a picture has 1280 x 720 pixels") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube").exit_code == 0);
   const Image<Rgba8> image = read_picture(here, "cube.png");
   CHECK(image.width == 1280);
@@ -58,7 +58,7 @@ TEST_CASE("without options a picture has 1280 x 720 pixels") {
 TEST_CASE("pictures have the size asked for, from 1x1 to 16384 wide or high") {
   for (const auto& [width, height] :
        std::vector<std::pair<int, int>>{{1, 1}, {16384, 1}, {1, 16384}, {3, 7}}) {
-    const Workplace here;
+    const WorkingDirectory here;
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     REQUIRE(here.run("render room --size " + size).exit_code == 0);
     const Image<Rgba8> image = read_picture(here, "room.png");
@@ -71,7 +71,7 @@ TEST_CASE("pictures have the size asked for, from 1x1 to 16384 wide or high") {
 }
 
 TEST_CASE("whole numbers are decimal, with leading zeros too, and in no other base") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string ring = "views ring cube -o ring --size 8x8 --json - --views ";
   const auto pictures = [&](const std::string& number) {
     return nlohmann::json::parse(here.run(ring + number).out)["pictures"].get<int>();
@@ -93,7 +93,7 @@ TEST_CASE("whole numbers are decimal, with leading zeros too, and in no other ba
 }
 
 TEST_CASE("PNG and PPM hold the same pixels, in either case of the extension") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* name : {"a.png", "b.ppm", "c.PNG", "d.PPM"}) {
     REQUIRE(here.run(std::string("render f-glyph --size 31x17 -o ") + name).exit_code == 0);
     CHECK(read_picture(here, name) == read_picture(here, "a.png"));
@@ -140,13 +140,13 @@ TEST_CASE("every other option of render changes the picture as it says") {
 }
 
 TEST_CASE("the background is the colour as displayed") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube --size 8x8 --background 0,0.5,1 --fov 170").exit_code == 0);
   CHECK(read_picture(here, "cube.png").at(0, 0) == Rgba8{0, 128, 255, 255});
 }
 
 TEST_CASE("--json - prints JSON and nothing else; --json FILE leaves the summary where it was") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome alone = here.run("render cube --size 16x8 --stats --json -");
   REQUIRE(alone.exit_code == 0);
   CHECK(alone.err.empty());
@@ -167,7 +167,7 @@ TEST_CASE("--json - prints JSON and nothing else; --json FILE leaves the summary
 
 TEST_CASE("the counts of the stages add up") {
   for (const char* scene : {"room", "forest", "teapot:4 --eye 0.2,0.6,0.1 --look-at -1,0.7,-0.4"}) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Outcome outcome = here.run(std::string("render ") + scene + " --size 64x36 --json -");
     REQUIRE(outcome.exit_code == 0);
     const nlohmann::json s = nlohmann::json::parse(outcome.out)["stages"];
@@ -181,7 +181,7 @@ TEST_CASE("the counts of the stages add up") {
 }
 
 TEST_CASE("--stats prints one line for every stage") {
-  const Outcome outcome = Workplace().run("render cube --size 16x16 --stats");
+  const Outcome outcome = WorkingDirectory().run("render cube --size 16x16 --stats");
   for (const char* stage : {"clip", "viewport", "cull", "coverage", "depth test", "write", " ms"}) {
     INFO(stage);
     CHECK(contains(outcome.out, stage));
@@ -189,7 +189,7 @@ TEST_CASE("--stats prints one line for every stage") {
 }
 
 TEST_CASE("without arguments the teapot is rendered and the next steps are named") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("");
   CHECK(outcome.exit_code == 0);
   CHECK(here.names() == std::vector<std::string>{"teapot.png"});
@@ -201,7 +201,7 @@ TEST_CASE("without arguments the teapot is rendered and the next steps are named
 }
 
 TEST_CASE("help and version are printed on standard output, with examples for each subcommand") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words : {"render --help", "info --help", "render -h"}) {
     const Outcome outcome = here.run(words);
     INFO(words);
@@ -220,7 +220,7 @@ TEST_CASE("help and version are printed on standard output, with examples for ea
 }
 
 TEST_CASE("a picture in which nothing is seen is written, with a note") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("render cube --size 8x8 --eye 0,0,9 --look-at 0,0,20");
   CHECK(outcome.exit_code == 0);
   CHECK(contains(outcome.err, "no part of the scene"));
@@ -228,7 +228,7 @@ TEST_CASE("a picture in which nothing is seen is written, with a note") {
 }
 
 TEST_CASE("a picture of backs only says how to see them") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string from_behind = "render a.obj --size 8x8 --eye 0.3,0.3,-2 --look-at 0.3,0.3,0";
   CHECK(contains(here.run(from_behind + " --cull back").err, "--cull none"));
@@ -237,7 +237,7 @@ TEST_CASE("a picture of backs only says how to see them") {
 }
 
 TEST_CASE("no number between two limits is nan") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words :
        {"lab check 1 --time-limit nan", "views layers build room --epsilon nan -o a.ldi"}) {
     const Outcome outcome = here.run(words);
@@ -281,7 +281,7 @@ TEST_CASE("bad usage exits with 2, says on one line what is wrong, and writes no
       {"info", "SCENE"},
       {"info cube --bogus", "--bogus"}};
   for (const auto& [words, message] : cases) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Outcome outcome = here.run(words);
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST_CASE("-o - writes to standard output what a file would hold, and nothing else") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render room --size 40x30 -o a.png").exit_code == 0);
   REQUIRE(here.run("render room --size 40x30 -o a.ppm").exit_code == 0);
   const Outcome png = here.run("render room --size 40x30 -o -");
@@ -33,7 +33,7 @@ TEST_CASE("-o - writes to standard output what a file would hold, and nothing el
 }
 
 TEST_CASE("with -o - what is asked for in words goes to standard error or to files") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string plain = here.run("render cube --size 16x16 -o -").out;
   const Outcome stats = here.run("render cube --size 16x16 -o - --stats");
   CHECK(stats.out == plain);
@@ -48,7 +48,7 @@ TEST_CASE("with -o - what is asked for in words goes to standard error or to fil
 }
 
 TEST_CASE("standard output takes one thing") {
-  const Workplace here;
+  const WorkingDirectory here;
   check_refused(here.run("render cube -o - --json -"), {"--json -", "standard output"});
   check_refused(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "several frames"});
   check_refused(here.run("render cube --format ppm"), {"--format", "-o -"});
@@ -60,7 +60,7 @@ TEST_CASE("standard output takes one thing") {
 
 TEST_CASE("no picture goes to a terminal") {
   NEED_PSEUDO_TERMINAL();
-  const Workplace here;
+  const WorkingDirectory here;
   // script(1) of the package bsdutils gives the program a terminal.
   const Outcome terminal =
       in_shell(here, "script -qec \"$0 render cube --size 8x8 -o -\" /dev/null </dev/null");
@@ -70,14 +70,14 @@ TEST_CASE("no picture goes to a terminal") {
 }
 
 TEST_CASE("a picture that cannot be written to the end is an error") {
-  const Workplace here;
+  const WorkingDirectory here;
   if (!fs::exists("/dev/full")) SKIP_TEST("there is no /dev/full");
   const Outcome full = in_shell(here, "\"$0\" render cube --size 64x64 -o - > /dev/full");
   check_refused(full, {"standard output", "No space left"});
 }
 
 TEST_CASE("a scene is read from standard input, whatever its format") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
   here.write("t.obj", kTriangle);
   here.write("mark.obj", "\xef\xbb\xbf" + kTriangle);
@@ -99,7 +99,7 @@ TEST_CASE("a scene is read from standard input, whatever its format") {
 }
 
 TEST_CASE("info lists what is in glTF from a pipe as from a file") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
   const auto after_title = [](const std::string& out) { return out.substr(out.find('\n')); };
   const std::string listed = after_title(here.run("info f.glb").out);
@@ -110,7 +110,7 @@ TEST_CASE("info lists what is in glTF from a pipe as from a file") {
 }
 
 TEST_CASE("every command that takes a scene takes it from standard input") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("info cube --write c.glb").exit_code == 0);
   for (const char* words :
        {"info -", "info - --json -", "explain - --size 16x16", "stereo - --size 32x32",
@@ -126,7 +126,7 @@ TEST_CASE("every command that takes a scene takes it from standard input") {
 }
 
 TEST_CASE("what comes through a pipe names no other files") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("e.gltf",
              R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "e.bin"}]})");
   here.write("e.bin", std::string(36, '\0'));
@@ -140,7 +140,7 @@ TEST_CASE("what comes through a pipe names no other files") {
 }
 
 TEST_CASE("standard input that is no scene is refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"\"$0\" render - < /dev/null", "the input is empty"},
       {"printf '\\001\\000\\002' | \"$0\" info -", "neither GLB nor glTF nor OBJ nor PLY"},
@@ -159,7 +159,7 @@ TEST_CASE("standard input that is no scene is refused") {
 
 TEST_CASE("no scene is read from a terminal") {
   NEED_PSEUDO_TERMINAL();
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome terminal = in_shell(here, "script -qec \"$0 info -\" /dev/null < /dev/null");
   CHECK(terminal.exit_code == 2);
   CHECK(contains(terminal.out, "standard input: is a terminal"));

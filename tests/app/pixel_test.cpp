@@ -30,7 +30,7 @@ struct Rendered {
   Json camera;
 };
 
-Rendered rendered(const Workplace& here, const std::string& words) {
+Rendered rendered(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run(
       "render " + words + " --size 40x30 -o p.png --depth-out d.pfm --id-out i.pfm --json -");
   INFO(outcome.err);
@@ -41,7 +41,7 @@ Rendered rendered(const Workplace& here, const std::string& words) {
           Json::parse(outcome.out)["camera"]};
 }
 
-Json pixel(const Workplace& here, const std::string& words, int x, int y) {
+Json pixel(const WorkingDirectory& here, const std::string& words, int x, int y) {
   const Outcome outcome = here.run("pixel " + words + " --size 40x30 --at " + std::to_string(x) +
                                    "," + std::to_string(y) + " --json -");
   INFO(outcome.err);
@@ -87,7 +87,7 @@ TEST_CASE("triangle, distance, colour and place in the world are those of the pi
       {"f-glyph --ortho 8 --background 1,1,1", {false, 4}},
       {"cube --ortho 4 --depth d32r --cull front", {false, 2}}};
   for (const auto& [words, lens] : cases) {
-    const Workplace here;
+    const WorkingDirectory here;
     const Rendered whole = rendered(here, words);
     int seen = 0;
     // This grid of pixels meets every row and column of the picture modulo 4 and 3.
@@ -125,7 +125,7 @@ TEST_CASE("triangle, distance, colour and place in the world are those of the pi
 }
 
 TEST_CASE("a triangle's number leads to its instance and its face") {
-  const Workplace here;
+  const WorkingDirectory here;
   // From left to right: a square, a triangle, and a pentagon that gives three triangles.
   here.write("faces.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -159,7 +159,7 @@ TEST_CASE("a triangle's number leads to its instance and its face") {
 }
 
 TEST_CASE("people read the same") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("pixel cube --size 40x30 --at 20,15");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("pixel (20, 15) of cube, 40 x 30\n  colour    (") == 0);
@@ -180,7 +180,7 @@ TEST_CASE("people read the same") {
 }
 
 TEST_CASE("the last line has the picture's bytes, whatever the picture shows") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words :
        {"room", "room --cull none --near 2", "forest --depth d16", "cube --wireframe",
         "teapot:2 --show normal", "room --show depth", "cube --background 1,1,1"}) {
@@ -206,7 +206,7 @@ TEST_CASE("the last line has the picture's bytes, whatever the picture shows") {
 }
 
 TEST_CASE("the history in JSON ends in the picture's colour, and --all lists every miss") {
-  const Workplace here;
+  const WorkingDirectory here;
   int fragments = 0, misses = 0;
   for (int y = 2; y < kHeight; y += 8) {
     for (int x = 3; x < kWidth; x += 8) {
@@ -238,7 +238,7 @@ TEST_CASE("the history in JSON ends in the picture's colour, and --all lists eve
 }
 
 TEST_CASE("JSON goes to a file beside what people read, or alone to standard output") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome both = here.run("pixel cube --size 40x30 --at 20,15 --json p.json");
   CHECK(both.exit_code == 0);
   CHECK(both.out.find("pixel (20, 15)") == 0);
@@ -254,7 +254,7 @@ TEST_CASE("JSON goes to a file beside what people read, or alone to standard out
 }
 
 TEST_CASE("a line is seen at a distance, and has no triangle's number") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
   // 30 rows show 2 units: the line, at y = 0, is drawn in row 15, from column 20 to 35.
   const std::string words = "line.obj --eye 0,0,4 --look-at 0,0,0 --ortho 2";
@@ -272,7 +272,7 @@ TEST_CASE("a line is seen at a distance, and has no triangle's number") {
 }
 
 TEST_CASE("every command that takes a pixel refuses the same ones in the same words") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const std::string option : {"pixel cube --at", "step cube --pick", "inspect cube --pixel"}) {
     const auto refusal = [&](const std::string& place) {
       const Outcome outcome = here.run(option + " " + place + " --size 40x30");
@@ -298,7 +298,7 @@ TEST_CASE("every command that takes a pixel refuses the same ones in the same wo
 }
 
 TEST_CASE("no pixel, no scene and options of other commands are refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto check = [&](const std::string& words, const std::string& part) {
     INFO(words);
     check_refused(here.run("pixel " + words), {part});

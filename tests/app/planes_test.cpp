@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "tests/app/run.h"
 #include "tests/app/scenes.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr double kRoundoff = 0x1p-24;
 
-Plane rendered_plane(const Workplace& here, const std::string& options) {
+Plane rendered_plane(const WorkingDirectory& here, const std::string& options) {
   const Outcome outcome = here.run("render " + options);
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -24,7 +24,7 @@ Plane rendered_plane(const Workplace& here, const std::string& options) {
 
 TEST_CASE(
     "a wall seen in parallel projection is exactly as far as it stands, and nothing else is") {
-  const Workplace here;
+  const WorkingDirectory here;
   // A wall in the lower left quarter of a picture 4 units high.
   here.write("wall.obj", "v -2 -2 0\nv 0 -2 0\nv 0 0 0\nv -2 0 0\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r", "d24", "d16"}) {
@@ -42,7 +42,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the rows of a PFM run bottom-up") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("wall.obj", "v -2 -2 0\nv 2 -2 0\nv 2 -1 0\nv -2 -1 0\nf 1 2 3 4\n");
   rendered_plane(here,
                  "wall.obj --size 4x4 --ortho 4 --eye 0,0,5 --look-at 0,0,0 --id-out plane.pfm");
@@ -56,7 +56,7 @@ TEST_CASE("the rows of a PFM run bottom-up") {
 
 TEST_CASE(
     "a slanted plane in parallel projection is as far as it stands, within the depth's bound") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The plane z = x/2 over the whole picture.
   here.write("slope.obj", "v -2 -2 -1\nv 2 -2 1\nv 2 2 1\nv -2 2 -1\nf 1 2 3 4\n");
   const Plane plane = rendered_plane(here,
@@ -76,7 +76,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a wall facing a perspective camera is exactly as far as it stands") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("wall.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
   for (const int distance : {1, 2, 4, 8}) {
     const Plane plane =
@@ -87,7 +87,7 @@ TEST_CASE("a wall facing a perspective camera is exactly as far as it stands") {
 }
 
 TEST_CASE("pixel and distance give back the point of a floor, with near and far 1e5 apart (C-20)") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The corners are chosen so that they fall on corners of pixels: x = 16 + 16 x/w, y = 16 + 16/w.
   here.write("floor.obj", "v -2 -1 -2\nv 2 -1 -2\nv 8 -1 -8\nv -8 -1 -8\nf 1 2 3 4\n");
   for (const char* depth : {"d32", "d32r"}) {
@@ -115,7 +115,7 @@ TEST_CASE("pixel and distance give back the point of a floor, with near and far 
 }
 
 TEST_CASE("triangles are numbered from 1 in the order of the file, polygons taking n - 2 numbers") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The four columns of the picture: a quad, a triangle without area (not visible), a pentagon, a
   // triangle.
   here.write("row.obj",
@@ -147,7 +147,7 @@ TEST_CASE("triangles are numbered from 1 in the order of the file, polygons taki
 }
 
 TEST_CASE("instances of one mesh have numbers of their own") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_scene(here, "row.glb",
               triangles({{-1, -1, 0},
                          {1, -1, 0},

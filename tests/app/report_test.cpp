@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json report_of(const Workplace& here, const std::string& words) {
+Json report_of(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("render " + words + " -o with.png --report r.json");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -33,7 +33,7 @@ const Json& number(const Json& report, const std::string& name) {
 }  // namespace
 
 TEST_CASE("a report changes no byte of the picture, and knows all stages with their times") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* engine : {"tile", "staged"}) {
     const std::string words = std::string("room --size 160x90 --engine ") + engine;
     REQUIRE(here.run("render " + words + " -o without.png").exit_code == 0);
@@ -55,7 +55,7 @@ TEST_CASE("a report changes no byte of the picture, and knows all stages with th
 }
 
 TEST_CASE("the places of a report are commands that show them") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json report = report_of(here, "room --size 160x90");
   int places = 0;
   for (const Json& part : report["parts"]) {
@@ -72,7 +72,7 @@ TEST_CASE("the places of a report are commands that show them") {
 }
 
 TEST_CASE("a depth format with fewer bits has a larger bound, by half of its step") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto depth = [&](const std::string& format) {
     return number(report_of(here, "teapot --size 96x54 --depth " + format),
                   "stored depth")["at_most"]
@@ -85,7 +85,7 @@ TEST_CASE("a depth format with fewer bits has a larger bound, by half of its ste
 }
 
 TEST_CASE("a report is a table, and says what it leaves out") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome table = here.run("render forest --size 96x54 --samples 4 --report - -o x.png");
   REQUIRE(table.exit_code == 0);
   CHECK(contains(table.out, "fragments, "));
@@ -106,7 +106,7 @@ TEST_CASE("a report is a table, and says what it leaves out") {
 }
 
 TEST_CASE("a report of lines without normals has no normals, and no command for a line") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("line.obj", "v -1 0.1 0.9\nv 1 0.2 -0.9\nl 1 2\n");
   for (const char* near : {"", " --near 3"}) {  // the line whole, and clipped
     const Json report = report_of(here, std::string("line.obj --size 80x60") + near);
@@ -126,7 +126,7 @@ TEST_CASE("a report of lines without normals has no normals, and no command for 
 }
 
 TEST_CASE("what a report cannot be asked for is refused in one line") {
-  const Workplace here;
+  const WorkingDirectory here;
   check_refused(here.run("render room --stereo anaglyph --report r.json"),
                 {"--report: it would be different for each eye", "--seen-by left"});
   check_refused(here.run("render room --frames 3 --turntable --report r.json"),

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 #include <glassbox/mesh/gltf/write.h>
 #include <glassbox/mesh/scene.h>
@@ -40,7 +40,7 @@ struct Placement {
 };
 
 // Writes the GLB file `name` with an instance of the mesh for each placement.
-inline void write_scene(const Workplace& here, const std::string& name, const Mesh& mesh,
+inline void write_scene(const WorkingDirectory& here, const std::string& name, const Mesh& mesh,
                         const std::vector<Placement>& places) {
   Scene scene;
   scene.materials.emplace_back();

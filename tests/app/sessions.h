@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
@@ -36,7 +36,7 @@ inline std::vector<Session> sessions_of(std::istream& page) {
 }
 
 // Whether the printed text is the page's, in which a line "..." may replace any text.
-inline bool is_told(std::string printed, const std::string& page) {
+inline bool matches_session(std::string printed, const std::string& page) {
   const std::string left_out = "...\n";
   std::istringstream lines(page);
   bool anywhere = false;
@@ -57,7 +57,7 @@ inline bool is_told(std::string printed, const std::string& page) {
 
 // Runs the sessions of a page: `$ cat FILE` writes the file, and every other command runs glassbox.
 // Returns the number of the latter.
-inline int replay(const Workplace& here, const std::string& page) {
+inline int replay(const WorkingDirectory& here, const std::string& page) {
   const auto without_last_blanks = [](std::string text) {
     while (text.ends_with('\n')) text.pop_back();
     return text + "\n";
@@ -77,7 +77,7 @@ inline int replay(const Workplace& here, const std::string& page) {
     const Outcome outcome = here.run(session.command.substr(program.size()));
     CAPTURE(outcome.out, output);
     CHECK(outcome.exit_code == 0);
-    CHECK(is_told(without_last_blanks(outcome.out), output));
+    CHECK(matches_session(without_last_blanks(outcome.out), output));
     ++count;
   }
   return count;

@@ -8,7 +8,7 @@ namespace glassbox::test {
 namespace {
 
 TEST_CASE("correct chains raise no alarm and no hint") {
-  const Workplace here;
+  const WorkingDirectory here;
   const double fovy = book::radians(60);
   const Rows left = book::look_at_left({3, 2, 5}, {0, 0, 0}, {0, 1, 0});
   const struct {
@@ -41,7 +41,7 @@ TEST_CASE("correct chains raise no alarm and no hint") {
 }
 
 TEST_CASE("each planted slip is named: by a finding, or by the first change that would mend it") {
-  const Workplace here;
+  const WorkingDirectory here;
   const double fovy = book::radians(60);
   Rows turned = kView;
   turned[0][3] = turned[1][3] = turned[2][3] = 0;
@@ -154,7 +154,7 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
   };
   for (const Slip& slip : slips) {
     CAPTURE(slip.name);
-    const Answer answer = ask(here, slip.call);
+    const Answer answer = run_step(here, slip.call);
     const Json& json = answer.json;
     CAPTURE(json["findings"].dump(), json["alternatives"].dump(), json["visible"], answer.text);
     if (slip.finding != nullptr) {
@@ -173,7 +173,7 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
 }
 
 TEST_CASE("a projection times a view one step back is no leftover of the identity") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows both = book::product(kProjection, book::translation(0, 0, -1));
   const Json json = step_json(here, {kModel, book::identity(), both, "--point 0,0,-5"});
   CHECK(double(json["matrices"]["projection"]["rows"][3][3]) == 1);
@@ -181,9 +181,10 @@ TEST_CASE("a projection times a view one step back is no leftover of the identit
 }
 
 TEST_CASE("a turned aspect ratio, and one of integers, are explained where the size is known") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto hint = [&](double aspect, const std::string& size) {
-    return ask(here, {kModel, kView, book::perspective_gl(1, aspect, 0.1, 100), kPoints + size});
+    return run_step(here,
+                    {kModel, kView, book::perspective_gl(1, aspect, 0.1, 100), kPoints + size});
   };
   const Answer turned = hint(9.0 / 16, "--size 1280x720");
   CHECK(findings(turned.json, "hint") == Ids{"aspect"});
@@ -194,7 +195,7 @@ TEST_CASE("a turned aspect ratio, and one of integers, are explained where the s
 
 TEST_CASE(
     "a left-handed world before a right-handed eye, as Unity has it, is right where it is meant") {
-  const Workplace here;
+  const WorkingDirectory here;
   Rows view = book::look_at_left({3, 2, -5}, {0, 0, 0}, {0, 1, 0});
   for (double& entry : view[2]) entry = -entry;
   const Call call{kModel, view, kProjection, kPoints};
@@ -207,8 +208,8 @@ TEST_CASE(
 }
 
 TEST_CASE("without a projection the way ends in the eye's space, and nothing vanishes") {
-  const Workplace here;
-  here.write("view.txt", paper(kView));
+  const WorkingDirectory here;
+  here.write("view.txt", plain_rows(kView));
   const Outcome text = here.run("step --view view.txt --point 0,0,0");
   CHECK(contains(text.out, "(0, 0, 0) is at (0, 0, -6.16441) in eye space"));
   CHECK_FALSE(contains(text.out, "decided"));
@@ -219,7 +220,7 @@ TEST_CASE("without a projection the way ends in the eye's space, and nothing van
 }
 
 TEST_CASE("where no convention helps, it says what the camera sees instead") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = step(here, {book::identity(), kView, kProjection, "--point 0,9,0"});
   CHECK(contains(outcome.out, "No change of convention"));
   CHECK(contains(outcome.out, "the picture spans y from"));
@@ -227,7 +228,7 @@ TEST_CASE("where no convention helps, it says what the camera sees instead") {
 }
 
 TEST_CASE("NaN, infinity, w = 0 and directions are told, and nothing is computed from them") {
-  const Workplace here;
+  const WorkingDirectory here;
   Rows broken = kView;
   broken[0][1] = std::nan("");
   Json json = step_json(here, {kModel, broken, kProjection, "--point 0,0,0"});

@@ -62,10 +62,10 @@ Rows skew(double s, double f) {
 }
 
 TEST_CASE("E2: one eye of a stereo pair is known by its distance without parallax") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows left = book::look_at_left(kEye, kTarget, kUp);
   const Rows eye = book::product(book::perspective_d3d_left(kFovy, 1.5, 0.1, 100), skew(0.03, 4));
-  const Answer answer = ask(here, {kModel, left, eye, kPoints});
+  const Answer answer = run_step(here, {kModel, left, eye, kPoints});
   CAPTURE(answer.text);
   CHECK(findings(answer.json, "alarm") == Ids());
   CHECK(findings(answer.json, "hint") == Ids());
@@ -73,47 +73,47 @@ TEST_CASE("E2: one eye of a stereo pair is known by its distance without paralla
 }
 
 TEST_CASE("E2: the skew's sign goes with the way the eye looks") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows wrong = book::product(kProjection, skew(0.03, 4)),
              right = book::product(kProjection, skew(0.03, -4));
-  const Answer answer = ask(here, {kModel, kView, wrong, kPoints});
+  const Answer answer = run_step(here, {kModel, kView, wrong, kPoints});
   CHECK(findings(answer.json, "hint") == Ids{"skew-sign"});
   CHECK(contains(answer.text, "no point in front of it has zero parallax (E2)"));
-  CHECK(contains(ask(here, {kModel, kView, right, kPoints}).text,
+  CHECK(contains(run_step(here, {kModel, kView, right, kPoints}).text,
                  "points at the distance 4 have no parallax"));
 }
 
 TEST_CASE("E2: a skew read by rows instead of columns is named, before or after the projection") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows left = book::look_at_left(kEye, kTarget, kUp);
   const Rows projection = book::perspective_d3d_left(kFovy, 1.5, 0.1, 100);
   const Rows turned = book::transposed(skew(0.03, 4));
   for (const Rows& m : {book::product(projection, turned), book::product(turned, projection)}) {
-    const Answer answer = ask(here, {kModel, left, m, kPoints});
+    const Answer answer = run_step(here, {kModel, left, m, kPoints});
     CHECK(alarms_at(answer.json, "skew-transposed"));
     CHECK(contains(answer.text, "(E2)"));
     CHECK(contains(answer.text, "m[3][0] and m[2][0]"));
   }
   // If the whole matrix is for row vectors, that is a matter of the order of its numbers.
-  const Answer rows = ask(
+  const Answer rows = run_step(
       here, {kModel, left, book::transposed(book::product(projection, skew(0.03, 4))), kPoints});
   CHECK(findings(rows.json, "alarm") == Ids{"transposed"});
   CHECK(rows.json["alternatives"][0]["ids"] == Json{"transpose-projection"});
 }
 
 TEST_CASE("E7: a gaze turned to +z by a proper rotation mirrors a right-handed world") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Call call{kModel, s3_37(kEye, kTarget, kUp),
                   book::perspective_d3d_left(kFovy, 1.5, 0.1, 100),
                   "--size 600x400 --point 0.5,0.25,-0.5"};
-  const Answer unknown = ask(here, call);
+  const Answer unknown = run_step(here, call);
   CHECK(unknown.json["points"][0]["fate"] == "visible");
   CHECK(findings(unknown.json, "note") == Ids{"world-hand"});
   CHECK(contains(unknown.text, "a right-handed one is mirrored left to right (E7)"));
 
   Call known = call;
   known.options += " --world right";
-  const Answer answer = ask(here, known);
+  const Answer answer = run_step(here, known);
   CHECK(findings(answer.json, "alarm") == Ids{"world-mirrored"});
   CHECK(contains(answer.text, "a gaze that was turned to +z (E7)"));
 
@@ -125,18 +125,18 @@ TEST_CASE("E7: a gaze turned to +z by a proper rotation mirrors a right-handed w
                y = correct["points"][0]["window"]["position"][1];
   Call expecting = call;
   expecting.options += " --expect " + std::to_string(x) + "," + std::to_string(y);
-  const Answer expected = ask(here, expecting);
+  const Answer expected = run_step(here, expecting);
   REQUIRE(expected.json["alternatives"].size() == 1);
   CHECK(expected.json["alternatives"][0]["ids"] == Json{"flip-x"});
   CHECK(contains(expected.text, "world and eye of opposite handedness (E7)"));
 }
 
 TEST_CASE("E8: the axis of no turn is 0/0, and NaN is named where it stands") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows view = s3_37({0, 0, -5}, {0, 0, 0}, kUp);
   REQUIRE(std::isnan(view[0][0]));
-  const Answer answer =
-      ask(here, {kModel, view, book::perspective_d3d_left(kFovy, 1.5, 0.1, 100), "--point 0,0,0"});
+  const Answer answer = run_step(
+      here, {kModel, view, book::perspective_d3d_left(kFovy, 1.5, 0.1, 100), "--point 0,0,0"});
   CHECK(findings(answer.json, "alarm") == Ids{"not-finite"});
   CHECK(answer.json["points"][0]["fate"] == "not-finite");
   CHECK(contains(answer.text, "view: entry [0][0] is nan"));
@@ -145,12 +145,12 @@ TEST_CASE("E8: the axis of no turn is 0/0, and NaN is named where it stands") {
 }
 
 TEST_CASE("E10: the last row of an affine map is 0 0 0 1 for column vectors only") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Call transposed{book::transposed(kModel), book::transposed(kView),
                         book::transposed(kProjection), kPoints};
   const Call by_columns{kModel, kView, kProjection, std::string(kPoints) + "--order columns"};
   for (const Call& call : {transposed, by_columns}) {
-    const Answer answer = ask(here, call);
+    const Answer answer = run_step(here, call);
     CAPTURE(answer.text);
     CHECK(alarms_at(answer.json, "transposed"));
     CHECK(contains(answer.text, "its last column is 0 0 0 1"));
@@ -162,9 +162,9 @@ TEST_CASE("E10: the last row of an affine map is 0 0 0 1 for column vectors only
 
 TEST_CASE(
     "E12: S4.5 times S4.18 gives every point in front a negative w, because handedness is mixed") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows projection = s4_18(0.1, 100, 0.1 * std::tan(kFovy / 2));
-  const Answer answer = ask(here, {kModel, s4_5(), projection, kPoints});
+  const Answer answer = run_step(here, {kModel, s4_5(), projection, kPoints});
   CAPTURE(answer.text);
   CHECK(answer.json["visible"] == 0);
   CHECK(answer.json["behind_eye"] == 3);
@@ -188,19 +188,19 @@ TEST_CASE(
   const Json behind = step_json(here, {book::identity(), s4_5(), projection, "--point 6,4,10"});
   CHECK(behind["points"][0]["fate"] == "visible");
   // One point is enough for this finding.
-  const Answer one = ask(here, {book::identity(), s4_5(), projection, "--point 0,0,0"});
+  const Answer one = run_step(here, {book::identity(), s4_5(), projection, "--point 0,0,0"});
   CHECK(contains(one.text, "behind the eye (w = -6.16441)"));
   CHECK(one.json["alternatives"][0]["ids"] == Json{"eye-hand"});
 }
 
 TEST_CASE(
     "E12, the other way round: which of the two has to change follows from the world's hand") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Call call{kModel, book::look_at_left(kEye, kTarget, kUp), kProjection, kPoints};
   Call left = call;
   left.options += "--world left";
   for (const auto& [asked, change] : {std::pair{call, "turn-round"}, std::pair{left, "eye-hand"}}) {
-    const Answer answer = ask(here, asked);
+    const Answer answer = run_step(here, asked);
     CAPTURE(answer.text);
     CHECK(contains(answer.text, "every w is negative (3 of 3 points)"));
     CHECK(contains(answer.text, "handedness is mixed (E12)"));
@@ -209,13 +209,13 @@ TEST_CASE(
 }
 
 TEST_CASE("E13: a window's whole size taken for half of it draws everything half as large") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The matrix of S3.33 with s = ResX instead of half of it.
   Rows projection = book::perspective_d3d_left(kFovy, 16.0 / 9, 0.1, 100);
   projection[0][0] /= 2;
   projection[1][1] /= 2;
   const Answer answer =
-      ask(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection, kPoints});
+      run_step(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection, kPoints});
   CHECK(findings(answer.json, "hint") == Ids{"half-window"});
   CHECK(contains(answer.text, "it would be 60 degrees"));
   CHECK(contains(answer.text, "(E13)"));
@@ -232,23 +232,23 @@ TEST_CASE("E13: a window's whole size taken for half of it draws everything half
 }
 
 TEST_CASE("E13: AR is ResX/ResY, not the other way round") {
-  const Workplace here;
+  const WorkingDirectory here;
   const double cot = 1 / std::tan(kFovy / 2), ar = 3.0 / 2;
   Rows projection = book::perspective_d3d_left(kFovy, 1.5, 0.1, 100);
   projection[0][0] = cot;
   projection[1][1] = cot / ar;  // S3.33 has AR * cot
-  const Answer answer = ask(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection,
-                                   std::string(kPoints) + "--size 600x400"});
+  const Answer answer = run_step(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection,
+                                        std::string(kPoints) + "--size 600x400"});
   CHECK(findings(answer.json, "hint") == Ids{"aspect"});
   CHECK(contains(answer.text, "it is height/width"));
 }
 
 TEST_CASE("E15: the matrix of rank 3 draws, and destroys depth") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const double d : {1.0, 2.0}) {
     const Rows projection{{{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, d, 0}, {0, 0, 1, 0}}};
     const Answer answer =
-        ask(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection, kPoints});
+        run_step(here, {kModel, book::look_at_left(kEye, kTarget, kUp), projection, kPoints});
     CAPTURE(answer.text);
     CHECK(findings(answer.json, "alarm") == Ids{"depth-lost"});
     CHECK(answer.json["matrices"]["projection"]["rank"] == 3);
@@ -260,9 +260,9 @@ TEST_CASE("E15: the matrix of rank 3 draws, and destroys depth") {
 
 TEST_CASE(
     "E16: near planes of the other range of depth clip too much, or waste half of the depths") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The point is 0.15 in front of the eye: farther than near = 0.1, but nearer than 0.1998.
-  const Answer clipped = ask(
+  const Answer clipped = run_step(
       here, {book::identity(), book::identity(), kProjection, "--point 0,0,-0.15 --dialect d3d"});
   CHECK(clipped.json["points"][0]["fate"] == "outside");
   CHECK(clipped.json["points"][0]["deciding_plane"] == "near");
@@ -271,23 +271,23 @@ TEST_CASE(
   CHECK(clipped.json["alternatives"][0]["ids"] == Json{"depth-range"});
   // At 0.07 the point is nearer than near = 0.1, but is shown all the same.
   const Rows d3d = book::perspective_d3d_right(kFovy, 1.5, 0.1, 100);
-  const Answer wasted =
-      ask(here, {book::identity(), book::identity(), d3d, "--point 0,0,-0.07 --dialect opengl"});
+  const Answer wasted = run_step(
+      here, {book::identity(), book::identity(), d3d, "--point 0,0,-0.07 --dialect opengl"});
   CHECK(wasted.json["visible"] == 1);
   CHECK(findings(wasted.json, "alarm") == Ids{"z-range"});
   CHECK(contains(wasted.text, "half of the depth buffer is wasted"));
 }
 
 TEST_CASE("E18: a model matrix that mirrors turns front faces into back faces") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Answer answer =
-      ask(here, {book::product(kModel, book::scaling(-1, 1, 1)), kView, kProjection, kPoints});
+      run_step(here, {book::product(kModel, book::scaling(-1, 1, 1)), kView, kProjection, kPoints});
   CHECK(findings(answer.json, "hint") == Ids{"mirror"});
   CHECK(contains(answer.text, "front faces become back faces (C-17, E18)"));
 }
 
 TEST_CASE("E20: what the standard camera culls, the camera of one eye shows") {
-  const Workplace here;
+  const WorkingDirectory here;
   const double s = 0.05, f = 1, distance = 50;
   const Rows left_eye = book::product(kProjection, skew(s, -f));
   // The x coordinate halfway between the right edges of the two windows.

@@ -10,7 +10,7 @@ namespace glassbox::test {
 namespace {
 
 TEST_CASE("a matrix is read from whatever layout a program prints it in") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows& m = kView;
   const std::string commas = numbers(m, false, "%.6f", ", ");
   std::string eigen = numbers(m, false, "%12.6g"), nested, glm = "mat4x4(", c_assignments,
@@ -51,7 +51,7 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
     std::string text, options;
   };
   const Layout layouts[] = {
-      {"paper", paper(m), ""},
+      {"paper", plain_rows(m), ""},
       {"Eigen", eigen, ""},
       {"numpy", nested, ""},
       {"commas and semicolons", "M = [" + numbers(m, false, "%.6f", "; ") + "]", ""},
@@ -79,7 +79,7 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
       {"CSS", "matrix3d(" + numbers(m, true, "%.6f", ", ") + ")", ""},
       {"a title in quotes",
        "{\"name\": \"view matrix 3\", \"rows\": [" + numbers(m, false, "%.9g", ", ") + "]}", ""},
-      {"a comment above", "# view matrix of camera 3\n" + paper(m), ""},
+      {"a comment above", "# view matrix of camera 3\n" + plain_rows(m), ""},
       {"labelled rows", "row 0: 1 0 0 0\nrow 1: 0 1 0 0\nrow 2: 0 0 1 −5\nrow 3: 0 0 0 1\n", ""},
   };
   for (const Layout& layout : layouts) {
@@ -104,7 +104,7 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
 }
 
 TEST_CASE("an order that the layout knows is taken from it, and the user's word is above it") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("view.txt", "mat4x4((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (7, 8, 9, 1))");
   const auto translation = [&](const std::string& options) {
     const Json json =
@@ -117,7 +117,7 @@ TEST_CASE("an order that the layout knows is taken from it, and the user's word 
 }
 
 TEST_CASE("the numbers themselves will do, and gdb's repeats") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto run = [&](const std::vector<std::string>& words) {
     return run_program(GLASSBOX_PROGRAM, words, here.path());
   };
@@ -138,7 +138,7 @@ TEST_CASE("the numbers themselves will do, and gdb's repeats") {
 
 TEST_CASE(
     "what is no matrix is refused in one line: the option, the file, line, column and token") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string fifteen = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0\n";
   struct Case {
     std::string text;
@@ -150,7 +150,7 @@ TEST_CASE(
       {fifteen + "1 2", {"17 numbers"}},
       {"1 0 0\n0 1 0\n0 0 1\n", {"9 numbers", "3x3"}},
       {"1 0 0 0\n0 1 0 0\n0 0 1 0\n", {"12 numbers", "0 0 0 1"}},
-      {paper(kView) + paper(kView) + paper(kView), {"48 numbers", "three matrices"}},
+      {plain_rows(kView) + plain_rows(kView) + plain_rows(kView), {"48 numbers", "three matrices"}},
       {"1 0 0 0\n0 1 0 0\n0 0 1x 0\n0 0 0 1", {"line 3, column 5", "'1x'"}},
       {"1 0 0 0\n0 1.2.3 0 0\n", {"line 2, column 3", "'1.2.3'"}},
       {"1.0e+03 *\n1 0 0 0", {"line 1, column 9", "'*'", "factor"}},
@@ -176,7 +176,7 @@ TEST_CASE(
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     for (const std::string& part : one.parts) CHECK(contains(outcome.err, part));
   }
-  here.write("good.txt", paper(kView));
+  here.write("good.txt", plain_rows(kView));
   const std::pair<const char*, const char*> usages[] = {
       {"step --point 1,2,3", "no matrix"},
       {"step --view good.txt", "--point"},

@@ -49,7 +49,7 @@ public:
   }
 
   // Returns the output up to and including `end`; fails if it does not appear.
-  std::string until(const std::string& end) {
+  std::string read_until(const std::string& end) {
     constexpr int kLongest = 60'000;  // ms without output
     for (;;) {
       if (const std::size_t at = seen_.find(end); at != std::string::npos) {
@@ -105,23 +105,23 @@ const std::vector<std::string> kStep{"step", "cube", "--triangle", "10", "--size
 TEST_CASE("arrow up recalls the last command, and it can be edited") {
   NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
-  terminal.until("object 1/10> ");
+  terminal.read_until("object 1/10> ");
   terminal.type("vertex 1\n");
-  terminal.until("vertex 1  x");
-  terminal.until("object 1/10> ");
+  terminal.read_until("vertex 1  x");
+  terminal.read_until("object 1/10> ");
   terminal.type("world\n");
-  terminal.until("world 2/10> ");
+  terminal.read_until("world 2/10> ");
   terminal.type("vertex all\n");
-  terminal.until("vertex 2  x");
-  terminal.until("world 2/10> ");
+  terminal.read_until("vertex 2  x");
+  terminal.read_until("world 2/10> ");
   terminal.type(std::string(kUpKey) + kUpKey + kUpKey + "\n");  // vertex 1 again
-  terminal.until("\n     vertex 1  x");  // the stage's text, not the line that is edited
-  terminal.until("world 2/10> ");
+  terminal.read_until("\n     vertex 1  x");  // the stage's text, not the line that is edited
+  terminal.read_until("world 2/10> ");
   // In "triangle 1" a 1 is inserted before the last character, which gives 11.
   terminal.type("triangle 1");
   terminal.type(std::string(kLeft) + "1\n");
-  terminal.until("  triangle 11");
-  terminal.until("world 2/10> ");
+  terminal.read_until("  triangle 11");
+  terminal.read_until("world 2/10> ");
   terminal.type("q\n");
   CHECK(terminal.exit_code() == 0);
 }
@@ -129,18 +129,18 @@ TEST_CASE("arrow up recalls the last command, and it can be edited") {
 TEST_CASE("the tabulator completes commands, stages, options and their words") {
   NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
-  terminal.until("object 1/10> ");
+  terminal.read_until("object 1/10> ");
   terminal.type("frag\t\n");
-  terminal.until("pixel centres are covered");
-  terminal.until("fragments 9/10> ");
+  terminal.read_until("pixel centres are covered");
+  terminal.read_until("fragments 9/10> ");
   terminal.type("--view-f\tax\t\n");
-  terminal.until("\n+ ");  // the factors of look-at's matrix
-  terminal.until("fragments 9/10> ");
+  terminal.read_until("\n+ ");  // the factors of look-at's matrix
+  terminal.read_until("fragments 9/10> ");
   terminal.type("cl\t\t");  // matches clip and clipping
-  terminal.until("clip clipping");
+  terminal.read_until("clip clipping");
   terminal.type("\n");
-  terminal.until("eye -> clip");
-  terminal.until("clip 4/10> ");
+  terminal.read_until("eye -> clip");
+  terminal.read_until("clip 4/10> ");
   terminal.type("\x04");  // the end of the input
   CHECK(terminal.exit_code() == 0);
 }
@@ -150,7 +150,7 @@ TEST_CASE("the tabulator completes commands, stages, options and their words") {
 TEST_CASE("the end of the input ends the prompt also where it was typed ahead of it") {
   NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
-  terminal.until("object 1/10> ");
+  terminal.read_until("object 1/10> ");
   terminal.type(std::string(1, '\0'));
   CHECK(terminal.exit_code() == 0);
 }
@@ -158,15 +158,15 @@ TEST_CASE("the end of the input ends the prompt also where it was typed ahead of
 TEST_CASE("a terminal that can do nothing has the plain prompt") {
   NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "dumb");
-  terminal.until("object 1/10> ");
+  terminal.read_until("object 1/10> ");
   terminal.type("\n");
-  terminal.until("world 2/10> ");
+  terminal.read_until("world 2/10> ");
   terminal.type("q\n");
   CHECK(terminal.exit_code() == 0);
 }
 
 // Runs the same commands from a file and returns the output.
-std::string say(const Workplace& here, const std::string& commands) {
+std::string prompt_output(const WorkingDirectory& here, const std::string& commands) {
   here.write("commands", commands);
   here.write("go.sh", "cd \"$(dirname \"$0\")\" && exec " GLASSBOX_PROGRAM
                       " step cube --triangle 10 --size 64x48 --interactive < commands\n");
@@ -176,24 +176,24 @@ std::string say(const Workplace& here, const std::string& commands) {
 }
 
 TEST_CASE("another triangle, vertex or picked pixel within the prompt, and back to the first") {
-  const Workplace here;
-  const std::string changed = say(here, "triangle 4\nreset\nq\n");
+  const WorkingDirectory here;
+  const std::string changed = prompt_output(here, "triangle 4\nreset\nq\n");
   CHECK(contains(changed, "  triangle 4\n"));
   CHECK(contains(changed, "face 2 of mesh 'cube'"));
   CHECK(contains(changed.substr(changed.find("  triangle 4\n")), "  triangle 10\n"));
-  CHECK(contains(say(here, "--triangle 4\nq\n"), "  triangle 4\n"));
-  const std::string one = say(here, "vertex 2\nq\n"),
-                    again = say(here, "vertex 2\nvertex all\nq\n");
+  CHECK(contains(prompt_output(here, "--triangle 4\nq\n"), "  triangle 4\n"));
+  const std::string one = prompt_output(here, "vertex 2\nq\n"),
+                    again = prompt_output(here, "vertex 2\nvertex all\nq\n");
   CHECK(!contains(one.substr(one.find("1/10>")), "vertex 0"));
   CHECK(contains(again.substr(again.find("1/10>")), "vertex 0"));
-  const std::string picked = say(here, "pick 32,20\nfragments\nq\n");
+  const std::string picked = prompt_output(here, "pick 32,20\nfragments\nq\n");
   CHECK(contains(picked, "the fragment of pixel (32, 20)"));
   // The picture changes, and the picked triangle stays.
-  CHECK(contains(say(here, "triangle 4\n--fov 30\nclip\nq\n"), "+ "));
+  CHECK(contains(prompt_output(here, "triangle 4\n--fov 30\nclip\nq\n"), "+ "));
 }
 
 TEST_CASE("what the prompt cannot do it says, and stays") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const auto& [command, part] : {std::pair{"triangle 12", "the scene has 12 triangles"},
                                       {"triangle", "needs one more word: a number"},
                                       {"triangle x", "triangle"},
@@ -203,12 +203,12 @@ TEST_CASE("what the prompt cannot do it says, and stays") {
                                       {"pick", "X,Y"},
                                       {"wold", "no stage or command of this name"}}) {
     CAPTURE(command);
-    const std::string said = say(here, std::string(command) + "\nworld\nq\n");
+    const std::string said = prompt_output(here, std::string(command) + "\nworld\nq\n");
     const std::string after = said.substr(said.find("1/10>"));
     CHECK(contains(after, part));
     CHECK(contains(after, "world 2/10>"));
   }
-  CHECK(contains(say(here, "help\nq\n").substr(800), "triangle N"));
+  CHECK(contains(prompt_output(here, "help\nq\n").substr(800), "triangle N"));
 }
 
 }  // namespace

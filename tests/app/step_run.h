@@ -33,7 +33,7 @@ inline std::string numbers(const Rows& m, bool columns, const char* format,
   return text;
 }
 
-inline std::string paper(const Rows& m) {
+inline std::string plain_rows(const Rows& m) {
   return numbers(m, false, "%12.9g");
 }
 
@@ -43,14 +43,14 @@ struct Call {
   std::string options;
 };
 
-inline Outcome step(const Workplace& here, const Call& call) {
-  here.write("model.txt", paper(call.model));
-  here.write("view.txt", paper(call.view));
-  here.write("proj.txt", paper(call.projection));
+inline Outcome step(const WorkingDirectory& here, const Call& call) {
+  here.write("model.txt", plain_rows(call.model));
+  here.write("view.txt", plain_rows(call.view));
+  here.write("proj.txt", plain_rows(call.projection));
   return here.run("step --model model.txt --view view.txt --proj proj.txt " + call.options);
 }
 
-inline Json step_json(const Workplace& here, Call call) {
+inline Json step_json(const WorkingDirectory& here, Call call) {
   call.options += " --json -";
   const Outcome outcome = step(here, call);
   INFO(outcome.err);
@@ -80,7 +80,7 @@ struct Answer {
   std::string text;
 };
 
-inline Answer ask(const Workplace& here, const Call& call) {
+inline Answer run_step(const WorkingDirectory& here, const Call& call) {
   const Outcome outcome = step(here, call);
   REQUIRE(outcome.exit_code == 0);
   std::istringstream words(outcome.out);

@@ -17,7 +17,7 @@ std::size_t longest_line(const std::string& text) {
 }
 
 TEST_CASE("step carries a triangle through every space, in order, within 100 columns") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("step room --size 320x180 --pick 160,90");
   REQUIRE(outcome.exit_code == 0);
   std::size_t at = 0;
@@ -35,7 +35,7 @@ TEST_CASE("step carries a triangle through every space, in order, within 100 col
 }
 
 TEST_CASE("a picked triangle is the one that the pixel shows, and its bytes are the pixel's") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string picture = " room --size 320x180 ";
   const Json pixel = Json::parse(here.run("pixel" + picture + "--at 160,90 --json -").out);
   const Json step = Json::parse(here.run("step" + picture + "--pick 160,90 --json -").out);
@@ -53,7 +53,7 @@ TEST_CASE("a picked triangle is the one that the pixel shows, and its bytes are 
 }
 
 TEST_CASE("one vertex alone, its bits, and what clipping made") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome one = here.run("step cube --triangle 4 --vertex 1 --bits");
   REQUIRE(one.exit_code == 0);
   CHECK(contains(one.out, "vertex 1"));
@@ -66,7 +66,7 @@ TEST_CASE("one vertex alone, its bits, and what clipping made") {
 }
 
 TEST_CASE("step refuses what it cannot step through, and says what to do") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const auto& [words, part] : {std::pair{"step", "--triangle"},
                                     {"step cube", "--pick"},
                                     {"step cube --triangle 12", "12 triangles"},
@@ -87,7 +87,7 @@ TEST_CASE("step refuses what it cannot step through, and says what to do") {
 }
 
 TEST_CASE("JSON of a triangle that fills the picture is refused beyond --max-mb, unwritten") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string run = "step room --triangle 0 --size 320x180 --json big.json --max-mb ";
   const Outcome refused = here.run(run + "5");
   CHECK(refused.exit_code == 2);
@@ -105,7 +105,7 @@ TEST_CASE("JSON of a triangle that fills the picture is refused beyond --max-mb,
 }
 
 TEST_CASE("by hand: next, back, jump, another camera and what it changes") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string step = std::string(GLASSBOX_PROGRAM) + " step cube --triangle 4 --interactive";
   const auto say = [&](const std::string& commands) {
     here.write("commands", commands);

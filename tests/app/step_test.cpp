@@ -11,7 +11,7 @@ namespace glassbox::test {
 namespace {
 
 TEST_CASE("the chain is that of a second computation, within its bounds, in every window") {
-  const Workplace here;
+  const WorkingDirectory here;
   struct Api {
     const char* name;
     Rows view, projection;
@@ -59,7 +59,7 @@ TEST_CASE("the chain is that of a second computation, within its bounds, in ever
 }
 
 TEST_CASE("a viewport of negative height turns y over, and is no picture upside down") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Rows d3d = book::perspective_d3d_right(book::radians(60), 1.5, 0.1, 100);
   const Rows vulkan = book::perspective_vulkan(book::radians(60), 1.5, 0.1, 100);
   const Json negated = step_json(
@@ -74,7 +74,7 @@ TEST_CASE("a viewport of negative height turns y over, and is no picture upside 
 }
 
 TEST_CASE("bits, bounds, conditions and the deciding plane are printed, within 100 columns") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome =
       step(here, {kModel, kView, kProjection, "--point 0.5,0.25,-0.5 --point 90,1,2 --bits"});
   REQUIRE(outcome.exit_code == 0);
@@ -105,7 +105,7 @@ TEST_CASE("bits, bounds, conditions and the deciding plane are printed, within 1
 }
 
 TEST_CASE("the same words give the same bytes, to a file and to standard output") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Call call{kModel, kView, kProjection, std::string(kPoints) + "--json -"};
   const Outcome first = step(here, call), second = step(here, call);
   CHECK(first.out == second.out);
@@ -116,10 +116,10 @@ TEST_CASE("the same words give the same bytes, to a file and to standard output"
 }
 
 TEST_CASE("digits that the text lacks are told in pixels") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("few.txt", numbers(kView, false, "%.5f"));
   here.write("many.txt", numbers(kView, false, "%.9g"));
-  here.write("proj.txt", paper(kProjection));
+  here.write("proj.txt", plain_rows(kProjection));
   const auto open = [&](const char* file) {
     const Outcome outcome =
         here.run(std::string("step --point 0.5,0.25,-0.5 --proj proj.txt --json - --view ") + file);
@@ -133,7 +133,7 @@ TEST_CASE("digits that the text lacks are told in pixels") {
 }
 
 TEST_CASE("the sessions in docs/step.md are what the program prints") {
-  CHECK(replay(Workplace(), "docs/step.md") >= 5);
+  CHECK(replay(WorkingDirectory(), "docs/step.md") >= 5);
 }
 
 }  // namespace

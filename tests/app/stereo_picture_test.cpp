@@ -6,7 +6,7 @@
 #include <glassbox/images/read.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 const std::string kEyes = " --eye-separation 0.2 --window 4 --size 64x37";
 
-Image<Rgba8> stereo_picture(const Workplace& here, const std::string& words) {
+Image<Rgba8> stereo_picture(const WorkingDirectory& here, const std::string& words) {
   INFO(words);
   const Outcome outcome = here.run("render room " + words + " -o p.png");
   INFO(outcome.err);
@@ -29,7 +29,7 @@ Image<Rgba8> stereo_picture(const Workplace& here, const std::string& words) {
 }  // namespace
 
 TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Image<Rgba8> left = stereo_picture(here, "--seen-by left" + kEyes);
   const Image<Rgba8> right = stereo_picture(here, "--seen-by right" + kEyes);
   const int w = left.width, h = left.height;
@@ -64,7 +64,7 @@ TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
 }
 
 TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cut (S0-08)") {
-  const Workplace here;
+  const WorkingDirectory here;
   // Infinity is shifted by s a W/f px, with a = 1 for a right angle: 0.25 * 64/4 = 4 px. The
   // picture is unlit, because each eye sees highlights in other places than the camera between
   // them.
@@ -101,7 +101,7 @@ TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cu
 }
 
 TEST_CASE("frames of cropped eyes are measured like those of skewed ones") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto parallax = [&](const std::string& eyes) {
     const Outcome outcome = here.run(
         "render forest --size 96x64 --frames 2 --turntable --stereo anaglyph --json - --eyes-by " +
@@ -122,7 +122,7 @@ TEST_CASE("frames of cropped eyes are measured like those of skewed ones") {
 }
 
 TEST_CASE("separation 0 gives the mono bytes in one pass (C-71)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Image<Rgba8> mono = stereo_picture(here, "--size 64x37");
   CHECK(stereo_picture(here, "--stereo anaglyph --eye-separation 0 --size 64x37") == mono);
   const Json json = Json::parse(
@@ -132,7 +132,7 @@ TEST_CASE("separation 0 gives the mono bytes in one pass (C-71)") {
 }
 
 TEST_CASE("the parallax that is printed is that of the formula, in pixels and per cent (S0-11)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json =
       Json::parse(here.run("render teapot --size 64x64 --fov 90 --eye 0,0,8 --look-at 0,0,0 "
                            "--near 2 --far 16 --eye-separation 0.5 --window 4 --stereo pair "
@@ -147,7 +147,7 @@ TEST_CASE("the parallax that is printed is that of the formula, in pixels and pe
 }
 
 TEST_CASE("colours are moved before the anaglyph, and a cable comes after it (S0-15, S0-17)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string anaglyph = "--stereo anaglyph" + kEyes;
   const Image<Rgba8> plain = stereo_picture(here, anaglyph);
   CHECK(stereo_picture(here, anaglyph + " --desaturate 0 --brighten 0") == plain);
@@ -163,7 +163,7 @@ TEST_CASE("colours are moved before the anaglyph, and a cable comes after it (S0
 }
 
 TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
-  const Workplace here;
+  const WorkingDirectory here;
   struct Refusal {
     std::string words;
     std::vector<std::string> says;
@@ -202,7 +202,7 @@ TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
 }
 
 TEST_CASE("a parallel projection has a pair, and says what it is") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("render teapot --ortho 5 --stereo pair --size 64x37 -o p.png");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("parallel projection") != std::string::npos);

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/manifest.h"
 
 #include <glassbox/mesh/builtin/placement.h>
@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json stereo_report(const Workplace& here, const std::string& words) {
+Json stereo_report(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("stereo " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -46,7 +46,7 @@ Json verdict_of(const Json& report, const std::string& about) {
   return {};
 }
 
-Plane distances_of(const Workplace& here, const std::string& words, const std::string& eye) {
+Plane distances_of(const WorkingDirectory& here, const std::string& words, const std::string& eye) {
   const Outcome outcome =
       here.run("render " + words + " --seen-by " + eye + " -o p.png --depth-out d.pfm");
   INFO(outcome.err);
@@ -56,7 +56,7 @@ Plane distances_of(const Workplace& here, const std::string& words, const std::s
 
 // Writes a scene with a road through a plain to the horizon in place of the forest's trees: the
 // ground, sky, light and extent are the same.
-void write_flat_road(const Workplace& here, const std::string& name) {
+void write_flat_road(const WorkingDirectory& here, const std::string& name) {
   Scene scene = *make_builtin("forest");
   std::erase_if(scene.instances, [&](const Instance& instance) {
     const std::string& mesh = scene.meshes[instance.mesh].name;
@@ -78,7 +78,7 @@ void write_flat_road(const Workplace& here, const std::string& name) {
 TEST_CASE(
     "the parallax of what is seen is that of the nearest and farthest pixels of both eyes "
     "(S0-11)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string words = "room --size 96x64 --eye-separation 0.6 --window 3";
   const Json json = stereo_report(here, words);
   float nearest = INFINITY, farthest = 0;
@@ -123,7 +123,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the report in words has what is seen beside the planes, and what to change as options") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("stereo forest --size 160x90 --eye-separation 1");
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
@@ -145,7 +145,7 @@ TEST_CASE("the report in words has what is seen beside the planes, and what to c
 TEST_CASE(
     "who takes the advice has what is seen within the budget, or nothing cut before the window "
     "(S0-13)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string picture = " --size 160x90";
   for (const std::string& scene : {std::string("forest"), std::string("room"),
                                    std::string("teapot"), std::string("teapot --ortho 6")}) {
@@ -173,7 +173,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the forest gives more depth to see than a flat road of its extent (S0-16)") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_flat_road(here, "road.glb");
   const std::string words =
       " --size 320x180 --eye 0,1.7,0 --look-at 0,2.3,-12 --fov 45 --near 0.25 --window 12"
@@ -188,7 +188,7 @@ TEST_CASE("the forest gives more depth to see than a flat road of its extent (S0
 TEST_CASE(
     "skewed frusta have no vertical parallax, and cameras that are toed in have some (S0-07, "
     "C-75)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = stereo_report(here, "room --size 96x64 --eye-separation 0.4 --window 3");
   CHECK(json["vertical_parallax"]["skewed_px"] == 0);
   CHECK(json["vertical_parallax"]["toed_in_px"] > 0.5);
@@ -199,7 +199,7 @@ TEST_CASE(
 }
 
 TEST_CASE("on a wall the eyes would have to diverge, and the advice is for the wall (C-72)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string words = "forest --size 160x90 --eye-separation 0.5 --window 3 --budget 20";
   const Json desk = stereo_report(here, words + " --display 300,500");
   const Json wall = stereo_report(here, words + " --display 3000,4000");
@@ -214,7 +214,7 @@ TEST_CASE("on a wall the eyes would have to diverge, and the advice is for the w
 }
 
 TEST_CASE("colours that quarrel are named, with another method and other colours (S0-14, S0-15)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = stereo_report(here, "cube --size 64x64 --target-rivalry 0.02");
   CHECK(verdict_of(json, "rivalry")["level"] == "warning");
   const Json& anaglyph = json["anaglyph"];
@@ -232,7 +232,7 @@ TEST_CASE("colours that quarrel are named, with another method and other colours
 }
 
 TEST_CASE("eyes in one place are said to be, and are told how far to go apart") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = stereo_report(here, "teapot --size 96x64 --eye-separation 0");
   CHECK(json["eyes"]["passes"] == 1);
   CHECK(json["disparity"]["share_beyond_budget"] == 0);
@@ -243,7 +243,7 @@ TEST_CASE("eyes in one place are said to be, and are told how far to go apart") 
 }
 
 TEST_CASE("pictures of nothing, and of one pixel, are reported on") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json nothing =
       stereo_report(here, "teapot --size 64x48 --eye 0,0,50 --look-at 0,0,100 --html nothing.html");
   CHECK(verdict_of(nothing, "pictures")["level"] == "bad");
@@ -263,7 +263,7 @@ TEST_CASE("pictures of nothing, and of one pixel, are reported on") {
 
 TEST_CASE(
     "the page holds the report and its pictures, needs nothing else, and takes names for text") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("<img src=x>.obj", "v 0 0 0\nv 1 0 0\nv 0 1 -1\nf 1 2 3\n");
   const Outcome outcome = run_program(
       GLASSBOX_PROGRAM, {"stereo", "<img src=x>.obj", "--size", "64x48", "--html", "page.html"},
@@ -295,7 +295,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what the report cannot be about is refused in words, and nothing is written") {
-  const Workplace here;
+  const WorkingDirectory here;
   struct Case {
     std::string words, cause;
   };
@@ -327,7 +327,7 @@ TEST_CASE("what the report cannot be about is refused in words, and nothing is w
 }
 
 TEST_CASE("the page's command line makes the same report again") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(
       here.run("stereo cube --size 48x48 --anaglyph half --budget 2 --html page.html").exit_code ==
       0);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
@@ -38,14 +38,14 @@ inline void check_refused(const Outcome& outcome, const std::vector<std::string>
   }
 }
 
-inline std::vector<std::string> sorted_names(const Workplace& here) {
+inline std::vector<std::string> sorted_names(const WorkingDirectory& here) {
   std::vector<std::string> names = here.names();
   std::sort(names.begin(), names.end());
   return names;
 }
 
-// Runs a line of /bin/sh in the workplace; $0 in it is the program.
-inline Outcome in_shell(const Workplace& here, const std::string& line) {
+// Runs a line of /bin/sh in the working directory; $0 in it is the program.
+inline Outcome in_shell(const WorkingDirectory& here, const std::string& line) {
   return run_program("/bin/sh", {"-c", line, GLASSBOX_PROGRAM}, here.path());
 }
 

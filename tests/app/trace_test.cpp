@@ -96,7 +96,7 @@ std::map<std::string, NpyArray> parse_npz(const std::string& path) {
 // ---- both forms ----
 
 TEST_CASE("the arrays and the JSON of a run have the same numbers") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string run = "trace room --size 48x32 ";
   REQUIRE(here.run(run + "-o run.json").exit_code == 0);
   const Outcome outcome = here.run(run + "-o run.npz");
@@ -149,14 +149,14 @@ TEST_CASE("the arrays and the JSON of a run have the same numbers") {
 }
 
 TEST_CASE("the JSON of one triangle is that of glassbox step") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json trace = Json::parse(here.run("trace cube --size 64x48 --triangle 10 -o -").out);
   const Json step = Json::parse(here.run("step cube --size 64x48 --triangle 10 --json -").out);
   CHECK(trace == step);
 }
 
 TEST_CASE("what is kept can be narrowed to a part of the picture, a triangle, stages and arrays") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto json = [&](const std::string& words) {
     return Json::parse(here.run("trace room --size 48x32 -o - " + words).out);
   };
@@ -183,7 +183,7 @@ TEST_CASE("what is kept can be narrowed to a part of the picture, a triangle, st
 }
 
 TEST_CASE("a trace that would be large says so, and beyond the limit it is refused unwritten") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* file : {"big.npz", "big.json"}) {
     CAPTURE(file);
     const std::string run = "trace teapot --size 320x240 -o " + std::string(file);
@@ -200,7 +200,7 @@ TEST_CASE("a trace that would be large says so, and beyond the limit it is refus
 }
 
 TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothing") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto refuses = [&](const std::string& words, const std::string& reason) {
     const Outcome outcome = here.run("trace " + words);
     INFO(words << ": " << outcome.err);
@@ -223,7 +223,7 @@ TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothi
 }
 
 TEST_CASE("a limit below nothing and an array that is not there are refused, with what was meant") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string run = "trace cube --size 16x16 -o run.npz ";
   check_refused(here.run(run + "--max-mb -1"), {"--max-mb", "'-1'"});
   check_refused(here.run(run + "--arrays vertex.ndk"), {"--arrays", "'vertex.ndk'", "vertex.ndc?"});
@@ -234,7 +234,7 @@ TEST_CASE("a limit below nothing and an array that is not there are refused, wit
 // ---- docs/trace.md ----
 
 TEST_CASE("docs/trace.md names every array with its type and the shape of a row") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("trace cube --size 16x12 -o run.npz").exit_code == 0);
   const std::string page = [] {
     std::ifstream in(std::string(GLASSBOX_SOURCE_DIR) + "/docs/trace.md");
@@ -260,7 +260,7 @@ TEST_CASE("docs/trace.md names every array with its type and the shape of a row"
 }
 
 TEST_CASE("what docs/trace.md shows is what the commands print") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string find_numpy =
       "for p in python3 /usr/bin/python3; do $p -c 'import numpy' 2>/dev/null && exec $p \"$@\"; "
       "done; exit 77";

@@ -22,14 +22,14 @@ using Direction3 = std::array<double, 3>;
 
 // ---- what was drawn ----
 
-Image<Rgba8> turntable_picture(const Workplace& here, const std::string& name) {
+Image<Rgba8> turntable_picture(const WorkingDirectory& here, const std::string& name) {
   const auto image = read_image(here.file(name));
   INFO(name);
   REQUIRE(image);
   return *image;
 }
 
-Recipe recipe(const Workplace& here, const std::string& name) {
+Recipe recipe(const WorkingDirectory& here, const std::string& name) {
   const std::string bytes = here.read(name);
   const auto text = read_png_text(std::as_bytes(std::span(bytes)));
   REQUIRE(text);
@@ -51,8 +51,8 @@ double distance(const Direction3& a, const Direction3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-void turn(const Workplace& here, const std::string& scene, std::size_t frames,
-          const std::string& options, const std::string& name = "t.png") {
+void render_turntable(const WorkingDirectory& here, const std::string& scene, std::size_t frames,
+                      const std::string& options, const std::string& name = "t.png") {
   const Outcome outcome = here.run(
       fmt::format("render {} --frames {} --turntable {} -o {}", scene, frames, options, name));
   INFO(scene << " " << options << ": " << outcome.err);
@@ -62,7 +62,7 @@ void turn(const Workplace& here, const std::string& scene, std::size_t frames,
 
 // Returns how far the drawn pixels extend from the middle, in halves of the width or height, the
 // maximum over all sides; 1 is the border.
-double reach(const Image<Rgba8>& image) {
+double farthest_extent(const Image<Rgba8>& image) {
   const Rgba8 background = image.at(0, 0);
   double most = 0;
   for (int y = 0; y < image.height; ++y) {
@@ -91,9 +91,9 @@ TEST_CASE("a turntable's eye goes once around up through the target, at one dist
                                                        {"--up 0,0,1", {0, 0, 1}},
                                                        {"--up 0,2,0", {0, 1, 0}},
                                                        {"--up 1,0,0", {1, 0, 0}}}) {
-    const Workplace here;
+    const WorkingDirectory here;
     constexpr std::size_t kFrames = 10;
-    turn(here, "teapot:2", kFrames, options + " --size 32x24");
+    render_turntable(here, "teapot:2", kFrames, options + " --size 32x24");
     std::vector<Direction3> eyes;
     for (std::size_t i = 1; i <= kFrames; ++i) {
       const Recipe made = recipe(here, fmt::format("t-{:04}.png", i));
@@ -118,9 +118,9 @@ TEST_CASE("a turntable's eye goes once around up through the target, at one dist
 }
 
 TEST_CASE("a frame of a turntable is the picture of its angle, whatever the number of frames") {
-  const Workplace here;
-  turn(here, "f-glyph", 4, "--size 48x32", "a%d.ppm");
-  turn(here, "f-glyph", 8, "--size 48x32", "b%d.ppm");
+  const WorkingDirectory here;
+  render_turntable(here, "f-glyph", 4, "--size 48x32", "a%d.ppm");
+  render_turntable(here, "f-glyph", 8, "--size 48x32", "b%d.ppm");
   for (int i = 0; i < 4; ++i) {
     CHECK(here.read(fmt::format("a{}.ppm", i + 1)) == here.read(fmt::format("b{}.ppm", 2 * i + 1)));
   }
@@ -128,7 +128,7 @@ TEST_CASE("a frame of a turntable is the picture of its angle, whatever the numb
 }
 
 TEST_CASE("all of a scene is in every frame of its turn, and the frame is not larger than needed") {
-  const Workplace scene;
+  const WorkingDirectory scene;
   scene.write("beam.obj", kBeam);
   for (const std::string& words : std::vector<std::string>{
            "teapot:3 --size 160x90", "f-glyph --size 90x160", "cube --size 96x96",
@@ -137,12 +137,12 @@ TEST_CASE("all of a scene is in every frame of its turn, and the frame is not la
            scene.file("beam.obj") + " --size 160x90 --up 0,0,1",
            scene.file("beam.obj") + " --size 160x90 --fov 90",
            scene.file("beam.obj") + " --size 160x90 --look-at 100,2,0"}) {
-    const Workplace here;
+    const WorkingDirectory here;
     const std::size_t blank = words.find(' ');
-    turn(here, words.substr(0, blank), 24, words.substr(blank));
+    render_turntable(here, words.substr(0, blank), 24, words.substr(blank));
     double most = 0;
     for (int i = 1; i <= 24; ++i) {
-      const double one = reach(turntable_picture(here, fmt::format("t-{:04}.png", i)));
+      const double one = farthest_extent(turntable_picture(here, fmt::format("t-{:04}.png", i)));
       INFO(words << " frame " << i);
       CHECK(one < 1);
       most = std::max(most, one);
@@ -159,8 +159,8 @@ TEST_CASE("the recipe of a turntable's frame makes its pixels as a single pictur
        {"--size 40x30", "--size 40x30 --shade flat --fov 20 --up 0,1,1", "--size 40x30 --ortho 5",
         "--size 40x30 --eye 3,4,5 --look-at 0,1,0 --camera none",
         "--size 40x30 --stereo anaglyph"}) {
-    const Workplace here;
-    turn(here, "teapot:2", 3, options);
+    const WorkingDirectory here;
+    render_turntable(here, "teapot:2", 3, options);
     const Recipe made = recipe(here, "t-0002.png");
     std::string words = "render " + made.scene;
     for (const std::string& word : made.options) words += " " + word;
@@ -171,8 +171,8 @@ TEST_CASE("the recipe of a turntable's frame makes its pixels as a single pictur
 }
 
 TEST_CASE("--eye says where a turn begins") {
-  const Workplace here;
-  turn(here, "cube", 4, "--size 16x16 --eye 0,3,5 --look-at 0,1,0");
+  const WorkingDirectory here;
+  render_turntable(here, "cube", 4, "--size 16x16 --eye 0,3,5 --look-at 0,1,0");
   const auto eye = [&](int i) {
     return triple_after(recipe(here, fmt::format("t-{:04}.png", i)).options, "--eye");
   };
@@ -183,13 +183,13 @@ TEST_CASE("--eye says where a turn begins") {
 }
 
 TEST_CASE("what has no extent can be turned as well") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("p.obj", "v 7 0 0\nv 7 0 0\nv 7 0 0\nf 1 2 3\n");
-  turn(here, "p.obj", 3, "--size 16x16");
+  render_turntable(here, "p.obj", 3, "--size 16x16");
 }
 
 TEST_CASE("a turn in stereo keeps the budget, with no path to name") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome =
       here.run("render forest --frames 6 --turntable --stereo anaglyph --size 96x64 -o t.png");
   INFO(outcome.err);
@@ -208,7 +208,7 @@ TEST_CASE("turntables that cannot be are refused") {
       {"--frames 3 --turntable --eye 0,5,0 --look-at 0,1,0", {"frame 1"}},
       {"--frames 3 --turntable --plot p.svg", {"--plot", "two eyes"}}};
   for (const auto& [options, parts] : cases) {
-    const Workplace here;
+    const WorkingDirectory here;
     INFO(options);
     check_refused(here.run("render cube --size 16x16 " + options), parts);
     CHECK(here.names().empty());
@@ -218,7 +218,7 @@ TEST_CASE("turntables that cannot be are refused") {
 // ---- the file's camera ----
 
 TEST_CASE("--camera none frames a scene as if its file had no camera") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string json =
       R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0CAMERA]}],
           "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.3, 0.3, 4]}],

@@ -8,7 +8,7 @@
 #include "tests/app/sessions.h"
 #include "tests/app/text.h"
 
-#include <glassbox/base/near_word.h>
+#include <glassbox/base/closest_word.h>
 
 namespace glassbox::test {
 namespace {
@@ -32,14 +32,14 @@ TEST_CASE("a mistyped word is answered with the one that was probably meant") {
       {"help study rnu", {"did you mean run?"}}};
   for (const auto& [words, parts] : cases) {
     INFO(words);
-    check_refused(Workplace().run(words), parts);
+    check_refused(WorkingDirectory().run(words), parts);
   }
 }
 
 TEST_CASE("what is like nothing there is gets no suggestion") {
   for (const char* words : {"render teapot --bogus", "render teapot --x", "render teapot extra",
                             "quux", "help quux", "study quux"}) {
-    const Outcome outcome = Workplace().run(words);
+    const Outcome outcome = WorkingDirectory().run(words);
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
     CHECK(!contains(outcome.err, "did you mean"));
@@ -56,12 +56,12 @@ TEST_CASE("what is missing or there twice is said in plain words") {
       {"study", "scene, recommend and stiffness; glassbox study --help"}};
   for (const auto& [words, part] : cases) {
     INFO(words);
-    check_refused(Workplace().run(words), {part});
+    check_refused(WorkingDirectory().run(words), {part});
   }
 }
 
 TEST_CASE("an empty word is no name of a file") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"render", "cube", "--size", "8x8", "--output", ""},
         {"diff", "a.png", "b.png", "--html", ""},
@@ -73,32 +73,32 @@ TEST_CASE("an empty word is no name of a file") {
 }
 
 TEST_CASE("words are repeated in the order in which they were typed") {
-  const Outcome outcome = Workplace().run("render cube one two three");
+  const Outcome outcome = WorkingDirectory().run("render cube one two three");
   check_refused(outcome, {"'one'"});
   CHECK(!contains(outcome.err, "three two"));
 }
 
 TEST_CASE("the nearest word is at most two letters and a third of itself away") {
   const std::vector<std::string> words{"size", "show", "shade", "stereo", "stereo-cull"};
-  CHECK(near_word("sise", words) == "size");
-  CHECK(near_word("SIZE", words) == "size");
-  CHECK(near_word("shde", words) == "shade");
-  CHECK(near_word("setreo", words) == "stereo");
-  CHECK(near_word("rnu", {"run", "list"}) == "run");
-  CHECK(edits_between("", "abc") == 3);
-  CHECK(edits_between("abc", "") == 3);
-  CHECK(edits_between("kitten", "sitting") == 3);
-  CHECK(edits_between("abcd", "badc") == 2);
-  CHECK(near_word("stereo-c", words) == "stereo-cull");  // the only one that begins so
-  CHECK(!near_word("ste", words));                       // two begin so
-  CHECK(!near_word("s", words));
-  CHECK(!near_word("width", words));
-  CHECK(!near_word("", words));
-  CHECK(!near_word(std::string(100000, 's'), words));
+  CHECK(closest_word("sise", words) == "size");
+  CHECK(closest_word("SIZE", words) == "size");
+  CHECK(closest_word("shde", words) == "shade");
+  CHECK(closest_word("setreo", words) == "stereo");
+  CHECK(closest_word("rnu", {"run", "list"}) == "run");
+  CHECK(edit_distance("", "abc") == 3);
+  CHECK(edit_distance("abc", "") == 3);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("abcd", "badc") == 2);
+  CHECK(closest_word("stereo-c", words) == "stereo-cull");  // the only one that begins so
+  CHECK(!closest_word("ste", words));                       // two begin so
+  CHECK(!closest_word("s", words));
+  CHECK(!closest_word("width", words));
+  CHECK(!closest_word("", words));
+  CHECK(!closest_word(std::string(100000, 's'), words));
 }
 
 TEST_CASE("help NAME shows what NAME --help shows, for every subcommand") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* name : {"render", "info", "step", "diff", "study", "study run", "lab",
                            "lab start", "help", "completion", "man"}) {
     INFO(name);
@@ -113,7 +113,7 @@ TEST_CASE("help NAME shows what NAME --help shows, for every subcommand") {
 }
 
 TEST_CASE("the version has a short option, -V") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome brief = here.run("-V");
   CHECK(brief.exit_code == 0);
   CHECK(brief.out == here.run("--version").out);
@@ -126,7 +126,7 @@ TEST_CASE("docs/command_line.md shows what the program says") {
   REQUIRE(sessions.size() == 4);
   for (const Session& session : sessions) {
     INFO(session.command);
-    const Workplace here;
+    const WorkingDirectory here;
     const Outcome outcome = here.run(session.command.substr(std::string("glassbox ").size()));
     CHECK(outcome.err == session.output);
     if (contains(session.output, "note:")) {  // an ignored option is not an error
@@ -140,7 +140,7 @@ TEST_CASE("docs/command_line.md shows what the program says") {
 }
 
 TEST_CASE("no byte that a terminal obeys is printed, wherever the word with it stands") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string red = "\033[31m\r\007";
   here.write("good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   here.write("bad" + red + ".obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -179,7 +179,7 @@ TEST_CASE("no byte that a terminal obeys is printed, wherever the word with it s
 }
 
 TEST_CASE("an output that is a directory is called one") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::filesystem::create_directory(here.file("out"));
   for (const char* words :
        {"render teapot -o out", "render teapot -o out/", "render teapot -o ./nowhere/",

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json why(const Workplace& here, const std::string& words) {
+Json why(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("why " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -47,12 +47,13 @@ std::vector<std::string> suggested(const std::string& text) {
 constexpr const char* kLook =
     " --size 64x64 --eye 0,0,4 --look-at 0,0,0 --near 1 --far 10 --cull back";
 
-void write_triangle(const Workplace& here, const std::string& name, const std::string& vertices) {
+void write_triangle(const WorkingDirectory& here, const std::string& name,
+                    const std::string& vertices) {
   here.write(name, vertices + "f 1 2 3\n");
 }
 
 TEST_CASE("why names the stage and the number for each way in which a triangle is lost") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_triangle(here, "front.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\n");
   write_triangle(here, "back.obj", "v 1 -1 0\nv -1 -1 0\nv 0 1 0\n");
   write_triangle(here, "near.obj", "v -1 -1 3.5\nv 1 -1 3.5\nv 0 1 3.5\n");
@@ -90,7 +91,7 @@ TEST_CASE("why names the stage and the number for each way in which a triangle i
 }
 
 TEST_CASE("why: what is seen is what the picture's numbers show") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string words = "teapot:3 --size 48x36";
   REQUIRE(here.run("render " + words + " -o p.png --id-out i.pfm").exit_code == 0);
   const Plane ids = parse_pfm(here.read("i.pfm"));
@@ -111,7 +112,7 @@ TEST_CASE("why: what is seen is what the picture's numbers show") {
 }
 
 TEST_CASE("why: the commands that it suggests run") {
-  const Workplace here;
+  const WorkingDirectory here;
   int run = 0;
   for (const char* words :
        {"cube --triangle 10 --size 64x64", "cube --triangle 0 --size 64x64 --shade flat",
@@ -131,7 +132,7 @@ TEST_CASE("why: the commands that it suggests run") {
 }
 
 TEST_CASE("why: no line is wider than 100 columns") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words :
        {"cube --triangle 0 --size 64x64", "room --size 64x48", "teapot --triangle 1 --size 64x64",
         "room --eye 0,1,9 --look-at 0,1,20 --size 64x48"}) {
@@ -146,7 +147,7 @@ TEST_CASE("why: no line is wider than 100 columns") {
 }
 
 TEST_CASE("why: JSON goes to a file beside what people read, or alone to standard output") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome both = here.run("why cube --size 40x30 --triangle 3 --json w.json");
   CHECK(both.exit_code == 0);
   CHECK(both.out.find("triangle 3 of cube, 40 x 30: ") == 0);
@@ -154,7 +155,7 @@ TEST_CASE("why: JSON goes to a file beside what people read, or alone to standar
 }
 
 TEST_CASE("why: numbers that do not exist, no numbers and no scene are refused") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("empty.obj", "v 0 0 0\n");
   const std::pair<const char*, const char*> cases[] = {
       {"cube --triangle 12", "12 triangles, 0 .. 11"},
@@ -178,7 +179,7 @@ TEST_CASE("why: numbers that do not exist, no numbers and no scene are refused")
 }
 
 TEST_CASE("a scene of lines has no triangle to ask about, and says so") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
   const Outcome outcome = here.run("why line.obj --size 32x32");
   CHECK(outcome.exit_code == 0);
@@ -188,7 +189,7 @@ TEST_CASE("a scene of lines has no triangle to ask about, and says so") {
 }
 
 TEST_CASE("explain, pixel and why pass on a scene's warnings, and look at outputs before the run") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("a.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   for (const std::string command : {"explain a.obj", "pixel a.obj --at 3,3", "why a.obj"}) {
     CAPTURE(command);
@@ -208,7 +209,7 @@ TEST_CASE("explain, pixel and why pass on a scene's warnings, and look at output
 }
 
 TEST_CASE("the sessions in docs/why.md are what the program prints") {
-  CHECK(replay(Workplace(), "docs/why.md") > 8);
+  CHECK(replay(WorkingDirectory(), "docs/why.md") > 8);
 }
 
 }  // namespace

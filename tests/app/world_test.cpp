@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
 #include "tests/app/scenes.h"
+#include "tests/app/working_directory.h"
 
 #include <glassbox/images/read.h>
 
@@ -21,7 +21,7 @@ struct Picture {
   std::string depth, ids;  // bytes of the PFM files
 };
 
-Picture picture_of_world(const Workplace& here, const std::string& options) {
+Picture picture_of_world(const WorkingDirectory& here, const std::string& options) {
   const Outcome outcome =
       here.run("render " + options + " --size 160x120 -o p.png --depth-out d.pfm --id-out i.pfm");
   INFO(options << ": " << outcome.err);
@@ -49,7 +49,7 @@ const std::vector<double> kOffsets{100, 65536, 1e6, 6.378e6, 16777216};
 
 TEST_CASE("a cube of 1 m placed far away by its node does not shake (C-13, C-14)") {
   const Mesh cube = box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* lens : {"--near 0.5 --far 10", "--ortho 2 --near 0.5 --far 10", "--near 0.5"}) {
     write_scene(here, "near.glb", cube, {Placement{}});
     const Picture at_origin = picture_of_world(here, "near.glb " + camera_at(0, lens));
@@ -64,7 +64,7 @@ TEST_CASE("a cube of 1 m placed far away by its node does not shake (C-13, C-14)
 }
 
 TEST_CASE("a cube of 1 m whose vertices are far away does not shake (C-13)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string lens = "--near 0.5 --far 10";
   write_scene(here, "near.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), {Placement{}});
   const Picture at_origin = picture_of_world(here, "near.glb " + camera_at(0, lens));
@@ -98,7 +98,7 @@ std::vector<Triple> tetrahedron(bool mirrored) {
 }
 
 TEST_CASE("a node that mirrors shows the mirrored mesh, its fronts outside and lit (C-17)") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_scene(here, "node.glb", triangles(tetrahedron(false)), {{{-1, 1, 1}, {0, 0, 0}}});
   write_scene(here, "mesh.glb", triangles(tetrahedron(true)), {Placement{}});
   for (const char* options : {"--cull back", "--cull front", "--cull none", "--show normal"}) {
@@ -114,7 +114,7 @@ TEST_CASE("a node that mirrors shows the mirrored mesh, its fronts outside and l
 }
 
 TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_scene(here, "plain.glb", triangles(tetrahedron(false)), {Placement{}});
   write_scene(here, "mirrored.glb", triangles(tetrahedron(false)), {{{-1, 1, 1}, {0, 0, 0}}});
   // The picture shows normals, because the headlight's shading is not symmetric.
@@ -139,14 +139,15 @@ TEST_CASE("a mirrored node is lit like the mirror image of the other one (C-17)"
 }
 
 // Returns the green of the middle pixel, which the square covers.
-int green_at_centre(const Workplace& here, const std::string& scene, const std::string& shade) {
+int green_at_centre(const WorkingDirectory& here, const std::string& scene,
+                    const std::string& shade) {
   const Picture picture = picture_of_world(
       here, scene + " --eye 0,0,8 --look-at 0,0,0 --ortho 1 --near 1 --far 20 --shade " + shade);
   return picture.color.at(80, 60).g;
 }
 
 TEST_CASE("normals follow a squeezed node by the cofactor matrix (C-16)") {
-  const Workplace here;
+  const WorkingDirectory here;
   // A plane that rises steeply towards the left: z = -4 x, with its normal along (4, 0, 1). The
   // node squeezes z to 1/8.
   constexpr double kSqueeze = 0.125;
@@ -179,7 +180,7 @@ TEST_CASE("normals follow a squeezed node by the cofactor matrix (C-16)") {
 }
 
 TEST_CASE("the picture does not change as the far plane moves away to infinity (C-10)") {
-  const Workplace here;
+  const WorkingDirectory here;
   write_scene(here, "cube.glb", box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), {Placement{}});
   for (const char* depth : {"d32", "d32r", "d24"}) {
     const std::string start = std::string("cube.glb --depth ") + depth + " ";

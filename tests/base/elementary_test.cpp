@@ -25,9 +25,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
-struct Worst {
+struct WorstError {
   double ulps = 0, argument = 0;
-  void see(double x, double value, const Exact& exact) {
+  void add(double x, double value, const Exact& exact) {
     const double error = exact == 0 ? (value == 0 ? 0 : kInfinity) : error_in_ulps(value, exact);
     if (!(error <= ulps)) *this = {error, x};  // a NaN counts as the worst error
   }
@@ -47,11 +47,11 @@ std::vector<double> positive_numbers() {
 }
 
 TEST_CASE("the natural logarithm errs by less than an ulp, the others by less than 2.5") {
-  Worst natural, two, ten;
+  WorstError natural, two, ten;
   for (const double x : positive_numbers()) {
-    natural.see(x, logarithm(x), boost::multiprecision::log(Exact(x)));
-    two.see(x, logarithm_2(x), boost::multiprecision::log2(Exact(x)));
-    ten.see(x, logarithm_10(x), boost::multiprecision::log10(Exact(x)));
+    natural.add(x, logarithm(x), boost::multiprecision::log(Exact(x)));
+    two.add(x, logarithm_2(x), boost::multiprecision::log2(Exact(x)));
+    ten.add(x, logarithm_10(x), boost::multiprecision::log10(Exact(x)));
   }
   INFO("natural " << natural.ulps << " at " << natural.argument << ", 2 " << two.ulps << " at "
                   << two.argument << ", 10 " << ten.ulps << " at " << ten.argument);
@@ -71,10 +71,10 @@ TEST_CASE("the logarithm of powers of ten is whole") {
 
 TEST_CASE("the logarithm of 1 + x errs by less than four ulps") {
   Random random(45);
-  Worst worst;
+  WorstError worst;
   for (int i = 0; i < 40000; ++i) {
     const double x = i % 2 == 0 ? random.scaled(-1, 1, -60, -1) : random.between(-0.999, 1000);
-    worst.see(x, logarithm_1p(x), boost::multiprecision::log1p(Exact(x)));
+    worst.add(x, logarithm_1p(x), boost::multiprecision::log1p(Exact(x)));
   }
   INFO("worst " << worst.ulps << " ulps at " << worst.argument);
   CHECK(worst.ulps < 4);
@@ -85,10 +85,10 @@ TEST_CASE("the logarithm of 1 + x errs by less than four ulps") {
 
 TEST_CASE("the exponential errs by less than an ulp") {
   Random random(42);
-  Worst worst;
+  WorstError worst;
   for (int i = 0; i < 40000; ++i) {
     const double x = i % 2 == 0 ? random.between(-708, 709.7) : random.between(-1, 1);
-    worst.see(x, exponential(x), boost::multiprecision::exp(Exact(x)));
+    worst.add(x, exponential(x), boost::multiprecision::exp(Exact(x)));
   }
   INFO("worst " << worst.ulps << " ulps at " << worst.argument);
   CHECK(worst.ulps < 1);
@@ -119,9 +119,9 @@ TEST_CASE("a whole power is its product") {
 }
 
 TEST_CASE("the cube root errs by less than two ulps, and not at all for small cubes") {
-  Worst worst;
+  WorstError worst;
   for (const double x : positive_numbers()) {
-    worst.see(x, cube_root(x), boost::multiprecision::cbrt(Exact(x)));
+    worst.add(x, cube_root(x), boost::multiprecision::cbrt(Exact(x)));
     CHECK(cube_root(-x) == -cube_root(x));
   }
   INFO("worst " << worst.ulps << " ulps at " << worst.argument);
@@ -131,14 +131,14 @@ TEST_CASE("the cube root errs by less than two ulps, and not at all for small cu
 
 TEST_CASE("the hypotenuse errs by less than its bound, whatever the sizes") {
   Random random(44);
-  Worst two, three;
+  WorstError two, three;
   for (int i = 0; i < 30000; ++i) {
     const int size = i % 3 == 0 ? int(random.integer(-1000, 1000)) : 0;
     const auto number = [&] { return random.scaled(-1, 1, size - 20, size + 20); };
     const double x = number(), y = number(), z = number();
     const Exact squares = Exact(x) * Exact(x) + Exact(y) * Exact(y);
-    two.see(x, hypotenuse(x, y), sqrt(squares));
-    three.see(x, hypotenuse(x, y, z), sqrt(Exact(squares + Exact(z) * Exact(z))));
+    two.add(x, hypotenuse(x, y), sqrt(squares));
+    three.add(x, hypotenuse(x, y, z), sqrt(Exact(squares + Exact(z) * Exact(z))));
   }
   INFO("of two " << two.ulps << " ulps at " << two.argument << ", of three " << three.ulps << " at "
                  << three.argument);

@@ -22,10 +22,10 @@ using Exact = boost::multiprecision::cpp_bin_float_50;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Exact kExactPi = boost::multiprecision::acos(Exact(-1));
 
-struct Worst {
+struct WorstError {
   double ulps = 0;
   double argument = 0;
-  void see(double x, double value, const Exact& exact) {
+  void add(double x, double value, const Exact& exact) {
     if (exact == 0) {
       if (value != 0) *this = {kInfinity, x};
       return;
@@ -58,11 +58,11 @@ std::vector<double> angles(int count, double largest, double quarter_turn) {
 }
 
 TEST_CASE("sine and cosine err by less than an ulp up to 2^20 radians") {
-  Worst sin, cos;
+  WorstError sin, cos;
   for (double x : angles(30000, kMaxRadians, kHalfPi)) {
     const SinCos value = sin_cos(x);
-    sin.see(x, value.sin, boost::multiprecision::sin(Exact(x)));
-    cos.see(x, value.cos, boost::multiprecision::cos(Exact(x)));
+    sin.add(x, value.sin, boost::multiprecision::sin(Exact(x)));
+    cos.add(x, value.cos, boost::multiprecision::cos(Exact(x)));
   }
   INFO("worst sine " << sin.ulps << " ulps at " << sin.argument << ", cosine " << cos.ulps << " at "
                      << cos.argument);
@@ -71,7 +71,7 @@ TEST_CASE("sine and cosine err by less than an ulp up to 2^20 radians") {
 }
 
 TEST_CASE("sine and cosine of degrees err by less than an ulp up to 2^26 degrees") {
-  Worst sin, cos;
+  WorstError sin, cos;
   for (double x : angles(30000, kMaxDegrees, 90)) {
     const SinCos value = sin_cos_degrees(x);
     // The angle is reduced in degrees, which is exact, before the reference multiplies it by pi /
@@ -80,8 +80,8 @@ TEST_CASE("sine and cosine of degrees err by less than an ulp up to 2^26 degrees
     Exact s = boost::multiprecision::sin(radians), c = boost::multiprecision::cos(radians);
     if (std::fmod(x, 180) == 0) s = 0;
     if (std::abs(std::fmod(x, 180)) == 90) c = 0;
-    sin.see(x, value.sin, s);
-    cos.see(x, value.cos, c);
+    sin.add(x, value.sin, s);
+    cos.add(x, value.cos, c);
   }
   INFO("worst sine " << sin.ulps << " ulps at " << sin.argument << ", cosine " << cos.ulps << " at "
                      << cos.argument);
@@ -103,19 +103,19 @@ TEST_CASE("the arctangent errs by less than an ulp") {
     }
   }
   std::erase_if(list, [](double x) { return std::isinf(x); });
-  Worst worst;
-  for (double x : list) worst.see(x, arctan(x), boost::multiprecision::atan(Exact(x)));
+  WorstError worst;
+  for (double x : list) worst.add(x, arctan(x), boost::multiprecision::atan(Exact(x)));
   INFO("worst " << worst.ulps << " ulps at " << worst.argument);
   CHECK(worst.ulps < 0.85);
 }
 
 TEST_CASE("the angle of a vector errs by less than two ulps in every quadrant") {
   Random random(22);
-  Worst worst;
+  WorstError worst;
   for (int i = 0; i < 30000; ++i) {
     const double y = random.scaled(-1, 1, -20, 20);
     const double x = random.scaled(-1, 1, -20, 20);
-    worst.see(y / x, arctan2(y, x), boost::multiprecision::atan2(Exact(y), Exact(x)));
+    worst.add(y / x, arctan2(y, x), boost::multiprecision::atan2(Exact(y), Exact(x)));
   }
   INFO("worst " << worst.ulps << " ulps at y/x = " << worst.argument);
   CHECK(worst.ulps < 1.6);
@@ -125,17 +125,17 @@ TEST_CASE(
     "the half-angle cotangent and tangent err by less than 2.5 ulps, also next to 0 and 180 "
     "degrees (C-08)") {
   Random random(23);
-  Worst cot, tan, cot_degrees, tan_degrees;
+  WorstError cot, tan, cot_degrees, tan_degrees;
   std::vector<double> degrees{1e-6, 1e-9, 1e-100, 90, 179.9999, 179.9999999999, 60, 45, 120};
   for (int i = 0; i < 20000; ++i) degrees.push_back(random.between(0, 180));
   for (double d : degrees) {
     const double r = radians_from_degrees(d);
     const Exact exact = boost::multiprecision::tan(Exact(r) / 2);
     const Exact exact_degrees = boost::multiprecision::tan(Exact(d) * kExactPi / 360);
-    tan.see(r, tan_half(r), exact);
-    cot.see(r, cot_half(r), 1 / exact);
-    tan_degrees.see(d, tan_half_degrees(d), exact_degrees);
-    cot_degrees.see(d, cot_half_degrees(d), 1 / exact_degrees);
+    tan.add(r, tan_half(r), exact);
+    cot.add(r, cot_half(r), 1 / exact);
+    tan_degrees.add(d, tan_half_degrees(d), exact_degrees);
+    cot_degrees.add(d, cot_half_degrees(d), 1 / exact_degrees);
   }
   INFO("cot " << cot.ulps << " tan " << tan.ulps << " cot degrees " << cot_degrees.ulps
               << " tan degrees " << tan_degrees.ulps);

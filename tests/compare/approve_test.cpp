@@ -42,21 +42,21 @@ private:
 };
 
 TEST_CASE("approving copies the test over the reference, byte for byte") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoPictures here;
   const std::string test = read(here.file("b.png"));
   REQUIRE(read(here.file("a.png")) != test);
-  REQUIRE(approve(here.file("a.png"), here.file("b.png")));
+  REQUIRE(approve_picture(here.file("a.png"), here.file("b.png")));
   CHECK(read(here.file("a.png")) == test);
   CHECK(read(here.file("b.png")) == test);
   CHECK(here.directory().names().size() == 2);
 }
 
 TEST_CASE("a reference that is not there is made, with its folders") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoPictures here;
   const std::string reference = here.file("golden/sub/new.png");
-  REQUIRE(approve(reference, here.file("b.png")));
+  REQUIRE(approve_picture(reference, here.file("b.png")));
   CHECK(read(reference) == read(here.file("b.png")));
 }
 
@@ -64,24 +64,24 @@ TEST_CASE("on a server nothing is approved") {
   const TwoPictures here;
   const std::string before = read(here.file("a.png"));
   for (const char* value : {"1", "true", "0"}) {
-    const Variable ci("CI", value);
+    const EnvironmentVariable ci("CI", value);
     CHECK(on_ci_server());
-    const auto done = approve(here.file("a.png"), here.file("b.png"));
+    const auto done = approve_picture(here.file("a.png"), here.file("b.png"));
     REQUIRE(!done);
     CHECK(done.error().cause.find("CI") != std::string::npos);
-    CHECK(!approve(here.file("golden/new.png"), here.file("b.png")));
+    CHECK(!approve_picture(here.file("golden/new.png"), here.file("b.png")));
   }
   CHECK(read(here.file("a.png")) == before);
   CHECK(here.directory().names().size() == 2);
-  const Variable empty("CI", "");
+  const EnvironmentVariable empty("CI", "");
   CHECK(!on_ci_server());
 }
 
 TEST_CASE("names that end differently are refused") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoPictures here;
   for (const char* name : {"a.ppm", "a", "a.PNG", "a.png.old"}) {
-    const auto done = approve(here.file(name), here.file("b.png"));
+    const auto done = approve_picture(here.file(name), here.file("b.png"));
     INFO(name);
     REQUIRE(!done);
     CHECK(!fs::exists(here.file(name)));
@@ -89,13 +89,13 @@ TEST_CASE("names that end differently are refused") {
 }
 
 TEST_CASE("a test that cannot be decoded does not become the reference") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoPictures here;
   const std::string before = read(here.file("a.png"));
   std::ofstream(here.file("cut.png"), std::ios::binary) << before.substr(0, before.size() / 2);
   std::ofstream(here.file("empty.png"), std::ios::binary) << "";
   for (const char* name : {"cut.png", "empty.png", "nothing.png"}) {
-    const auto done = approve(here.file("a.png"), here.file(name));
+    const auto done = approve_picture(here.file("a.png"), here.file(name));
     INFO(name);
     REQUIRE(!done);
     CHECK(done.error().file == here.file(name));
@@ -104,9 +104,9 @@ TEST_CASE("a test that cannot be decoded does not become the reference") {
 }
 
 TEST_CASE("a folder that cannot be made is an error") {
-  const Variable ci("CI", std::nullopt);
+  const EnvironmentVariable ci("CI", std::nullopt);
   const TwoPictures here;
-  const auto done = approve(here.file("a.png/sub/new.png"), here.file("b.png"));
+  const auto done = approve_picture(here.file("a.png/sub/new.png"), here.file("b.png"));
   REQUIRE(!done);
   CHECK(done.error().cause.find("cannot be created") != std::string::npos);
 }

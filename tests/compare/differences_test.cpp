@@ -81,7 +81,7 @@ Case random_case(Random& random) {
   for (auto i = random.integer(-2, 2); i > 0; --i) {
     const PixelBox box{int(random.integer(-3, width - 1)), int(random.integer(-3, height - 1)),
                        int(random.integer(4, 20)), int(random.integer(4, 20))};
-    REQUIRE(c.selection.leave_out(box));
+    REQUIRE(c.selection.exclude(box));
   }
   return c;
 }

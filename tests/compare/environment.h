@@ -7,16 +7,16 @@
 
 namespace glassbox::test {
 
-class Variable {
+class EnvironmentVariable {
 public:
   // Removes the variable if there is no value.
-  Variable(const char* name, std::optional<std::string> value) : name_(name) {
+  EnvironmentVariable(const char* name, std::optional<std::string> value) : name_(name) {
     if (const char* before = std::getenv(name)) before_ = before;
     set(value);
   }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() { set(before_); }
+  EnvironmentVariable(const EnvironmentVariable&) = delete;
+  EnvironmentVariable& operator=(const EnvironmentVariable&) = delete;
+  ~EnvironmentVariable() { set(before_); }
 
 private:
   void set(const std::optional<std::string>& value) const {

@@ -270,7 +270,7 @@ TEST_CASE("what is left out is no evidence against an explanation") {
   const StoredImage reference = golden("f-glyph.png");
   StoredImage test = moved(reference, {1, 0, -1, reference.height - 1});
   Selection selection(reference.width, reference.height);
-  REQUIRE(selection.leave_out(PixelBox{0, 0, 160, 180}));
+  REQUIRE(selection.exclude(PixelBox{0, 0, 160, 180}));
   for (int y = 0; y < 180; ++y) {
     for (int x = 0; x < 160; ++x) set_sample(test, x, y, 0, (x * y) % 256);
   }

@@ -82,7 +82,7 @@ TEST_CASE("colours grow brighter with the level, and no two levels share one") {
 
 TEST_CASE("what is left out has a colour that no difference has") {
   const auto& colours = heat_colours();
-  const Rgba8 left_out = colours[kHeatLeftOut];
+  const Rgba8 left_out = colours[kHeatNotCompared];
   for (std::size_t level = 0; level <= kHeatHottest; ++level) {
     const int apart = std::abs(colours[level].r - left_out.r) +
                       std::abs(colours[level].g - left_out.g) +
@@ -103,7 +103,7 @@ TEST_CASE("a heat map has the level of each pixel's difference") {
       set_sample(test, x, y, channel, random_sample(random, format));
     }
     Selection selection(9, 6);
-    REQUIRE(selection.leave_out(PixelBox{2, 1, 3, 3}));
+    REQUIRE(selection.exclude(PixelBox{2, 1, 3, 3}));
     const PicturePair pair{reference, test, selection};
     const Image<std::uint8_t> levels = heat_map(pair);
     const Image<Rgba8> picture = heat_picture(levels);
@@ -116,8 +116,8 @@ TEST_CASE("a heat map has the level of each pixel's difference") {
       row_differences(pair, y, steps);
       for (int x = 0; x < 9; ++x) {
         const bool compared = selection.compares(x, y);
-        CHECK(int(levels.at(x, y)) ==
-              (compared ? int(heat_level(steps[std::size_t(x)], reference)) : int(kHeatLeftOut)));
+        CHECK(int(levels.at(x, y)) == (compared ? int(heat_level(steps[std::size_t(x)], reference))
+                                                : int(kHeatNotCompared)));
         CHECK(picture.at(x, y) == heat_colours()[levels.at(x, y)]);
       }
     }

@@ -29,12 +29,12 @@ Differences differences(std::uint32_t largest, std::uint64_t pixels) {
 
 std::string stale(const std::string& text, const Differences& found) {
   std::vector<std::string> notes;
-  return stale_text(combine({}, sidecar(text), notes), found);
+  return stale_tolerance_text(combine_rules({}, sidecar(text), notes), found);
 }
 
 TEST_CASE("without options the sidecar's rules apply") {
   std::vector<std::string> notes;
-  const Rules rules = combine(
+  const ComparisonRules rules = combine_rules(
       {}, sidecar("fuzzy: 0-1;0-4\nmax-ulp: 2\nmetric: psnr>40\nignore: 1,2,3x4\nmask: m.png"),
       notes);
   CHECK(rules.tolerance_of_sidecar);
@@ -52,7 +52,7 @@ TEST_CASE("a tolerance among the options overrules the sidecar's, with a note") 
   metric.metrics = *parse_metrics("psnr>10");
   for (const CompareOptions& options : {fuzzy, ulps, metric}) {
     std::vector<std::string> notes;
-    const Rules rules = combine(
+    const ComparisonRules rules = combine_rules(
         options, sidecar("fuzzy: 0-1;0-4\nmetric: psnr>40\nignore: 1,2,3x4\nmask: m.png"), notes);
     CHECK(!rules.tolerance_of_sidecar);
     CHECK(rules.reason.empty());
@@ -70,7 +70,7 @@ TEST_CASE("a sidecar without a tolerance has none to overrule") {
   CompareOptions options;
   options.tolerance.fuzzy = Fuzzy{{0, 9}, {0, 9}};
   std::vector<std::string> notes;
-  combine(options, sidecar("ignore: 1,2,3x4\nmetric: rmse"), notes);
+  combine_rules(options, sidecar("ignore: 1,2,3x4\nmetric: rmse"), notes);
   CHECK(notes.empty());
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("a metric that is only reported overrules nothing") {
   CompareOptions options;
   options.metrics = *parse_metrics("rmse");
   std::vector<std::string> notes;
-  const Rules rules = combine(options, sidecar("fuzzy: 0-1;0-4"), notes);
+  const ComparisonRules rules = combine_rules(options, sidecar("fuzzy: 0-1;0-4"), notes);
   CHECK(rules.tolerance_of_sidecar);
   CHECK(notes.empty());
 }
@@ -88,7 +88,8 @@ TEST_CASE("boxes add up, and a mask given takes the place of the sidecar's") {
   options.ignore = {{9, 9, 1, 1}};
   options.mask = "mine.png";
   std::vector<std::string> notes;
-  const Rules rules = combine(options, sidecar("ignore: 1,2,3x4\nmask: m.png"), notes);
+  const ComparisonRules rules =
+      combine_rules(options, sidecar("ignore: 1,2,3x4\nmask: m.png"), notes);
   CHECK(rules.options.ignore == std::vector<PixelBox>{{9, 9, 1, 1}, {1, 2, 3, 4}});
   CHECK(rules.options.mask == "mine.png");
 }
@@ -97,7 +98,7 @@ TEST_CASE("without a sidecar the options stand as they are") {
   CompareOptions options;
   options.tolerance.max_ulp = 3;
   std::vector<std::string> notes;
-  const Rules rules = combine(options, std::nullopt, notes);
+  const ComparisonRules rules = combine_rules(options, std::nullopt, notes);
   CHECK(!rules.tolerance_of_sidecar);
   CHECK(tolerance_text(rules.options) == "3 ulps");
   CHECK(tolerance_text({}).empty());

@@ -63,10 +63,10 @@ TEST_CASE("a box survives being written") {
 
 TEST_CASE("everything is compared until something is left out") {
   Selection selection(7, 5);
-  CHECK(selection.everything());
+  CHECK(selection.includes_all());
   CHECK(selection.compared_pixels() == 35);
-  REQUIRE(selection.leave_out(PixelBox{2, 1, 3, 2}));
-  CHECK(!selection.everything());
+  REQUIRE(selection.exclude(PixelBox{2, 1, 3, 2}));
+  CHECK(!selection.includes_all());
   CHECK(selection.compared_pixels() == 29);
   for (int y = 0; y < 5; ++y) {
     for (int x = 0; x < 7; ++x) {
@@ -77,9 +77,9 @@ TEST_CASE("everything is compared until something is left out") {
 
 TEST_CASE("boxes that overlap count a pixel once") {
   Selection selection(10, 10);
-  REQUIRE(selection.leave_out(PixelBox{0, 0, 5, 5}));
-  REQUIRE(selection.leave_out(PixelBox{3, 3, 5, 5}));
-  REQUIRE(selection.leave_out(PixelBox{0, 0, 5, 5}));
+  REQUIRE(selection.exclude(PixelBox{0, 0, 5, 5}));
+  REQUIRE(selection.exclude(PixelBox{3, 3, 5, 5}));
+  REQUIRE(selection.exclude(PixelBox{0, 0, 5, 5}));
   CHECK(selection.compared_pixels() == 100 - 25 - 25 + 4);
 }
 
@@ -88,14 +88,14 @@ TEST_CASE("a box may hang over the edge of the picture") {
                               PixelBox{std::numeric_limits<int>::min(), 0, kMost, 1}}) {
     Selection selection(10, 10);
     const bool touches = box.x + std::int64_t(box.width) > 0;
-    CHECK(bool(selection.leave_out(box)) == touches);
+    CHECK(bool(selection.exclude(box)) == touches);
   }
   Selection selection(10, 10);
-  REQUIRE(selection.leave_out(PixelBox{8, 9, kMost, kMost}));
+  REQUIRE(selection.exclude(PixelBox{8, 9, kMost, kMost}));
   CHECK(selection.compared_pixels() == 98);
   CHECK(!selection.compares(8, 9));
   CHECK(!selection.compares(9, 9));
-  REQUIRE(selection.leave_out(PixelBox{-4, -4, 6, 6}));
+  REQUIRE(selection.exclude(PixelBox{-4, -4, 6, 6}));
   CHECK(selection.compared_pixels() == 94);
 }
 
@@ -103,12 +103,12 @@ TEST_CASE("a box beside the picture is a slip and refused") {
   for (const PixelBox& box : {PixelBox{10, 0, 1, 1}, PixelBox{0, 5, 1, 1}, PixelBox{-3, 0, 3, 3},
                               PixelBox{0, -3, 3, 3}, PixelBox{kMost, kMost, kMost, kMost}}) {
     Selection selection(10, 5);
-    const auto done = selection.leave_out(box);
+    const auto done = selection.exclude(box);
     INFO(to_string(box));
     REQUIRE(!done);
     CHECK(done.error().message().find(to_string(box)) != std::string::npos);
     CHECK(done.error().message().find("10 x 5") != std::string::npos);
-    CHECK(selection.everything());
+    CHECK(selection.includes_all());
     CHECK(selection.compared_pixels() == 50);
   }
 }
@@ -129,7 +129,7 @@ TEST_CASE(
       set_sample(mask, 1, 2, last_colour, 1);
       set_sample(mask, 3, 0, 0, 1);
       Selection selection(4, 3);
-      REQUIRE(selection.leave_out_black(mask));
+      REQUIRE(selection.exclude_black(mask));
       INFO(channels << " channels of " << name_of(format));
       CHECK(selection.compared_pixels() == 2);
       CHECK(selection.compares(1, 2));
@@ -142,20 +142,20 @@ TEST_CASE("a mask without black leaves out nothing") {
   StoredImage mask = blank(2, 2, 1, Format::kBytes);
   for (int i = 0; i < 4; ++i) set_sample(mask, i % 2, i / 2, 0, 1);
   Selection selection(2, 2);
-  REQUIRE(selection.leave_out_black(mask));
-  CHECK(selection.everything());
+  REQUIRE(selection.exclude_black(mask));
+  CHECK(selection.includes_all());
 }
 
 TEST_CASE("a mask of another size is refused, naming both sizes") {
   Selection selection(4, 3);
   for (const auto& [width, height] : {std::pair(3, 4), std::pair(4, 4), std::pair(8, 3)}) {
-    const auto done = selection.leave_out_black(blank(width, height, 1, Format::kBytes));
+    const auto done = selection.exclude_black(blank(width, height, 1, Format::kBytes));
     REQUIRE(!done);
     CHECK(done.error().cause.find("4 x 3") != std::string::npos);
     CHECK(done.error().cause.find(std::to_string(width) + " x " + std::to_string(height)) !=
           std::string::npos);
   }
-  CHECK(selection.everything());
+  CHECK(selection.includes_all());
 }
 
 TEST_CASE("where nothing is left to compare there is no verdict") {

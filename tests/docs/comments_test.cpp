@@ -9,7 +9,7 @@
 
 #include "tests/docs/tree.h"
 #include "tests/support/catch.h"
-#include "tests/support/share.h"
+#include "tests/support/daily_share.h"
 
 namespace glassbox::test {
 namespace {

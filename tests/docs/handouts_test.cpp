@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/docs/shell.h"
 #include "tests/support/catch.h"
 

@@ -129,9 +129,10 @@ TEST_CASE("no file includes one that stands further down README's list of folder
 TEST_CASE("an include that runs back is found, in every way to write it") {
   const std::vector<std::string> folders = folders_of_readme();
   const std::string file = "raster/snap.h";
-  for (const char* line : {"#include <glassbox/render/trace.h>", "#include \"render/trace.h\"",
-                           "#include \"../render/trace.h\"", "#  include \"tests/app/run.h\" // x",
-                           "#include <glassbox/app/options.h>"}) {
+  for (const char* line :
+       {"#include <glassbox/render/trace.h>", "#include \"render/trace.h\"",
+        "#include \"../render/trace.h\"", "#  include \"tests/app/working_directory.h\" // x",
+        "#include <glassbox/app/options.h>"}) {
     CAPTURE(line);
     CHECK(runs_back(folders, file, line));
   }
@@ -149,7 +150,7 @@ TEST_CASE("a library that includes commands is found, and commands may include l
     return runs_back(folders, file, "#include \"" + included + "\"");
   };
   CHECK(back("views/klt/globe.cpp", "views/commands/klt_report.h"));
-  CHECK(back("labs/framework/judge.cpp", "study/commands/text.h"));
+  CHECK(back("labs/framework/judge_check.cpp", "study/commands/text.h"));
   CHECK(back("views/commands/klt_report.cpp", "study/commands/text.h"));
   CHECK(back("cli/run_program.cpp", "app/commands.h"));
   CHECK_FALSE(back("views/commands/klt_report.cpp", "views/klt/globe.h"));

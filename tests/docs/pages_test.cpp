@@ -132,7 +132,7 @@ void check_line(const Clone& clone, const std::string& page, const ShellLine& li
   CHECK(outcome.exit_code == exit_code_of(page, line.text));
   if (!line.has_output) return;
   CAPTURE(line.output);
-  CHECK(is_told(comparable(outcome.out + outcome.err), comparable(line.output)));
+  CHECK(matches_session(comparable(outcome.out + outcome.err), comparable(line.output)));
 }
 
 // Runs the lines of the long list, or all other lines that are run here. Returns how many.
@@ -202,8 +202,8 @@ TEST_CASE("what stands below a command is compared, but for times") {
   CHECK(comparable("same\n") != comparable("different\n"));
   const Clone clone;
   const Outcome outcome = clone.run("glassbox diff images/golden/cube.png images/golden/cube.png");
-  CHECK(is_told(comparable(outcome.out), "images/golden/cube.png: same\n"));
-  CHECK_FALSE(is_told(comparable(outcome.out), "images/golden/cube.png: different\n"));
+  CHECK(matches_session(comparable(outcome.out), "images/golden/cube.png: same\n"));
+  CHECK_FALSE(matches_session(comparable(outcome.out), "images/golden/cube.png: different\n"));
 }
 
 TEST_CASE("every command of docs/gallery.md makes the golden image beside it, but for its size") {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/docs/tree.h"
 
 namespace glassbox::test {
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  Workplace here_;
+  WorkingDirectory here_;
 };
 
 }  // namespace glassbox::test

@@ -205,18 +205,19 @@ TEST_CASE(
 
 TEST_CASE("three points turn one way, the other way when two change places, and no way on a line") {
   const SnappedVertex a{0, 0}, b{256, 0}, c{0, 256};  // with y down: to the right, then down
-  CHECK(turn<std::int64_t>(a, b, c) == 1);
-  CHECK(turn<Integer>(a, c, b) == -1);
-  CHECK(turn<Rational>(b, c, a) == 1);
-  CHECK(turn<std::int64_t>(a, a, b) == 0);
-  CHECK(turn<std::int64_t>(SnappedVertex{-3, -3}, SnappedVertex{0, 0}, SnappedVertex{7, 7}) == 0);
+  CHECK(orientation<std::int64_t>(a, b, c) == 1);
+  CHECK(orientation<Integer>(a, c, b) == -1);
+  CHECK(orientation<Rational>(b, c, a) == 1);
+  CHECK(orientation<std::int64_t>(a, a, b) == 0);
+  CHECK(orientation<std::int64_t>(SnappedVertex{-3, -3}, SnappedVertex{0, 0},
+                                  SnappedVertex{7, 7}) == 0);
   // One step beside the line between opposite corners of the largest picture: the turn needs 50
   // bits.
   const std::int32_t far = 1 << 24;
-  CHECK(turn<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
-                           SnappedVertex{0, 1}) == 1);
-  CHECK(turn<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
-                           SnappedVertex{1, 0}) == -1);
+  CHECK(orientation<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
+                                  SnappedVertex{0, 1}) == 1);
+  CHECK(orientation<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
+                                  SnappedVertex{1, 0}) == -1);
 }
 
 TEST_CASE("positions are snapped to the nearest 1/256 px, halves upwards") {

@@ -52,7 +52,7 @@ std::string printed(const MatrixText& matrix) {
 PointStepOptions chosen_options(std::uint8_t byte) {
   PointStepOptions o;
   if ((byte & 1) != 0) o.order = (byte & 2) != 0 ? NumberOrder::kColumns : NumberOrder::kRows;
-  if ((byte & 4) != 0) o.world = (byte & 8) != 0 ? Hand::kLeft : Hand::kRight;
+  if ((byte & 4) != 0) o.world = (byte & 8) != 0 ? Handedness::kLeft : Handedness::kRight;
   const std::size_t dialect = std::size_t(byte) >> 5;
   if (dialect < api_dialects().size()) o.dialect = &api_dialects()[dialect];
   if ((byte & 16) != 0) {

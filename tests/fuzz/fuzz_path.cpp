@@ -23,7 +23,7 @@ void check_range(const CameraPath& path, double value, const ValueOf& value_of) 
 }
 
 void check_camera(const CameraPath& path, double time) {
-  const CameraAt camera = camera_at(path, time);
+  const CameraPose camera = camera_at(path, time);
   for (std::size_t k = 0; k < 3; ++k) {
     check_range(path, camera.eye[k], [k](const Keyframe& key) { return key.eye[k]; });
     check_range(path, camera.look_at[k], [k](const Keyframe& key) { return key.look_at[k]; });
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   require(!path->keyframes.empty() && path->keyframes.size() <= kMaxKeyframes, "keyframes");
   for (std::size_t i = 1; i < path->keyframes.size(); ++i) {
-    require(path->keyframes[i].at > path->keyframes[i - 1].at, "growing times");
+    require(path->keyframes[i].time > path->keyframes[i - 1].time, "growing times");
   }
   for (int number = 1; number <= 33; ++number) {
     check_camera(*path, time_of_frame(*path, number, 33));
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t first = std::min<std::size_t>(path->keyframes.size(), 20);
   for (std::size_t i = 0; i < first; ++i) {
     const Keyframe& key = path->keyframes[i];
-    require(camera_at(*path, key.at).eye == key.eye, "a keyframe's camera at its time");
+    require(camera_at(*path, key.time).eye == key.eye, "a keyframe's camera at its time");
   }
   return 0;
 }

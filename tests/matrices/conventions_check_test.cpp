@@ -108,7 +108,8 @@ struct Score {
   int planted = 0, vanished = 0, listed = 0, first = 0, others = 0;
 };
 
-Score plant(const std::function<MatrixSetup(const Scene&)>& slip, Change expected, int seed) {
+Score score_planted_mistake(const std::function<MatrixSetup(const Scene&)>& slip,
+                            SetupChange expected, int seed) {
   Random random{std::uint64_t(seed)};
   Score score;
   for (int i = 0; i < 400; ++i) {
@@ -129,9 +130,9 @@ Score plant(const std::function<MatrixSetup(const Scene&)>& slip, Change expecte
 }
 
 TEST_CASE("each planted slip is listed, and stands first where the matrices can tell") {
-  struct Planted {
+  struct PlantedMistake {
     const char* name;
-    Change undoes;
+    SetupChange undoes;
     std::function<MatrixSetup(const Scene&)> slip;
     double first_share;  // share of cases in which it must be listed first
   };
@@ -139,34 +140,34 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
     m[0][3] = m[1][3] = m[2][3] = 0;
     return m;
   };
-  const Planted slips[] = {
-      {"all transposed", Change::kTransposeAll,
+  const PlantedMistake slips[] = {
+      {"all transposed", SetupChange::kTransposeAll,
        [](const Scene& s) {
          return setup(book::transposed(s.model()), book::transposed(s.view()),
                       book::transposed(s.projection()));
        },
        1},
-      {"model transposed", Change::kTransposeModel,
+      {"model transposed", SetupChange::kTransposeModel,
        [](const Scene& s) { return setup(book::transposed(s.model()), s.view(), s.projection()); },
        0.99},
-      {"view transposed", Change::kTransposeView,
+      {"view transposed", SetupChange::kTransposeView,
        [](const Scene& s) { return setup(s.model(), book::transposed(s.view()), s.projection()); },
        1},
-      {"projection transposed", Change::kTransposeProjection,
+      {"projection transposed", SetupChange::kTransposeProjection,
        [](const Scene& s) { return setup(s.model(), s.view(), book::transposed(s.projection())); },
        1},
-      {"E12: S4.5 times S4.18", Change::kEyeHand,
+      {"E12: S4.5 times S4.18", SetupChange::kEyeHand,
        [](const Scene& s) {
          return setup(s.model(), s.view(),
                       book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d");
        },
        0.95},
-      {"view not inverted", Change::kInvertView,
+      {"view not inverted", SetupChange::kInvertView,
        [](const Scene& s) {
          return setup(s.model(), book::rigid_inverse(s.view()), s.projection());
        },
        0.95},
-      {"view T R for R T", Change::kViewFactors,
+      {"view T R for R T", SetupChange::kViewFactors,
        [&](const Scene& s) {
          return setup(s.model(),
                       book::product(book::translation(-s.eye[0], -s.eye[1], -s.eye[2]),
@@ -174,7 +175,7 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
                       s.projection());
        },
        0.6},
-      {"view translated by +eye", Change::kViewOffsetSign,
+      {"view translated by +eye", SetupChange::kViewOffsetSign,
        [&](const Scene& s) {
          return setup(
              s.model(),
@@ -182,30 +183,30 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
              s.projection());
        },
        0},
-      {"model R T for T R", Change::kModelFactorsBack,
+      {"model R T for T R", SetupChange::kModelFactorsBack,
        [](const Scene& s) {
          return setup(book::product(book::turn_y(s.model_turn),
                                     book::translation(s.model_offset[0], 0, s.model_offset[2])),
                       s.view(), s.projection());
        },
        0},
-      {"model inverted", Change::kInvertModel,
+      {"model inverted", SetupChange::kInvertModel,
        [](const Scene& s) {
          return setup(book::rigid_inverse(s.model()), s.view(), s.projection());
        },
        0},
-      {"model and view exchanged", Change::kExchangeModelView,
+      {"model and view exchanged", SetupChange::kExchangeModelView,
        [](const Scene& s) { return setup(s.view(), s.model(), s.projection()); }, 0},
-      {"view and projection exchanged", Change::kExchangeViewProjection,
+      {"view and projection exchanged", SetupChange::kExchangeViewProjection,
        [](const Scene& s) { return setup(s.model(), s.projection(), s.view()); }, 1},
-      {"degrees for radians", Change::kDegrees,
+      {"degrees for radians", SetupChange::kDegrees,
        [](const Scene& s) {
          return setup(
              s.model(), s.view(),
              book::perspective_gl(s.fovy * 180 / 3.14159265358979323846, s.aspect, s.near, s.far));
        },
        0.9},
-      {"radians for degrees", Change::kRadians,
+      {"radians for degrees", SetupChange::kRadians,
        [](const Scene& s) {
          return setup(s.model(), s.view(),
                       book::perspective_gl(book::radians(s.fovy), s.aspect, s.near, s.far));
@@ -214,8 +215,8 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
   };
   int seed = 430;
   std::printf("slips planted 400 times each, with four points:\n");
-  for (const Planted& slip : slips) {
-    const Score score = plant(slip.slip, slip.undoes, seed++);
+  for (const PlantedMistake& slip : slips) {
+    const Score score = score_planted_mistake(slip.slip, slip.undoes, seed++);
     std::printf("  %-30s vanished %3d, listed %3d, first %3d; %.1f changes would do\n", slip.name,
                 score.vanished, score.listed, score.first,
                 double(score.others) / std::max(1, score.vanished));
@@ -235,7 +236,7 @@ TEST_CASE("E16: a point that OpenGL shows and Direct3D clips is brought back by 
   const ConventionsReport report = check_conventions(set, kWindow, {&point, 1});
   CHECK(report.visible == 0);
   REQUIRE_FALSE(report.alternatives.empty());
-  CHECK(report.alternatives.front().change == Change::kDepthRange);
+  CHECK(report.alternatives.front().change == SetupChange::kDepthRange);
   REQUIRE_FALSE(report.alternatives.front().reasons.empty());
   CHECK(report.alternatives.front().reasons.front().find("0.1 and far 100") != std::string::npos);
 }
@@ -249,7 +250,7 @@ TEST_CASE("E12: that every w is negative is a reason, and the count is given") {
   CHECK(report.behind_eye == 4);
   REQUIRE_FALSE(report.alternatives.empty());
   const Alternative& first = report.alternatives.front();
-  CHECK(first.change == Change::kEyeHand);
+  CHECK(first.change == SetupChange::kEyeHand);
   CHECK(first.remedy.find("handedness is mixed (E12)") != std::string::npos);
   REQUIRE_FALSE(first.reasons.empty());
   CHECK(first.reasons.front().find("every w is negative (4 of 4)") != std::string::npos);
@@ -268,8 +269,8 @@ TEST_CASE("two slips at once are found together") {
       continue;
     ++tried;
     const Alternative& first = report.alternatives.front();
-    found +=
-        std::set{first.change, *first.second} == std::set{Change::kTransposeView, Change::kEyeHand};
+    found += std::set{first.change, *first.second} ==
+             std::set{SetupChange::kTransposeView, SetupChange::kEyeHand};
   }
   CAPTURE(found, tried);
   CHECK(tried > 30);
@@ -301,10 +302,10 @@ TEST_CASE(
   const ConventionsReport turned = expecting(x, 480 - y);
   CHECK(turned.visible == 0);
   REQUIRE(turned.alternatives.size() == 1);
-  CHECK(turned.alternatives.front().change == Change::kFlipY);
+  CHECK(turned.alternatives.front().change == SetupChange::kFlipY);
   const ConventionsReport mirrored = expecting(640 - x, y);
   REQUIRE(mirrored.alternatives.size() == 1);
-  CHECK(mirrored.alternatives.front().change == Change::kFlipX);
+  CHECK(mirrored.alternatives.front().change == SetupChange::kFlipX);
   REQUIRE(mirrored.alternatives.front().window);
   CHECK(mirrored.alternatives.front().window->x == Approx(640 - x));
 }
@@ -322,7 +323,7 @@ TEST_CASE("a corner left over from the identity is found by the pixel that was e
       check_conventions(setup(book::identity(), view, leftover), kWindow, {&point, 1});
   CHECK(report.visible == 0);
   REQUIRE(report.alternatives.size() == 1);
-  CHECK(report.alternatives.front().change == Change::kClearCorner);
+  CHECK(report.alternatives.front().change == SetupChange::kClearCorner);
 }
 
 TEST_CASE("changes that spoil a sound matrix are counted, not proposed") {
@@ -338,11 +339,11 @@ TEST_CASE("changes that spoil a sound matrix are counted, not proposed") {
     spoiling += report.spoiling;
     for (const Alternative& a : report.alternatives) {
       CAPTURE(i, a.what);
-      CHECK(a.change != Change::kTransposeView);
+      CHECK(a.change != SetupChange::kTransposeView);
       // The transpose of a mere rotation is a sound matrix.
       const bool moves = s.model_offset[0] != 0 || s.model_offset[2] != 0;
-      CHECK((a.change != Change::kTransposeModel || !moves));
-      CHECK(a.change != Change::kTransposeAll);
+      CHECK((a.change != SetupChange::kTransposeModel || !moves));
+      CHECK(a.change != SetupChange::kTransposeAll);
     }
   }
   CHECK(spoiling > 10);

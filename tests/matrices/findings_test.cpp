@@ -81,8 +81,8 @@ TEST_CASE("correct sets of matrices raise neither alarm nor hint, in any dialect
       CHECK(ids(findings, Severity::kHint).empty());
       // The world that each set is made for: look_at_left for a left-handed one, and so on.
       MatrixSetup known = setup(api, model, matrices.first, matrices.second);
-      known.world = matrices.first == left ? Hand::kLeft : Hand::kRight;
-      CHECK(world_drawn(known) == known.world);
+      known.world = matrices.first == left ? Handedness::kLeft : Handedness::kRight;
+      CHECK(drawn_handedness(known) == known.world);
       CHECK(ids(check_matrices(known), Severity::kAlarm).empty());
     }
   }
@@ -197,16 +197,16 @@ TEST_CASE("E7: a gaze turned to +z mirrors a right-handed world, and fits a left
   const book::Vector3 x = book::cross(up, gaze);
   MatrixSetup set = setup("d3d", book::identity(), book::from_axes(x, up, gaze, eye),
                           book::perspective_d3d_left(1, 1.5, 0.1, 100));
-  CHECK(facts_of(set.view.m).rigid());
+  CHECK(matrix_facts(set.view.m).rigid());
   CHECK(has(check_matrices(set), "world-hand", Severity::kNote));
-  set.world = Hand::kRight;
+  set.world = Handedness::kRight;
   CHECK(has(check_matrices(set), "world-mirrored", Severity::kAlarm));
-  set.world = Hand::kLeft;
+  set.world = Handedness::kLeft;
   CHECK(ids(check_matrices(set), Severity::kHint) == std::vector<std::string>());
   // Its mirror image, diag(-1, 1, 1, 1) V, draws right-handed worlds.
   const Rows mended = book::product(book::scaling(-1, 1, 1), book::from_axes(x, up, gaze, eye));
   set.view = given(mended);
-  set.world = Hand::kRight;
+  set.world = Handedness::kRight;
   CHECK(ids(check_matrices(set), Severity::kAlarm) == std::vector<std::string>());
 }
 

@@ -17,22 +17,24 @@ using book::random_place;
 using book::Rows;
 
 TEST_CASE("affine matrices are told apart by what they do") {
-  const auto shape = [](const Rows& m) { return facts_of(given(m).m).shape; };
-  CHECK(shape(book::identity()) == Shape::kIdentity);
-  CHECK(shape(book::translation(1, 2, 3)) == Shape::kTranslation);
-  CHECK(shape(book::turn_y(30)) == Shape::kRigid);
-  CHECK(shape(book::product(book::translation(1, 2, 3), book::turn_x(200))) == Shape::kRigid);
-  CHECK(shape(book::product(book::turn_y(30), book::scaling(2, 2, 2))) == Shape::kSimilarity);
-  CHECK(shape(book::product(book::turn_y(30), book::scaling(1, 2, 3))) == Shape::kScaled);
-  CHECK(shape(book::product(book::scaling(1, 2, 3), book::turn_y(30))) == Shape::kScaledAfter);
-  CHECK(shape(book::product(book::turn_x(20), book::product(book::scaling(1, 2, 3),
-                                                            book::turn_y(30)))) == Shape::kSheared);
-  CHECK(shape(book::scaling(1, 1, 0)) == Shape::kFlat);
-  CHECK(shape(book::perspective_gl(1, 1, 1, 10)) == Shape::kProjective);
-  CHECK(shape(book::transposed(book::translation(1, 2, 3))) == Shape::kProjective);
+  const auto shape = [](const Rows& m) { return matrix_facts(given(m).m).shape; };
+  CHECK(shape(book::identity()) == MatrixShape::kIdentity);
+  CHECK(shape(book::translation(1, 2, 3)) == MatrixShape::kTranslation);
+  CHECK(shape(book::turn_y(30)) == MatrixShape::kRigid);
+  CHECK(shape(book::product(book::translation(1, 2, 3), book::turn_x(200))) == MatrixShape::kRigid);
+  CHECK(shape(book::product(book::turn_y(30), book::scaling(2, 2, 2))) == MatrixShape::kSimilarity);
+  CHECK(shape(book::product(book::turn_y(30), book::scaling(1, 2, 3))) == MatrixShape::kScaled);
+  CHECK(shape(book::product(book::scaling(1, 2, 3), book::turn_y(30))) ==
+        MatrixShape::kScaledAfter);
+  CHECK(shape(book::product(book::turn_x(20),
+                            book::product(book::scaling(1, 2, 3), book::turn_y(30)))) ==
+        MatrixShape::kSheared);
+  CHECK(shape(book::scaling(1, 1, 0)) == MatrixShape::kFlat);
+  CHECK(shape(book::perspective_gl(1, 1, 1, 10)) == MatrixShape::kProjective);
+  CHECK(shape(book::transposed(book::translation(1, 2, 3))) == MatrixShape::kProjective);
   Rows broken = book::identity();
   broken[1][2] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(shape(broken) == Shape::kNotFinite);
+  CHECK(shape(broken) == MatrixShape::kNotFinite);
   const auto entry = first_not_finite(given(broken).m);
   REQUIRE(entry);
   CHECK(entry->row == 1);
@@ -42,7 +44,7 @@ TEST_CASE("affine matrices are told apart by what they do") {
 TEST_CASE("rotation, scale, mirror and translation are read back") {
   const Rows m = book::product(book::translation(1, -2, 3),
                                book::product(book::turn_y(35), book::scaling(2, 3, 4)));
-  const MatrixFacts facts = facts_of(given(m).m);
+  const MatrixFacts facts = matrix_facts(given(m).m);
   REQUIRE(facts.rotation);
   CHECK(degrees_from_radians(facts.rotation->radians) == Approx(35).epsilon(1e-6));
   CHECK(facts.rotation->axis.y == Approx(1).epsilon(1e-6));
@@ -52,9 +54,9 @@ TEST_CASE("rotation, scale, mirror and translation are read back") {
   CHECK(facts.determinant == Approx(24).epsilon(1e-6));
   CHECK(facts.rank == 4);
   CHECK_FALSE(facts.mirror());
-  const MatrixFacts mirrored = facts_of(given(book::scaling(-1, 1, 1)).m);
+  const MatrixFacts mirrored = matrix_facts(given(book::scaling(-1, 1, 1)).m);
   CHECK(mirrored.mirror());
-  CHECK(mirrored.shape == Shape::kRigid);
+  CHECK(mirrored.shape == MatrixShape::kRigid);
   CHECK_FALSE(mirrored.rigid());
   CHECK(mirrored.scale.x == -1);
 }
@@ -64,11 +66,11 @@ TEST_CASE("rotations printed with few digits are rigid, to the digits they have"
   for (int i = 0; i < 1000; ++i) {
     const auto eye = random_place(random, 9), target = random_place(random, 1);
     Rows view = book::look_at_right(eye, target, {0, 1, 0});
-    CHECK(facts_of(given(view).m).orthogonality < 0x1p-21);
+    CHECK(matrix_facts(given(view).m).orthogonality < 0x1p-21);
     for (auto& row : view) {
       for (double& entry : row) entry = std::round(entry * 1e4) / 1e4;
     }
-    const MatrixFacts facts = facts_of(given(view).m);
+    const MatrixFacts facts = matrix_facts(given(view).m);
     CAPTURE(i, facts.orthogonality);
     CHECK(facts.rigid());
     CHECK(facts.orthogonality > 0x1p-21);  // the lack of digits is noticed

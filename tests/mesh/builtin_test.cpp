@@ -52,7 +52,7 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
   REQUIRE(corners_in_range);
   REQUIRE(faces_in_range);
 
-  const MeshReport report = check(mesh);
+  const MeshReport report = mesh_report(mesh);
   CHECK(report.degenerate_faces == 0);
   CHECK(report.degenerate_triangles == 0);
   CHECK(report.self_intersecting_faces == 0);
@@ -176,7 +176,7 @@ TEST_CASE("the teapot is watertight at every level but for the model's own borde
           1);                         // the handle's lower end touches the body at (-2, 0.9, 0)
     CHECK(topology.components == 4);  // body, handle, spout, lid
     // Welding by position merges nothing more: no two positions are the same.
-    CHECK(find_topology(mesh, Weld::kByPlace).vertices == topology.vertices);
+    CHECK(find_topology(mesh, Weld::kByCoordinates).vertices == topology.vertices);
     // Two triangles for each cell, but one in the first row of the eight patches that start in a
     // point.
     CHECK(mesh.faces.size() == 32 * 2 * n * n - 8 * n);

@@ -16,7 +16,7 @@ const std::vector<Indices> kCubeFaces = {{0, 4, 6, 2}, {5, 1, 3, 7}, {0, 1, 5, 4
                                          {6, 7, 3, 2}, {1, 0, 2, 3}, {4, 5, 7, 6}};
 
 TEST_CASE("nothing is wrong with a cube") {
-  const MeshReport report = check(make_mesh(kCubeCorners, kCubeFaces));
+  const MeshReport report = mesh_report(make_mesh(kCubeCorners, kCubeFaces));
   CHECK(report.clean());
   CHECK(report.closed);
   CHECK(report.genus == 0u);
@@ -33,7 +33,7 @@ TEST_CASE("nothing is wrong with a cube") {
 TEST_CASE("each fault that is planted in a cube is reported, and only it") {
   SECTION("an open side") {
     const std::vector<Indices> five(kCubeFaces.begin(), kCubeFaces.end() - 1);
-    const MeshReport report = check(make_mesh(kCubeCorners, five));
+    const MeshReport report = mesh_report(make_mesh(kCubeCorners, five));
     CHECK(report.open_edges == 4);
     CHECK_FALSE(report.closed);
     CHECK(report.clean());
@@ -41,7 +41,7 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
   SECTION("a side wound the wrong way") {
     std::vector<Indices> faces = kCubeFaces;
     faces[3] = Indices(faces[3].rbegin(), faces[3].rend());
-    const MeshReport report = check(make_mesh(kCubeCorners, faces));
+    const MeshReport report = mesh_report(make_mesh(kCubeCorners, faces));
     CHECK(report.inconsistent_edges == 4);
     CHECK(report.open_edges == 0);
     CHECK_FALSE(report.clean());
@@ -51,14 +51,14 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
     faces.push_back({3, 7, 5, 1});
     faces.push_back({1, 5, 7, 3});
     faces.push_back({1, 7, 5, 3});  // the same vertices, but another outline
-    const MeshReport report = check(make_mesh(kCubeCorners, faces));
+    const MeshReport report = mesh_report(make_mesh(kCubeCorners, faces));
     CHECK(report.duplicate_faces == 2);
     CHECK(report.non_manifold_edges > 0);
   }
   SECTION("a bent side") {
     Points points = kCubeCorners;
     points[7] = {1, 1, 1.25f};
-    const MeshReport report = check(make_mesh(points, kCubeFaces));
+    const MeshReport report = mesh_report(make_mesh(points, kCubeFaces));
     // The corner moves within the planes of the two other faces that it belongs to.
     CHECK(report.non_planar_faces == 1);
     CHECK(report.worst_planarity_face == 5);
@@ -70,7 +70,7 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
     faces.push_back({0, 0, 1});
     Points points = kCubeCorners;
     points.emplace_back(9.0f, 9.0f, 9.0f);
-    const MeshReport report = check(make_mesh(points, faces));
+    const MeshReport report = mesh_report(make_mesh(points, faces));
     CHECK(report.degenerate_faces == 1);
     CHECK(report.unused_positions == 1);
     CHECK(report.euler_characteristic == 2);
@@ -83,7 +83,7 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
     points.insert(points.end(), {{5, 0, 0}, {7, 2, 0}, {7, 0, 0}, {5, 1, 0}});
     std::vector<Indices> faces = kCubeFaces;
     faces.push_back({8, 9, 10, 11});
-    CHECK(check(make_mesh(points, faces)).self_intersecting_faces == 1);
+    CHECK(mesh_report(make_mesh(points, faces)).self_intersecting_faces == 1);
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("flat faces stay flat when their corners are rounded to floats") {
         std::array{-1.0, -1.7}, std::array{1.0, -1.7}}) {
     points.emplace_back(float(1000 + x), float(1000 + 0.8 * y), float(1000 + 0.6 * y + x / 3));
   }
-  CHECK(check(make_polygon(points)).non_planar_faces == 0);
+  CHECK(mesh_report(make_polygon(points)).non_planar_faces == 0);
 }
 
 TEST_CASE("the box of a turned object is the box of its turned positions") {

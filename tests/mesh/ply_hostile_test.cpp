@@ -18,7 +18,7 @@ std::string error_of_ply(const std::string& file, const LoadLimits& limits = {})
   return scene ? std::string() : scene.error().message();
 }
 
-bool says(const std::string& text, const std::string& part) {
+bool message_mentions(const std::string& text, const std::string& part) {
   INFO(text);
   return text.find(part) != std::string::npos;
 }
@@ -66,92 +66,108 @@ TEST_CASE("PLY: changed bytes are an error or a scene whose numbers are finite a
 
 TEST_CASE("PLY: counts are held against the bytes that exist before anything is allocated") {
   for (const char* count : {"1000000", "4294967294"}) {
-    CHECK(says(error_of_ply(with("vertex 3", std::string("vertex ") + count)),
-               "element 'vertex': the "));
-    CHECK(says(error_of_ply(with("face 1", std::string("face ") + count)), "element 'face': the "));
+    CHECK(message_mentions(error_of_ply(with("vertex 3", std::string("vertex ") + count)),
+                           "element 'vertex': the "));
+    CHECK(message_mentions(error_of_ply(with("face 1", std::string("face ") + count)),
+                           "element 'face': the "));
   }
   for (const char* count : {"4294967295", "99999999999"}) {
-    CHECK(says(error_of_ply(with("vertex 3", std::string("vertex ") + count)),
-               "more than indices can name"));
+    CHECK(message_mentions(error_of_ply(with("vertex 3", std::string("vertex ") + count)),
+                           "more than indices can name"));
   }
-  CHECK(says(error_of_ply(with("vertex 3", "vertex -3")), "needs a name and a count"));
-  CHECK(says(error_of_ply(with("vertex 3", "vertex 3e0")), "needs a name and a count"));
+  CHECK(message_mentions(error_of_ply(with("vertex 3", "vertex -3")), "needs a name and a count"));
+  CHECK(message_mentions(error_of_ply(with("vertex 3", "vertex 3e0")), "needs a name and a count"));
   // Lists that claim more entries than there are, and a signed count that is negative.
-  CHECK(says(error_of_ply(with("3 0 1 2", "200 0 1 2")), "face 0 (line 13): its list"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "200 0 1 2")), "face 0 (line 13): its list"));
   std::string negative = with("list uchar", "list char");
   negative.replace(negative.find("3 0 1 2"), 7, "-1 0 1 2");
-  CHECK(says(error_of_ply(negative), "has -1 entries"));
+  CHECK(message_mentions(error_of_ply(negative), "has -1 entries"));
   PlyBuilder big(PlyFormat::kBigEndian);
   big.element("vertex", 1).property("float", "x").property("float", "y").property("float", "z");
   big.element("face", 1).list("uint", "uint", "vertex_indices");
   big.begin_data().floats({0, 0, 0}).ints({-1}).ints({0, 0, 0});
-  CHECK(says(error_of_ply(big.file()), "has 4294967295 entries, which the file does not hold"));
+  CHECK(message_mentions(error_of_ply(big.file()),
+                         "has 4294967295 entries, which the file does not hold"));
   // Elements without properties take no bytes and no memory.
   const std::string nothing = with("element face", "element void 4000000000\nelement face");
   CHECK(error_of_ply(nothing) == "");
 }
 
 TEST_CASE("PLY: a position that is no finite number is named by its vertex") {
-  CHECK(says(error_of_ply(with("1 1 0", "1 nan 0")),
-             "vertex 1 (line 11): its y is not a number (NaN)"));
-  CHECK(says(error_of_ply(with("1 1 0", "-inf 1 0")), "vertex 1 (line 11): its x is infinite"));
-  CHECK(says(error_of_ply(with("1 1 0", "1 1 1e39")),
-             "vertex 1 (line 11): its z is beyond what a float can hold"));
+  CHECK(message_mentions(error_of_ply(with("1 1 0", "1 nan 0")),
+                         "vertex 1 (line 11): its y is not a number (NaN)"));
+  CHECK(message_mentions(error_of_ply(with("1 1 0", "-inf 1 0")),
+                         "vertex 1 (line 11): its x is infinite"));
+  CHECK(message_mentions(error_of_ply(with("1 1 0", "1 1 1e39")),
+                         "vertex 1 (line 11): its z is beyond what a float can hold"));
   PlyBuilder b(PlyFormat::kBigEndian);
   b.element("vertex", 2).property("double", "x").property("double", "y").property("double", "z");
   b.element("face", 1).list("uchar", "int", "vertex_indices");
   b.begin_data().doubles({0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0});
   b.uchars({3}).ints({0, 1, 1});
-  CHECK(says(error_of_ply(b.file()), "vertex 1 (byte "));
+  CHECK(message_mentions(error_of_ply(b.file()), "vertex 1 (byte "));
 }
 
 TEST_CASE("PLY: indices out of range are named by their face") {
-  CHECK(says(error_of_ply(with("3 0 1 2", "3 0 1 3")), "face 0 (line 13): names vertex 3 of 3"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "3 0 -1 2")), "names vertex -1 of 3"));
-  CHECK(says(error_of_ply(with("list uchar int", "list uchar float")),
-             "no list 'vertex_indices' of integers"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "3 0 1 x")), "'x' is not a number of the type"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "300 0 1 2")), "'300' is not a number of the type"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 1 3")),
+                         "face 0 (line 13): names vertex 3 of 3"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 -1 2")), "names vertex -1 of 3"));
+  CHECK(message_mentions(error_of_ply(with("list uchar int", "list uchar float")),
+                         "no list 'vertex_indices' of integers"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 1 x")),
+                         "'x' is not a number of the type"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "300 0 1 2")),
+                         "'300' is not a number of the type"));
 }
 
 TEST_CASE("PLY: a point cloud and what has nothing to draw are refused with what they are") {
-  CHECK(says(error_of_ply(with("face 1", "face 0")),
-             "has 3 vertices and no faces: a point cloud, which has no surface to draw"));
+  CHECK(
+      message_mentions(error_of_ply(with("face 1", "face 0")),
+                       "has 3 vertices and no faces: a point cloud, which has no surface to draw"));
   const std::string cloud =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nend_header\n0 0 0\n";
-  CHECK(says(error_of_ply(cloud), "a point cloud"));
-  CHECK(says(error_of_ply(with("element face 1", "element tristrips 1")), "triangle strips"));
-  CHECK(says(error_of_ply(with("3 0 1 2", "2 0 1")), "no face has three corners or more"));
-  CHECK(says(error_of_ply(with("property float z", "property float w")), "no numbers x, y and z"));
+  CHECK(message_mentions(error_of_ply(cloud), "a point cloud"));
+  CHECK(message_mentions(error_of_ply(with("element face 1", "element tristrips 1")),
+                         "triangle strips"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "2 0 1")),
+                         "no face has three corners or more"));
+  CHECK(message_mentions(error_of_ply(with("property float z", "property float w")),
+                         "no numbers x, y and z"));
 }
 
 TEST_CASE("PLY: headers that are not right are refused by their line") {
-  CHECK(says(error_of_ply(""), "line 1: is not 'ply'"));
-  CHECK(says(error_of_ply("plywood\n"), "line 1: is not 'ply'"));
-  CHECK(says(error_of_ply(with("ascii", "text")), "line 2: has the unknown format 'text'"));
-  CHECK(says(error_of_ply(with("1.0", "2.0")), "line 2: has version '2.0'"));
-  CHECK(says(error_of_ply(with("format ascii 1.0\n", "")), "has no 'format'"));
-  CHECK(says(error_of_ply(with("element vertex 3\n", "")), "before the first element"));
-  CHECK(says(error_of_ply(with("property float x", "property real x")), "unknown type 'real'"));
-  CHECK(says(error_of_ply(with("property float y", "property float x")), "occurs twice"));
-  CHECK(says(error_of_ply(with("element face", "element vertex")), "occurs twice"));
-  CHECK(says(error_of_ply(with("list uchar", "list float")), "not an integer"));
-  CHECK(says(error_of_ply(with("property float z\n", "property float z\nmaterial 3\n")),
-             "unknown word 'material'"));
-  CHECK(says(error_of_ply("ply\nformat ascii 1.0\nelement vertex 3\n"), "no 'end_header'"));
+  CHECK(message_mentions(error_of_ply(""), "line 1: is not 'ply'"));
+  CHECK(message_mentions(error_of_ply("plywood\n"), "line 1: is not 'ply'"));
+  CHECK(message_mentions(error_of_ply(with("ascii", "text")),
+                         "line 2: has the unknown format 'text'"));
+  CHECK(message_mentions(error_of_ply(with("1.0", "2.0")), "line 2: has version '2.0'"));
+  CHECK(message_mentions(error_of_ply(with("format ascii 1.0\n", "")), "has no 'format'"));
+  CHECK(message_mentions(error_of_ply(with("element vertex 3\n", "")), "before the first element"));
+  CHECK(message_mentions(error_of_ply(with("property float x", "property real x")),
+                         "unknown type 'real'"));
+  CHECK(
+      message_mentions(error_of_ply(with("property float y", "property float x")), "occurs twice"));
+  CHECK(message_mentions(error_of_ply(with("element face", "element vertex")), "occurs twice"));
+  CHECK(message_mentions(error_of_ply(with("list uchar", "list float")), "not an integer"));
+  CHECK(message_mentions(error_of_ply(with("property float z\n", "property float z\nmaterial 3\n")),
+                         "unknown word 'material'"));
+  CHECK(message_mentions(error_of_ply("ply\nformat ascii 1.0\nelement vertex 3\n"),
+                         "no 'end_header'"));
   std::string many = "ply\nformat ascii 1.0\nelement vertex 3\n";
   for (int i = 0; i < 300; ++i) many += "property float p" + std::to_string(i) + "\n";
-  CHECK(says(error_of_ply(many + "end_header\n"), "more than 256 properties"));
+  CHECK(message_mentions(error_of_ply(many + "end_header\n"), "more than 256 properties"));
 }
 
 TEST_CASE("PLY: limits are kept") {
   LoadLimits limits;
   limits.max_corners = 2;
-  CHECK(says(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits), "limit of 2"));
+  CHECK(
+      message_mentions(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits), "limit of 2"));
   limits = {};
   limits.max_file_bytes = 50;
-  CHECK(says(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits), "limit of 50 bytes"));
+  CHECK(message_mentions(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits),
+                         "limit of 50 bytes"));
 }
 
 }  // namespace

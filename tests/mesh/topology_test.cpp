@@ -144,7 +144,7 @@ TEST_CASE("surfaces that touch in a vertex are pinched there") {
 TEST_CASE("faces that repeat their positions meet where the positions are welded") {
   const Mesh apart = split_apart(make_torus(3, 4));
   CHECK(find_topology(apart, Weld::kByIndex).boundary_edges == 48);
-  const Topology welded = find_topology(apart, Weld::kByPlace);
+  const Topology welded = find_topology(apart, Weld::kByCoordinates);
   CHECK(welded.closed());
   CHECK(welded.vertices == 12);
   CHECK(welded.genus() == 1u);
@@ -152,7 +152,7 @@ TEST_CASE("faces that repeat their positions meet where the positions are welded
   const Mesh zeros =
       make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, -0.0f, 0}, {1, -0.0f, 0}, {0, 0, 1}},
                 {{0, 1, 2}, {4, 3, 5}});
-  CHECK(find_topology(zeros, Weld::kByPlace).boundary_edges == 4);
+  CHECK(find_topology(zeros, Weld::kByCoordinates).boundary_edges == 4);
 }
 
 TEST_CASE("repeated corners count once and faces without three vertices take no part (C-25)") {

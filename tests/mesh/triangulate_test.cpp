@@ -322,7 +322,7 @@ double work_for(const Points& points) {
   std::vector<FlatPoint> outline;
   for (const Point<Object>& p : points) outline.push_back({p.x, p.y});
   const EarClipping clipped = clip_ears(outline, [](const auto&) {});
-  return double(clipped.looked_at) / double(points.size());
+  return double(clipped.test_count) / double(points.size());
 }
 
 TEST_CASE("polygons of 20 000 corners take little more work than to look at them") {

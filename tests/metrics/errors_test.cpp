@@ -64,7 +64,7 @@ TEST_CASE("pixels that are left out count in no error", "[metrics]") {
   WholePair pair{test::noise_picture(16, 16, 3, 1), test::noise_picture(16, 16, 3, 1)};
   std::get<std::vector<std::uint8_t>>(pair.test.samples)[3 * (5 * 16 + 7)] ^= 0x80;
   CHECK(sample_errors(pair).absmax == 128 / 255.0);
-  REQUIRE(pair.selection.leave_out({7, 5, 1, 1}));
+  REQUIRE(pair.selection.exclude({7, 5, 1, 1}));
   const SampleErrors errors = sample_errors(pair);
   CHECK(errors.samples == 255 * 3);
   CHECK(errors.absmax == 0);

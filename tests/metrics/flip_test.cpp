@@ -184,7 +184,7 @@ TEST_CASE("pixels that are left out neither count nor show around them", "[metri
   WholePair pair{image, image};
   sample(pair.test, 30, 20, 0) ^= 0x80;
   CHECK(flip(pair).max > 0);
-  REQUIRE(pair.selection.leave_out({30, 20, 1, 1}));
+  REQUIRE(pair.selection.exclude({30, 20, 1, 1}));
   CHECK(flip(pair).pixels == 60 * 50 - 1);
   CHECK(flip(pair).max == 0);
 }
@@ -207,7 +207,7 @@ TEST_CASE("a single wrong pixel shows as far as the filters reach and no farther
 
 TEST_CASE("the heat map has the levels of the errors and marks what is left out", "[metrics]") {
   WholePair pair = noisy_pair(300, 70, 3);
-  REQUIRE(pair.selection.leave_out({0, 0, 300, 3}));
+  REQUIRE(pair.selection.exclude({0, 0, 300, 3}));
   const Image<std::uint8_t> levels = flip_heat_map(pair);
   const FlipErrors errors = flip(pair);
   std::uint8_t hottest = 0;
@@ -215,8 +215,8 @@ TEST_CASE("the heat map has the levels of the errors and marks what is left out"
   for (int y = 0; y < 70; ++y) {
     for (int x = 0; x < 300; ++x) {
       const std::uint8_t level = levels.at(x, y);
-      CHECK((level == kHeatLeftOut) == (y < 3));
-      if (level == kHeatLeftOut) continue;
+      CHECK((level == kHeatNotCompared) == (y < 3));
+      if (level == kHeatNotCompared) continue;
       hottest = std::max(hottest, level);
       sum += level;
     }

@@ -14,7 +14,7 @@ using test::WholePair;
 std::vector<MetricValue> measured(const WholePair& pair, const std::string& text) {
   const auto requests = parse_metrics(text);
   REQUIRE(requests);
-  return measure(pair, *requests);
+  return measure_metrics(pair, *requests);
 }
 
 constexpr auto kAll = "absmax,rmse,psnr,ssim,flip";
@@ -113,7 +113,7 @@ TEST_CASE("small pictures have every metric but SSIM", "[metrics]") {
 
 TEST_CASE("where no pixel is compared there is no number", "[metrics]") {
   WholePair pair = shifted(20, 1);
-  REQUIRE(pair.selection.leave_out({0, 0, 20, 20}));
+  REQUIRE(pair.selection.exclude({0, 0, 20, 20}));
   for (const MetricValue& value : measured(pair, kAll)) {
     INFO(value.name);
     CHECK_FALSE(value.value);

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "study/extremes/run.h"
+#include "study/extremes/run_case.h"
 #include "tests/mutants/planted.h"
-#include "tests/support/share.h"
+#include "tests/support/daily_share.h"
 
 namespace glassbox::study {
 namespace {
@@ -45,10 +45,10 @@ public:
 // Whether the case is drawn wrong: by the reference, by the tile engine for the best target (the
 // targets share their source), and without a plan.
 std::vector<bool> drawn_wrong(const ExtremeCase& extreme) {
-  const std::vector<Drawer>& all = drawers();
+  const std::vector<TestedEngine>& all = tested_engines();
   std::vector<bool> wrong;
-  for (const Drawer* drawer : {&all[0], &all[all.size() - 2], &all[all.size() - 1]}) {
-    wrong.push_back(!extreme.drawn(*drawer).passes());
+  for (const TestedEngine* engine : {&all[0], &all[all.size() - 2], &all[all.size() - 1]}) {
+    wrong.push_back(!extreme.drawn(*engine).passes());
   }
   return wrong;
 }
@@ -87,18 +87,18 @@ std::string page() {
 constexpr std::size_t kDays = 4;
 
 // The faults of every file whose turn it is today.
-std::vector<const Fault*> faults_drawn(const test::Share& share) {
+std::vector<const Fault*> faults_drawn(const test::DailyShare& share) {
   std::map<std::string, std::size_t> sizes, positions;
   for (const Fault& fault : faults()) ++sizes[fault.file];
   std::vector<const Fault*> all;
   for (const Fault& fault : faults()) {
-    if (share.has(positions[fault.file]++, sizes[fault.file])) all.push_back(&fault);
+    if (share.includes(positions[fault.file]++, sizes[fault.file])) all.push_back(&fault);
   }
   return all;
 }
 
 TEST_CASE("planted faults of every file are found by their cases, and the page has them") {
-  const test::Share share(kDays);
+  const test::DailyShare share(kDays);
   const std::string text = page();
   std::set<const ExtremeCase*> seen;
   for (const Fault* fault : faults_drawn(share)) {
@@ -125,7 +125,7 @@ TEST_CASE("four days have every planted fault, and every day some of every file"
   std::set<const Fault*> all;
   for (std::uint64_t seed = 20783; seed < 20783 + kDays; ++seed) {
     std::set<std::string> today;
-    for (const Fault* fault : faults_drawn(test::Share(kDays, seed))) {
+    for (const Fault* fault : faults_drawn(test::DailyShare(kDays, seed))) {
       all.insert(fault);
       today.insert(fault->file);
     }

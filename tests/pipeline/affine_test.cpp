@@ -223,7 +223,7 @@ TEST_CASE("drift of repeated products is removed by the nearest rotation (C-11)"
     if (i % 1000 == 0) {
       const auto nearest = nearest_rotation(glm::dmat3(repaired));
       REQUIRE(nearest);
-      CHECK(nearest->moved < 1000 * 3 * 0x1p-24);
+      CHECK(nearest->largest_change < 1000 * 3 * 0x1p-24);
       repaired = glm::mat4(glm::dmat4(nearest->rotation));
     }
   }
@@ -245,8 +245,8 @@ TEST_CASE(
     const auto exact = nearest_rotation(glm::dmat3(r.columns)), near = nearest_rotation(noisy);
     REQUIRE(exact);
     REQUIRE(near);
-    CHECK(exact->moved <= 8 * u);
-    CHECK(near->moved <= 4e-6);
+    CHECK(exact->largest_change <= 8 * u);
+    CHECK(near->largest_change <= 4e-6);
     CHECK(orthogonality_error(near->rotation) <= 8 * u);
   }
   CHECK(!nearest_rotation(glm::dmat3(-1)));

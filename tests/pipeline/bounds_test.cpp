@@ -33,7 +33,7 @@ std::string page_of_docs() {
 class Worst {
 public:
   explicit Worst(const char* name) : name_(name) {}
-  void see(double error, double bound) {
+  void record(double error, double bound) {
     ++count_;
     if (!(error <= bound)) ++broken_;
     if (bound > 0) ratio_ = std::max(ratio_, error / bound);
@@ -135,26 +135,27 @@ struct Ratios {
 // Compares a vertex in all spaces with its exact positions.
 void compare(const glm::vec4& object, const ChainMatrices& matrices, const Viewport& viewport,
              Ratios& ratios) {
-  const VertexChain chain = walk(object, matrices, api_dialects().front(), viewport);
+  const VertexChain chain = make_vertex_chain(object, matrices, api_dialects().front(), viewport);
   const Exact world = exact_product(matrices.world_from_object.columns, exactly(object));
   const Exact eye = exact_product(matrices.eye_from_world.columns, world);
   const Exact clip = exact_product(matrices.clip_from_eye.columns, eye);
   for (std::size_t i = 0; i < 3; ++i) {
     const int k = int(i);
-    ratios.world.see(error_of(chain.to_world.after[k], world[i]), chain.to_world.bound[k]);
-    ratios.eye.see(error_of(chain.to_eye.after[k], eye[i]), chain.to_eye.bound[k]);
-    ratios.clip.see(error_of(chain.to_clip.after[k], clip[i]), chain.to_clip.bound[k]);
+    ratios.world.record(error_of(chain.to_world.after[k], world[i]), chain.to_world.bound[k]);
+    ratios.eye.record(error_of(chain.to_eye.after[k], eye[i]), chain.to_eye.bound[k]);
+    ratios.clip.record(error_of(chain.to_clip.after[k], clip[i]), chain.to_clip.bound[k]);
   }
-  ratios.clip_w.see(error_of(chain.clip.w, clip[3]), chain.to_clip.bound.w);
+  ratios.clip_w.record(error_of(chain.clip.w, clip[3]), chain.to_clip.bound.w);
   if (!chain.divide || clip[3].is_zero() || !std::isfinite(chain.divide->bound.inverse_w)) return;
 
   const DivideStep& d = *chain.divide;
   const float ndc[] = {d.ndc.position.x, d.ndc.position.y, d.ndc.position.z};
   for (std::size_t i = 0; i < 3; ++i) {
-    ratios.ndc.see(error_of_quotient(double(ndc[i]), clip[i], clip[3]), d.bound.position[int(i)]);
+    ratios.ndc.record(error_of_quotient(double(ndc[i]), clip[i], clip[3]),
+                      d.bound.position[int(i)]);
   }
-  ratios.inverse_w.see(error_of_quotient(double(d.ndc.inverse_w), Dyadic(1), clip[3]),
-                       d.bound.inverse_w);
+  ratios.inverse_w.record(error_of_quotient(double(d.ndc.inverse_w), Dyadic(1), clip[3]),
+                          d.bound.inverse_w);
 
   // Twice the window coordinate, times w: x (to - from) + w (to + from).
   const auto twice_window = [&](const Dyadic& x, float from, float to) {
@@ -164,8 +165,8 @@ void compare(const glm::vec4& object, const ChainMatrices& matrices, const Viewp
   const Dyadic exact_x = twice_window(clip[0], viewport.left, viewport.right);
   const Dyadic exact_y = twice_window(clip[1], viewport.bottom, viewport.top);
   const ScreenStep& s = *chain.screen;
-  ratios.x.see(error_of_quotient(double(s.screen.position.x), exact_x, twice_w), s.bound.x);
-  ratios.y.see(error_of_quotient(double(s.screen.position.y), exact_y, twice_w), s.bound.y);
+  ratios.x.record(error_of_quotient(double(s.screen.position.x), exact_x, twice_w), s.bound.x);
+  ratios.y.record(error_of_quotient(double(s.screen.position.y), exact_y, twice_w), s.bound.y);
 
   // Snapping is floor(256 X + 1/2) / 256: the exact X is in [snapped - 1/512, snapped + 1/512).
   const auto snaps_there = [&](const SnapStability& snap, const Dyadic& exact) {
@@ -227,7 +228,7 @@ TEST_CASE(
     }
     const glm::mat4 m(product);
     const glm::vec4 v = random_point(random, 9);
-    const glm::vec4 computed = apply(m, v);
+    const glm::vec4 computed = transform_by_rows(m, v);
     const glm::dvec4 bound = transform_bound(m, v);
     const glm::dvec4 with_product = transform_bound(m, v, glm::dvec4(0), product_error);
     const Exact exact = exact_product(m, exactly(v));
@@ -235,8 +236,8 @@ TEST_CASE(
     const Exact meant = exact_product(glm::mat4(a), exact_product(glm::mat4(b), exactly(v)));
     for (std::size_t row = 0; row < 4; ++row) {
       const float value = computed[int(row)];
-      transform.see(error_of(value, exact[row]), bound[int(row)]);
-      composed.see(error_of(value, meant[row]), with_product[int(row)]);
+      transform.record(error_of(value, exact[row]), bound[int(row)]);
+      composed.record(error_of(value, meant[row]), with_product[int(row)]);
     }
   }
   std::printf("one matrix over %d vertices, seed %d:\n", kVertices, int(seed));
@@ -264,14 +265,14 @@ TEST_CASE("bounds hold for vertices in extreme places: near the eye's plane, tin
     }
     // The terms of w cancel up to a few units of rounding.
     if (i % 2 == 0) m[3][3] = -(m[0][3] * v.x + m[1][3] * v.y + m[2][3] * v.z) / v.w;
-    const Point<Clip> clip(apply(m, v));
+    const Point<Clip> clip(transform_by_rows(m, v));
     // The bounds do not cover overflow.
     if (!std::isfinite(m[3][3]) || !std::isfinite(clip.x + clip.y + clip.z + clip.w)) continue;
     const glm::dvec4 bound = transform_bound(m, v);
     const Exact exact = exact_product(m, exactly(v));
     const float values[] = {clip.x, clip.y, clip.z, clip.w};
     for (std::size_t row = 0; row < 4; ++row) {
-      transform.see(error_of(values[row], exact[row]), bound[int(row)]);
+      transform.record(error_of(values[row], exact[row]), bound[int(row)]);
     }
     const DivideBound quotient = divide_bound(clip, bound);
     if (clip.w == 0 || !std::isfinite(quotient.inverse_w)) {
@@ -281,7 +282,8 @@ TEST_CASE("bounds hold for vertices in extreme places: near the eye's plane, tin
     REQUIRE_FALSE(exact[3].is_zero());
     const NdcVertex ndc = divide(clip);
     if (!std::isfinite(ndc.position.x)) continue;
-    divided.see(error_of_quotient(double(ndc.position.x), exact[0], exact[3]), quotient.position.x);
+    divided.record(error_of_quotient(double(ndc.position.x), exact[0], exact[3]),
+                   quotient.position.x);
   }
   std::printf("extreme places over %d vertices, seed %d:\n", kVertices, int(seed));
   transform.check();
@@ -329,7 +331,7 @@ TEST_CASE("the divide's condition is what a small relative change of the entries
     return entries;
   }();
   const glm::vec4 v(0.7f, 0, -2.5f, 1);
-  const Point<Clip> clip(apply(m, v));
+  const Point<Clip> clip(transform_by_rows(m, v));
   const double condition = divide_condition(clip, magnitude(glm::dmat4(m), glm::dvec4(v))).x;
   const double e = 0x1p-30, ndc = double(clip.x) / double(clip.w);
   // Every entry is changed so that its term changes x/w in the same direction.

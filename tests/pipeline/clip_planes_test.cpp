@@ -229,7 +229,8 @@ TEST_CASE(
                           float(random.between(-1, 1) * size)};
     for (const ClipPlane& plane : planes) {
       const double distance = signed_distance(plane, m * p);
-      const auto [least, greatest] = PlaneOverBoxes(plane, m).over({p.x, p.y, p.z}, {0, 0, 0});
+      const auto [least, greatest] =
+          PlaneOverBoxes(plane, m).distance_range({p.x, p.y, p.z}, {0, 0, 0});
       REQUIRE(least <= distance);
       REQUIRE(distance <= greatest);
       const double exact = (least + greatest) / 2;  // up to a dozen roundings in double

@@ -43,7 +43,7 @@ Case random_case(Random& random) {
   return c;
 }
 
-View made(const Case& c, const Formulation& formulation) {
+View view_of_case(const Case& c, const Formulation& formulation) {
   return make_view(c.camera, c.width, c.height, DepthRange::kStandard, formulation).value();
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("the usual formulation is make_view's own, bit for bit") {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const Case c = random_case(random);
-    const View own = make_view(c.camera, c.width, c.height).value(), view = made(c, {});
+    const View own = make_view(c.camera, c.width, c.height).value(), view = view_of_case(c, {});
     CHECK(own.eye_from_world == view.eye_from_world);
     CHECK(own.clip_from_eye == view.clip_from_eye);
   }
@@ -63,17 +63,18 @@ TEST_CASE("frustum, T_pers and alpha/beta differ from gluPerspective by their ro
   double largest_share = 0;
   for (int i = 0; i < 3000; ++i) {
     const Case c = random_case(random);
-    const glm::dmat4 own = made(c, {}).clip_from_eye.columns;
+    const glm::dmat4 own = view_of_case(c, {}).clip_from_eye.columns;
     const double across = 2 * std::atan(1 / own[0][0]);
     CAPTURE(i, c.width, c.height, across);
     const ProjectionForm forms[] = {ProjectionForm::kFrustum, ProjectionForm::kTPers};
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto ulps = ulps_apart(made(c, {ViewForm::kUvn, forms[k]}).clip_from_eye.columns, own);
+      const auto ulps =
+          ulps_apart(view_of_case(c, {ViewForm::kUvn, forms[k]}).clip_from_eye.columns, own);
       largest[k] = std::max(largest[k], ulps);
       CHECK(ulps <= 12);
     }
     const auto ulps = ulps_apart(
-        made(c, {ViewForm::kUvn, ProjectionForm::kAlphaBeta}).clip_from_eye.columns, own);
+        view_of_case(c, {ViewForm::kUvn, ProjectionForm::kAlphaBeta}).clip_from_eye.columns, own);
     const double bound = 12 + 4 * fov_condition(across);
     largest_share = std::max(largest_share, double(ulps) / bound);
     CHECK(double(ulps) <= bound);
@@ -87,9 +88,9 @@ TEST_CASE("turning about an axis and rolling makes the matrix of the three axes 
   double largest = 0, farthest = 0;
   for (int i = 0; i < 3000; ++i) {
     const Case c = random_case(random);
-    const auto uvn = made(c, {}).eye_from_world;
+    const auto uvn = view_of_case(c, {}).eye_from_world;
     const auto turned =
-        made(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world;
+        view_of_case(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) {
         const double apart = std::abs(uvn.at(row, column) - turned.at(row, column));
@@ -117,8 +118,8 @@ TEST_CASE("gazes along the axes are turned exactly, +z by half a turn about y (E
       c.camera.lens = PerspectiveLens{1, 0.1, {}};
       c.camera.world_from_eye = camera_pose(Point<World, double>{1, 2, 3}, gaze, up).value();
       CAPTURE(axis, sign);
-      CHECK(made(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world ==
-            made(c, {}).eye_from_world);
+      CHECK(view_of_case(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world ==
+            view_of_case(c, {}).eye_from_world);
     }
   }
 }
@@ -129,12 +130,12 @@ TEST_CASE("the view is the product of its three factors, bit for bit (S3-16)") {
     const Case c = random_case(random);
     // The axes are within 16 u of a rotation's, so make_view does not repair them.
     CHECK(product(axis_angle_factors(c.camera.world_from_eye)) ==
-          made(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world);
+          view_of_case(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world);
   }
 }
 
 Transform<Clip, Eye> product_of(const PerspectiveFactors& f) {
-  return f.clip_from_pyramid * f.moved * f.scaled * eye_left_from_eye();
+  return f.clip_from_pyramid * f.shear * f.scale * eye_left_from_eye();
 }
 
 TEST_CASE("a perspective is a scale, then the pyramid to the box, bit for bit (S4-10)") {
@@ -143,10 +144,10 @@ TEST_CASE("a perspective is a scale, then the pyramid to the box, bit for bit (S
     const Case c = random_case(random);
     for (const ProjectionForm form : {ProjectionForm::kPerspective, ProjectionForm::kFrustum,
                                       ProjectionForm::kTPers, ProjectionForm::kAlphaBeta}) {
-      const View view = made(c, {ViewForm::kUvn, form});
+      const View view = view_of_case(c, {ViewForm::kUvn, form});
       const auto factors = perspective_factors(view.clip_from_eye);
       REQUIRE(factors);
-      CHECK_FALSE(factors->has_moved);
+      CHECK_FALSE(factors->has_shear);
       CHECK(product_of(*factors) == view.clip_from_eye);
     }
   }
@@ -164,7 +165,7 @@ TEST_CASE("windows beside the gaze, a pair's eyes, reversed and infinite depth h
     CAPTURE(i);
     const auto factors = perspective_factors(all[i]);
     REQUIRE(factors);
-    CHECK(factors->has_moved == (i == 0 || i == 1 || i == 4));
+    CHECK(factors->has_shear == (i == 0 || i == 1 || i == 4));
     CHECK(product_of(*factors) == all[i]);
   }
   CHECK_FALSE(perspective_factors(orthographic({-1, 1, -1, 1}, {0.1, 10}).value()));
@@ -174,7 +175,7 @@ TEST_CASE("the scale makes the pyramid regular: its edges lie at |x| = |y| = z (
   const View view = make_view({"", FrustumLens{-2, 2, -1, 1, 4, 64.0}, {}}, 200, 100).value();
   const PerspectiveFactors f = perspective_factors(view.clip_from_eye).value();
   for (const double z : {4.0, 16.0, 64.0}) {
-    const glm::dvec4 edge = f.scaled.columns * glm::dvec4(2 * z / 4, 1 * z / 4, z, 1);
+    const glm::dvec4 edge = f.scale.columns * glm::dvec4(2 * z / 4, 1 * z / 4, z, 1);
     CHECK(edge == glm::dvec4(z, z, z, 1));
   }
   const glm::dvec4 near = f.clip_from_pyramid.columns * glm::dvec4(4, 4, 4, 1);

@@ -35,7 +35,7 @@ TEST_CASE("the framed box is wholly in the picture, for any shape of box and pic
         box_of(low, low + Vector<World, double>{random.unit() * size, random.unit() * size,
                                                 random.unit() * size});
     const int width = int(random.integer(1, 2000)), height = int(random.integer(1, 2000));
-    const auto camera = frame(box, double(width) / height);
+    const auto camera = framing_camera(box, double(width) / height);
     REQUIRE(camera);
     const auto view = make_view(*camera, width, height);
     CAPTURE(i, width, height);
@@ -55,7 +55,7 @@ TEST_CASE("a scene fills the picture up to the margin and no further") {
   const Scene scene = *make_builtin("teapot:3");
   for (const double aspect : {0.25, 1.0, 16.0 / 9, 4.0}) {
     CAPTURE(aspect);
-    const auto camera = frame(scene, aspect);
+    const auto camera = framing_camera(scene, aspect);
     REQUIRE(camera);
     const auto view = make_view(*camera, int(std::lround(720 * aspect)), 720);
     REQUIRE(view);
@@ -79,7 +79,7 @@ TEST_CASE("the whole scene is in the picture, upright, whatever is up") {
     if (i == 1) options.up = {1e-9, -1, 0};
     if (i == 2) options.up = {0, 0, 1};
     CAPTURE(i, options.up.x, options.up.y, options.up.z);
-    const auto camera = frame(scene, 1.5, options);
+    const auto camera = framing_camera(scene, 1.5, options);
     REQUIRE(camera);
     const auto view = make_view(*camera, 300, 200);
     REQUIRE(view);
@@ -104,9 +104,9 @@ TEST_CASE("a scene turned with what is up is framed the same") {
   // y becomes z, and z becomes -y: exact.
   const Box<World> turned = box_of({-1, -7, -2}, {4, 3, 5});
   FramingOptions options;
-  const Camera before = frame(upright, 1.5, options).value();
+  const Camera before = framing_camera(upright, 1.5, options).value();
   options.up = {0, 0, 2};
-  const Camera after = frame(turned, 1.5, options).value();
+  const Camera after = framing_camera(turned, 1.5, options).value();
   for (int column = 0; column < 4; ++column) {
     CHECK(after.world_from_eye.at(0, column) == Approx(before.world_from_eye.at(0, column)));
     CHECK(after.world_from_eye.at(1, column) == Approx(-before.world_from_eye.at(2, column)));
@@ -114,15 +114,15 @@ TEST_CASE("a scene turned with what is up is framed the same") {
   }
   // The length of up does not matter, and y is the default.
   options.up = {0, 17, 0};
-  CHECK(frame(upright, 1.5, options).value().world_from_eye == before.world_from_eye);
+  CHECK(framing_camera(upright, 1.5, options).value().world_from_eye == before.world_from_eye);
   options.up = {0, 0, 0};
-  CHECK(!frame(upright, 1.5, options));
+  CHECK(!framing_camera(upright, 1.5, options));
 }
 
 TEST_CASE("a single point gets a camera too, wherever it is") {
   for (double offset : {0.0, 1.0, 1e6, 1e20}) {
     const Point<World, double> p{offset, -offset, offset};
-    const auto camera = frame(box_of(p, p), 1.5);
+    const auto camera = framing_camera(box_of(p, p), 1.5);
     REQUIRE(camera);
     const auto view = make_view(*camera, 1280, 720);
     REQUIRE(view);
@@ -132,7 +132,7 @@ TEST_CASE("a single point gets a camera too, wherever it is") {
 }
 
 TEST_CASE("the default view is from the front, right and above") {
-  const auto camera = frame(box_of({-1, -1, -1}, {1, 1, 1}), 1);
+  const auto camera = framing_camera(box_of({-1, -1, -1}, {1, 1, 1}), 1);
   REQUIRE(camera);
   CHECK(camera->world_from_eye.at(0, 3) > 0);
   CHECK(camera->world_from_eye.at(1, 3) > 0);
@@ -143,20 +143,20 @@ TEST_CASE("the default view is from the front, right and above") {
 TEST_CASE("nothing, infinite boxes and senseless options are refused") {
   const double inf = std::numeric_limits<double>::infinity();
   const Box<World> unit = box_of({0, 0, 0}, {1, 1, 1});
-  CHECK(frame(Box<World>{}, 1).error().message() ==
+  CHECK(framing_camera(Box<World>{}, 1).error().message() ==
         "scene bounds: there is nothing to look at; give a scene with at least one vertex");
-  CHECK(!frame(box_of({0, 0, 0}, {inf, 1, 1}), 1));
-  CHECK(!frame(box_of({0, 0, 0}, {1e300, 1, 1}), 1));
-  for (double aspect : {0.0, -1.0, inf, std::nan("")}) CHECK(!frame(unit, aspect));
+  CHECK(!framing_camera(box_of({0, 0, 0}, {inf, 1, 1}), 1));
+  CHECK(!framing_camera(box_of({0, 0, 0}, {1e300, 1, 1}), 1));
+  for (double aspect : {0.0, -1.0, inf, std::nan("")}) CHECK(!framing_camera(unit, aspect));
   FramingOptions options;
   options.elevation_degrees = 90;
-  CHECK(!frame(unit, 1, options));
+  CHECK(!framing_camera(unit, 1, options));
   options = {};
   options.fovy_degrees = 180;
-  CHECK(!frame(unit, 1, options));
+  CHECK(!framing_camera(unit, 1, options));
   options = {};
   options.margin = 0.5;
-  CHECK(!frame(unit, 1, options));
+  CHECK(!framing_camera(unit, 1, options));
 }
 
 TEST_CASE("near and far enclose the box from any pose that sees all of it") {

@@ -62,7 +62,7 @@ TEST_CASE("a number with a bound is the run's number, and within its bound of th
     if (a.exact >= 0 && a.computed.value >= 0) {
       REQUIRE(excess(bounded::sqrt(a.computed), sqrt(a.exact)) <= 0);
     }
-    const bounded::Truth less = a.computed < b.computed;
+    const bounded::UncertainBool less = a.computed < b.computed;
     if (less.is_sure) REQUIRE(less.holds == (a.exact < b.exact));
     REQUIRE(excess(bounded::least(a.computed, b.computed), in_full::least(a.exact, b.exact)) <= 0);
     REQUIRE(excess(bounded::clamped(a.computed, Bounded(-0.5f), Bounded(0.5f)),
@@ -130,8 +130,9 @@ TEST_CASE("light with a bound is the run's light, and within its bound of the ex
     const Reflection run = illuminate(lighting, position, normal, shininess);
     const auto exact = in_full::reflected_light(lighting, exact_at, exact_across, shininess, true);
     const std::array<float, 3> specular{0.2f, 0.3f, 0.0f};
-    const auto color = bounded::lit(base, across, reflection, specular, true);
-    const auto exact_color = in_full::lit(exact_base, exact_across, exact, specular, true);
+    const auto color = bounded::reflected_color(base, across, reflection, specular, true);
+    const auto exact_color =
+        in_full::reflected_color(exact_base, exact_across, exact, specular, true);
     for (std::size_t k = 0; k < 3; ++k) {
       CAPTURE(i, k, off);
       REQUIRE(reflection.diffuse[k].value == run.diffuse[k]);

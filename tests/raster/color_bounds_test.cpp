@@ -77,7 +77,7 @@ TEST_CASE("a texture sample is within its bound of real weights on real means") 
       const float given = float(level + (random.unit() < 0.5 ? 0 : random.between(-1e-3, 1e-3)));
       const LevelBounds where{std::min(level, double(given)), std::max(level, double(given))};
       const double bound = sample_bound(chain, sampler, transfer, at, where);
-      const Rgba run = sample(chain, sampler, {at[0].value, at[1].value}, given);
+      const Rgba run = sample_mip_chain(chain, sampler, {at[0].value, at[1].value}, given);
       const in_full::Light exact = in_full::sample(levels, sampler, u, v, level);
       const std::array<float, 4> values{run.r, run.g, run.b, run.a};
       CAPTURE(i, k, image.width, image.height, u, v, level, at[0].bound, at[1].bound,

@@ -196,7 +196,7 @@ TEST_CASE("a pixel is shaded at its centre if that is covered, else at its first
     const auto offsets = sample_offsets(count);
     const SampleSteps steps(*setup, offsets);
     for_each_sampled(*setup, steps, window, [&](const SampledPixel& pixel) {
-      const Coverage place = shading_place(pixel, steps);
+      const Coverage place = shading_point(pixel, steps);
       SampleOffset expected;
       if (!pixel.covers_centre) {
         std::size_t first = 0;

@@ -190,9 +190,9 @@ TEST_CASE(
 TEST_CASE("a surface without a normal shows its own colour, and no light") {
   const Float3 base{0.25f, 0.5f, 0.75f}, white{1, 1, 1};
   const Reflection light{{2, 2, 2}, {3, 3, 3}};
-  CHECK(lit<float>(base, {0, 0, 0}, light, white, true) == base);
-  CHECK(lit<float>(base, {0, 0, 1e-30f}, light, white, true) == Float3{3.5f, 4, 4.5f});
-  CHECK(lit<float>(base, {0, 0, 1}, light, white, false) == Float3{0.5f, 1, 1.5f});
+  CHECK(reflected_color<float>(base, {0, 0, 0}, light, white, true) == base);
+  CHECK(reflected_color<float>(base, {0, 0, 1e-30f}, light, white, true) == Float3{3.5f, 4, 4.5f});
+  CHECK(reflected_color<float>(base, {0, 0, 1}, light, white, false) == Float3{0.5f, 1, 1.5f});
 }
 
 TEST_CASE("light is finite however strong and near the source: bright is never black") {

@@ -40,7 +40,7 @@ Sampler sampler_of(Wrap wrap, Filter filter, MipFilter mip = MipFilter::kNone) {
 
 Rgba sample_at(const MipChain& texture, const Sampler& sampler, float u, float v,
                float detail = 0) {
-  return sample(texture, sampler, {u, v}, detail);
+  return sample_mip_chain(texture, sampler, {u, v}, detail);
 }
 
 // The index of the texel at place `i` of an endless row.

@@ -25,10 +25,10 @@ namespace mp = boost::multiprecision;
 using namespace test;
 
 // The largest error in units of its bound; where the bound is 0, the error must be 0.
-class Worst {
+class ErrorRatio {
 public:
-  explicit Worst(const char* name) : name_(name) {}
-  void see(const Big& error, double bound) {
+  explicit ErrorRatio(const char* name) : name_(name) {}
+  void add(const Big& error, double bound) {
     ++count_;
     if (!std::isfinite(bound)) {
       ++unbounded_;
@@ -59,7 +59,7 @@ private:
 };
 
 struct Ratios {
-  Worst world{"world, in double"}, eye{"eye, in double"}, clip{"clip, of corners"},
+  ErrorRatio world{"world, in double"}, eye{"eye, in double"}, clip{"clip, of corners"},
       crossing{"clip, of crossings"}, weights{"weights of crossings"}, ndc{"NDC"}, inverse_w{"1/w"},
       screen{"screen x, y"}, round_trip{"back in object space"},
       area{"twice the area, after the snap"}, lambda{"lambda"}, depth{"depth"},
@@ -68,7 +68,7 @@ struct Ratios {
   int wrongly_stable = 0;
 
   void check() const {
-    for (const Worst* one :
+    for (const ErrorRatio* one :
          {&world, &eye, &clip, &crossing, &weights, &ndc, &inverse_w, &screen, &round_trip, &area,
           &lambda, &depth, &fragment_inverse_w, &fragment_weights, &distance, &texcoord}) {
       one->check();
@@ -105,11 +105,11 @@ void compare_corner(const TracedCorner& corner, const CornerBounds& bounds,
   const std::optional<RoundTrip>& trip = bounds.round_trip;
   for (int i = 0; i < 4; ++i) {
     const std::size_t k = std::size_t(i);
-    ratios.clip.see(Big(in_clip[i]) - clip[k], bounds.clip[i]);
+    ratios.clip.add(Big(in_clip[i]) - clip[k], bounds.clip[i]);
     if (i == 3) break;
-    ratios.world.see(Big(in_world[i]) - world[k], bounds.world[i]);
-    ratios.eye.see(Big(in_eye[i]) - eye[k], bounds.eye[i]);
-    if (trip) ratios.round_trip.see(trip->error[i], trip->bound[i]);
+    ratios.world.add(Big(in_world[i]) - world[k], bounds.world[i]);
+    ratios.eye.add(Big(in_eye[i]) - eye[k], bounds.eye[i]);
+    if (trip) ratios.round_trip.add(trip->error[i], trip->bound[i]);
   }
 }
 
@@ -121,16 +121,16 @@ void compare_vertex(const TracedVertex& vertex, const VertexBounds& bounds,
   const glm::vec3 ndc = to_glm(vertex.ndc.position);
   for (int i = 0; i < 4; ++i) {
     const std::size_t k = std::size_t(i);
-    if (!is_corner) ratios.crossing.see(Big(clip[i]) - exact.clip[k], bounds.clip.position[i]);
+    if (!is_corner) ratios.crossing.add(Big(clip[i]) - exact.clip[k], bounds.clip.position[i]);
     if (i == 3) break;
     if (!is_corner)
-      ratios.weights.see(Big(vertex.clip.weights[k]) - exact.weights[k], bounds.clip.weights[i]);
-    ratios.ndc.see(Big(ndc[i]) - exact.clip[k] / exact.clip[3], bounds.ndc.position[i]);
+      ratios.weights.add(Big(vertex.clip.weights[k]) - exact.weights[k], bounds.clip.weights[i]);
+    ratios.ndc.add(Big(ndc[i]) - exact.clip[k] / exact.clip[3], bounds.ndc.position[i]);
   }
-  ratios.inverse_w.see(Big(vertex.ndc.inverse_w) - 1 / exact.clip[3], bounds.ndc.inverse_w);
+  ratios.inverse_w.add(Big(vertex.ndc.inverse_w) - 1 / exact.clip[3], bounds.ndc.inverse_w);
   const auto screen = exact_screen(exact.clip, viewport);
-  ratios.screen.see(Big(vertex.screen.position.x) - screen[0], bounds.screen.x);
-  ratios.screen.see(Big(vertex.screen.position.y) - screen[1], bounds.screen.y);
+  ratios.screen.add(Big(vertex.screen.position.x) - screen[0], bounds.screen.x);
+  ratios.screen.add(Big(vertex.screen.position.y) - screen[1], bounds.screen.y);
   ratios.wrongly_stable += int(bounds.snap_x.stable && snapped(screen[0]) != vertex.snapped.x);
   ratios.wrongly_stable += int(bounds.snap_y.stable && snapped(screen[1]) != vertex.snapped.y);
 }
@@ -143,7 +143,7 @@ void compare_area(const TracedPiece& piece, double bound, const std::vector<Exac
       (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
   const std::int64_t area = piece.setup ? piece.setup->double_area : 0;
   const bool clockwise = piece.setup && piece.setup->clockwise;
-  ratios.area.see(Big(clockwise ? area : -area) / (kSubpixels * kSubpixels) - exact, bound);
+  ratios.area.add(Big(clockwise ? area : -area) / (kSubpixels * kSubpixels) - exact, bound);
 }
 
 struct ExactFragment {
@@ -184,15 +184,15 @@ void compare_fragment(const TracedFragment& traced, const TracedTriangle& triang
   const FragmentBounds bound = fragment_bounds(setup, traced.fragment, inherited);
   const ExactFragment exact = exact_fragment(traced, setup, vertices);
   for (std::size_t k = 0; k < 3; ++k) {
-    ratios.lambda.see(Big(traced.fragment.lambda[k]) - exact.lambda[k], bound.lambda[k]);
-    ratios.fragment_weights.see(Big(traced.fragment.weights[k]) - exact.weights[k],
+    ratios.lambda.add(Big(traced.fragment.lambda[k]) - exact.lambda[k], bound.lambda[k]);
+    ratios.fragment_weights.add(Big(traced.fragment.weights[k]) - exact.weights[k],
                                 bound.weights[k]);
   }
-  ratios.depth.see(Big(traced.fragment.depth) - exact.depth, bound.depth);
-  ratios.fragment_inverse_w.see(Big(traced.fragment.inverse_w) - exact.inverse_w, bound.inverse_w);
-  ratios.distance.see(1 / Big(traced.fragment.inverse_w) - 1 / exact.inverse_w, bound.distance);
+  ratios.depth.add(Big(traced.fragment.depth) - exact.depth, bound.depth);
+  ratios.fragment_inverse_w.add(Big(traced.fragment.inverse_w) - exact.inverse_w, bound.inverse_w);
+  ratios.distance.add(1 / Big(traced.fragment.inverse_w) - 1 / exact.inverse_w, bound.distance);
 
-  if (traced.fate == Fate::kHidden) return;
+  if (traced.result == FragmentResult::kHidden) return;
   std::array<float, 3> values{};
   std::array<double, 3> value_bounds{};
   Big texcoord = 0;
@@ -210,7 +210,7 @@ void compare_fragment(const TracedFragment& traced, const TracedTriangle& triang
     value_bounds[k] = is_corner ? 0 : open + 0x1p-24 * std::abs(computed) + 0x1p-50;
     texcoord += exact.weights[k] * here;
   }
-  ratios.texcoord.see(Big(traced.at.texcoord[0]) - texcoord,
+  ratios.texcoord.add(Big(traced.at.texcoord[0]) - texcoord,
                       attribute_bound(values, value_bounds, setup, traced.fragment, inherited));
 }
 

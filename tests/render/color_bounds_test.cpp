@@ -29,12 +29,12 @@ using test::negated;
 using test::operator*;
 
 // The largest error in units of its bound.
-struct Kept {
+struct ColorErrorRatio {
   const char* name;
   double ratio = 0;
   int count = 0, unbounded = 0;
 
-  void see(const Big& value, const Big& exact, double bound) {
+  void add(const Big& value, const Big& exact, double bound) {
     ++count;
     if (!std::isfinite(bound)) {
       ++unbounded;
@@ -46,8 +46,8 @@ struct Kept {
     REQUIRE(error <= bound + 1e-12);
     if (bound > 0) ratio = std::max(ratio, error / bound);
   }
-  void see(const Bounded& computed, const Big& exact) {
-    see(Big(computed.value), exact, computed.bound);
+  void add(const Bounded& computed, const Big& exact) {
+    add(Big(computed.value), exact, computed.bound);
   }
   void check() const {
     std::printf("  %-20s %8d numbers, %6d without bound, largest error / bound = %.3f\n", name,
@@ -60,7 +60,7 @@ struct Kept {
 };
 
 struct All {
-  Kept texcoord{"texture coordinates"}, normal{"normals"}, sample{"texture samples"},
+  ColorErrorRatio texcoord{"texture coordinates"}, normal{"normals"}, sample{"texture samples"},
       surface{"surface"}, light{"light"}, stored{"stored bytes"};
 };
 
@@ -171,11 +171,11 @@ public:
       position[i] = at([&](const ExactCorner& c) { return c.position[i]; });
       reflection.diffuse[i] = at([&](const ExactCorner& c) { return c.diffuse[i]; });
       reflection.specular[i] = at([&](const ExactCorner& c) { return c.specular[i]; });
-      all.normal.see(found.at.normal[i], normal[i]);
+      all.normal.add(found.at.normal[i], normal[i]);
     }
     for (std::size_t i = 0; i < 2; ++i) {
       uv[i] = at([&](const ExactCorner& c) { return c.texcoord[i]; });
-      all.texcoord.see(found.at.texcoord[i], uv[i]);
+      all.texcoord.add(found.at.texcoord[i], uv[i]);
     }
     const Sampler& sampler = scene_.textures[0].sampler;
     const in_full::Light texel = in_full::sample(levels_, sampler, double(uv[0]), double(uv[1]),
@@ -186,19 +186,20 @@ public:
     for (std::size_t i = 0; i < 3; ++i) {
       const Big color = at([&](const ExactCorner& c) { return c.color[i]; });
       base[i] = Big(tints[i]) * color * Big(texel[i]);
-      all.surface.see(found.surface[i], base[i]);
+      all.surface.add(found.surface[i], base[i]);
     }
-    see_samples(traced, found, texel, all);
+    check_samples(traced, found, texel, all);
     const bool lit = settings_.shading != Shading::kUnlit;
     if (settings_.shading == Shading::kPhong) {
       reflection = in_full::reflected_light(lighting_, position, normal, material.shininess, true);
     }
-    Big3 light = lit ? in_full::lit(base, normal, reflection, material.specular, true) : base;
+    Big3 light =
+        lit ? in_full::reflected_color(base, normal, reflection, material.specular, true) : base;
     const std::uint8_t bytes[] = {traced.after.r, traced.after.g, traced.after.b};
     for (std::size_t i = 0; i < 3; ++i) {
       if (lit) light[i] += Big(material.emission[i]);
-      all.light.see(found.light[i], light[i]);
-      all.stored.see(Big(bytes[i]),
+      all.light.add(found.light[i], light[i]);
+      all.stored.add(Big(bytes[i]),
                      Big(255 * in_full::encoded(settings_.transfer, double(light[i]))),
                      stored_bound(settings_.transfer, bytes[i], found.light[i]));
     }
@@ -279,11 +280,11 @@ private:
 
   // Compares the texture sample with its bound. The surface's colour equals the sample only where
   // nothing tints it; other fragments are skipped.
-  void see_samples(const TracedFragment& traced, const ColorBounds& found,
-                   const in_full::Light& texel, All& all) const {
+  void check_samples(const TracedFragment& traced, const ColorBounds& found,
+                     const in_full::Light& texel, All& all) const {
     const float tint = traced.at.color[1] * draw_.material->base_color.g;
     if (tint != 1) return;
-    all.sample.see(Big(traced.surface.g), Big(texel[1]), *found.sample);
+    all.sample.add(Big(traced.surface.g), Big(texel[1]), *found.sample);
   }
 
   const Scene& scene_;
@@ -313,7 +314,7 @@ TEST_CASE("every colour of a run is within its bound") {
     RenderSettings settings;
     settings.shading = Shading(random.integer(0, 3));
     settings.transfer = random.unit() < 0.7 ? Transfer::kSrgb : Transfer::kNone;
-    const PreparedScene prepared = prepare(scene, settings.transfer);
+    const PreparedScene prepared = prepare_scene(scene, settings.transfer);
     const DrawList list = make_draw_list(scene, prepared, *view);
     const TracedRun run = trace(scene, *view, settings, {});
     const DrawBounds draw_bounds = bounds_of(run.trace.draws[0], *view);
@@ -321,8 +322,8 @@ TEST_CASE("every colour of a run is within its bound") {
     const Oracle oracle(scene, *view, settings, list.draws[0], list.lighting);
     int taken = 0;
     for (const TracedFragment& fragment : run.trace.fragments) {
-      const BoundsOfRun::Known& triangle = known.at(fragment.source.number);
-      if (fragment.fate != Fate::kWritten || ++taken % 5 != 0) continue;
+      const BoundsOfRun::KnownTriangle& triangle = known.at(fragment.source.number);
+      if (fragment.result != FragmentResult::kWritten || ++taken % 5 != 0) continue;
       cut += !triangle.triangle->clipping.empty();
       const PieceColors colors(list.draws[0], draw_bounds, list.lighting, settings, triangle,
                                fragment.source.piece);
@@ -331,7 +332,7 @@ TEST_CASE("every colour of a run is within its bound") {
     }
   }
   CHECK(cut > 300);  // cut by the near plane
-  for (const Kept* kept :
+  for (const ColorErrorRatio* kept :
        {&all.texcoord, &all.normal, &all.sample, &all.surface, &all.light, &all.stored}) {
     kept->check();
   }
@@ -339,16 +340,16 @@ TEST_CASE("every colour of a run is within its bound") {
 
 TEST_CASE("a summary has the largest bound, its place, and one that half keep below") {
   BoundSummary summary;
-  for (std::uint32_t i = 1; i <= 1000; ++i) summary.see(i * 1e-6, {i, {}, -1, -1});
+  for (std::uint32_t i = 1; i <= 1000; ++i) summary.add(i * 1e-6, {i, {}, -1, -1});
   CHECK(summary.largest() == 1000 * 1e-6);
   CHECK(summary.place().number == 1000);
   CHECK(summary.typical() >= 500e-6);
   CHECK(summary.typical() <= 500e-6 * (1 + 1.0 / 16));
-  for (int i = 0; i < 2000; ++i) summary.see(std::numeric_limits<double>::infinity(), {});
+  for (int i = 0; i < 2000; ++i) summary.add(std::numeric_limits<double>::infinity(), {});
   CHECK(summary.unbounded() == 2000);
   CHECK(std::isinf(summary.typical()));
   BoundSummary none;
-  none.see(0, {7, {}, -1, -1});
+  none.add(0, {7, {}, -1, -1});
   CHECK(none.typical() == 0);
   CHECK(none.place().number == 7);
 }

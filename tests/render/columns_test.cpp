@@ -30,7 +30,7 @@ std::vector<ColumnCase> column_cases() {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const auto scene = make_builtin(std::string(builtin.name));
     REQUIRE(scene);
-    const auto camera = frame(*scene, double(kColumnsWidth) / kColumnsHeight);
+    const auto camera = framing_camera(*scene, double(kColumnsWidth) / kColumnsHeight);
     REQUIRE(camera);
     const auto view = make_view(scene->cameras.empty() ? *camera : scene->cameras.front(),
                                 kColumnsWidth, kColumnsHeight);
@@ -120,14 +120,14 @@ TEST_CASE("the last fragment written in each pixel is the pixel of the image") {
     Image<Rgba8> replayed(kColumnsWidth, kColumnsHeight, RenderSettings{}.background);
     const FragmentColumns& f = run.fragments;
     std::size_t written = 0;
-    for (std::size_t i = 0; i < f.fate.size(); ++i) {
-      if (f.fate[i] < std::uint8_t(Fate::kWritten)) continue;
+    for (std::size_t i = 0; i < f.result.size(); ++i) {
+      if (f.result[i] < std::uint8_t(FragmentResult::kWritten)) continue;
       replayed.at(f.x[i], f.y[i]) = {f.written[0][written], f.written[1][written],
                                      f.written[2][written], f.written[3][written]};
       ++written;
     }
     CHECK(written == run.rendering.statistics.written);
-    CHECK(f.fate.size() == run.rendering.statistics.covered);
+    CHECK(f.result.size() == run.rendering.statistics.covered);
     CHECK(replayed == run.rendering.buffers.color);
   }
 }
@@ -138,12 +138,12 @@ TEST_CASE("columns and the trace tell the same of every triangle and fragment") 
     const ColumnRun run = record_columns(c.scene, c.view, {}, {});
     const Trace trace = glassbox::trace(c.scene, c.view, {}, {}).trace;
     REQUIRE(trace.complete);
-    REQUIRE(run.fragments.fate.size() == trace.fragments.size());
+    REQUIRE(run.fragments.result.size() == trace.fragments.size());
     bool same = true;
     for (std::size_t i = 0; i < trace.fragments.size(); ++i) {
       const TracedFragment& f = trace.fragments[i];
       same = same && run.fragments.x[i] == f.fragment.x && run.fragments.y[i] == f.fragment.y &&
-             run.fragments.fate[i] == std::uint8_t(f.fate) &&
+             run.fragments.result[i] == std::uint8_t(f.result) &&
              run.fragments.piece[i] == f.source.piece &&
              run.fragments.triangle[i] == (f.source.is_triangle ? f.source.number : kNoTriangle);
     }
@@ -193,9 +193,9 @@ TEST_CASE("a rectangle leaves exactly its own fragments, and their triangles") {
   const ColumnRun some = record_columns(room.scene, room.view, {}, {part});
   std::vector<std::array<std::uint32_t, 4>> expected, found;
   const auto list = [](const FragmentColumns& f, const PixelRect& rect, auto& out) {
-    for (std::size_t i = 0; i < f.fate.size(); ++i) {
+    for (std::size_t i = 0; i < f.result.size(); ++i) {
       if (f.x[i] >= rect.x0 && f.x[i] < rect.x1 && f.y[i] >= rect.y0 && f.y[i] < rect.y1) {
-        out.push_back({f.triangle[i], f.x[i], f.y[i], f.fate[i]});
+        out.push_back({f.triangle[i], f.x[i], f.y[i], f.result[i]});
       }
     }
   };
@@ -217,9 +217,9 @@ TEST_CASE("beyond the limits nothing is kept, but all is counted") {
   filter.max_fragments = 11;
   const ColumnRun some = record_columns(c.scene, c.view, {}, filter);
   CHECK(some.triangles.number.size() == 7);
-  CHECK(some.fragments.fate.size() == 11);
+  CHECK(some.fragments.result.size() == 11);
   CHECK(some.triangle_count == all.triangles.number.size());
-  CHECK(some.fragment_count == all.fragments.fate.size());
+  CHECK(some.fragment_count == all.fragments.result.size());
   CHECK(some.rendering.buffers.color == all.rendering.buffers.color);
 }
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -16,7 +16,7 @@ using namespace test;
 constexpr Shading kShadings[] = {Shading::kPhong, Shading::kGouraud, Shading::kFlat,
                                  Shading::kUnlit};
 
-Material lamp(const std::array<float, 3>& emission) {
+Material emitting_material(const std::array<float, 3>& emission) {
   Material material;
   material.base_color = {0.3f, 0.2f, 0.1f, 1};
   material.specular = {0.4f, 0.4f, 0.4f};
@@ -32,7 +32,7 @@ Scene textured_quad(bool base_texture, bool emission_texture, const Sampler& sam
   mesh.texcoords = {{0, 0}, {3, 0}, {3, 2}, {0, 2}};
   mesh.faces = {{0, 4}};
   for (std::uint32_t i = 0; i < 4; ++i) mesh.corners.push_back({i, kNone, i, kNone});
-  Scene scene = scene_of(mesh, lamp({0.2f, 2.0f, 0.7f}));
+  Scene scene = scene_of(mesh, emitting_material({0.2f, 2.0f, 0.7f}));
   for (int i = 0; i < 2; ++i) {
     Image<Rgba8> image(4, 4);
     for (std::size_t k = 0; k < 16; ++k) {
@@ -51,7 +51,7 @@ Scene textured_quad(bool base_texture, bool emission_texture, const Sampler& sam
 
 TEST_CASE("what a surface emits is added to its light, in linear light") {
   // Black except for its emission: on black the ambient light gives 0.
-  Material black = lamp({0.25f, 0.5f, 4.0f});
+  Material black = emitting_material({0.25f, 0.5f, 4.0f});
   black.base_color = {0, 0, 0, 1};
   black.specular = {0, 0, 0};
   Mesh mesh;
@@ -76,7 +76,8 @@ TEST_CASE("emission has the same bytes in both engines, with the plan and withou
       RenderSettings settings;
       settings.shading = shading;
       settings.transfer = transfer;
-      check_planned(ball_at({0, 0, -4}, lamp({0.1f, 0.0f, 0.6f})), planned_view(), settings);
+      check_planned(ball_at({0, 0, -4}, emitting_material({0.1f, 0.0f, 0.6f})), planned_view(),
+                    settings);
       for (const int samples : {1, 4}) {
         settings.samples = samples;
         check_same(textured_quad(true, true), planned_view(), settings);
@@ -118,7 +119,8 @@ TEST_CASE("masked and blended surfaces, lines and mixed corners emit the same in
 
 TEST_CASE("emission is left out where no material emits, and the picture is black without it") {
   const View view = planned_view();
-  const Scene dark = ball_at({0, 0, -4}), bright = ball_at({0, 0, -4}, lamp({0, 0.5f, 0}));
+  const Scene dark = ball_at({0, 0, -4}),
+              bright = ball_at({0, 0, -4}, emitting_material({0, 0.5f, 0}));
   CHECK_FALSE(plan_of(dark, view).plan.methods[0].emission);
   CHECK(plan_of(dark, view, {}, false).plan.methods[0].emission);
   CHECK(plan_of(bright, view).plan.methods[0].emission);
@@ -133,7 +135,7 @@ TEST_CASE("emission is left out where no material emits, and the picture is blac
     for (Plan& plan : plans) plan.methods[0].emission = false;
     return plans;
   };
-  CHECK(is_caught(bright, view, {}, without));
+  CHECK(differs_with_planner(bright, view, {}, without));
   const Scene quad = textured_quad(false, true);
   CHECK(decision(quad, view, "texture coordinates").needed);
   CHECK(decision(quad, view, "choice of a mip level").needed);
@@ -142,7 +144,7 @@ TEST_CASE("emission is left out where no material emits, and the picture is blac
     for (Plan& plan : plans) plan.methods[0].emission_texture = false;
     return plans;
   };
-  CHECK(is_caught(quad, view, {}, without_texture));
+  CHECK(differs_with_planner(quad, view, {}, without_texture));
 }
 
 TEST_CASE("a surface without the coordinates that its emission's texture needs emits nothing") {
@@ -160,7 +162,7 @@ TEST_CASE("a surface without the coordinates that its emission's texture needs e
 }
 
 TEST_CASE("a trace has what was emitted beside the light that it is part of") {
-  const Scene scene = ball_at({0, 0, -4}, lamp({0.125f, 0.5f, 0}));
+  const Scene scene = ball_at({0, 0, -4}, emitting_material({0.125f, 0.5f, 0}));
   TraceFilter filter;
   filter.pixels = PixelRect{48, 32, 49, 33};
   const auto run = trace(scene, planned_view(), {}, filter);

@@ -13,22 +13,22 @@ namespace glassbox::test {
 namespace {
 
 // The properties of a job that an engine was given.
-struct Asked {
+struct JobProperties {
   std::size_t eyes = 0;
   bool is_pair = false, draws_over = false;
 };
 
-class Listening : public Engine {
+class RecordingEngine : public Engine {
 public:
-  explicit Listening(std::vector<Asked>& asked) : asked_(asked) {}
+  explicit RecordingEngine(std::vector<JobProperties>& asked) : asked_(asked) {}
 
-  NotSubmitted draw(const PictureJob& job) override {
+  PairCullCounts draw(const PictureJob& job) override {
     asked_.push_back({job.eyes.size(), job.culling != nullptr, job.eyes.back().draws_over()});
     return reference_.draw(job);
   }
 
 private:
-  std::vector<Asked>& asked_;
+  std::vector<JobProperties>& asked_;
   StagedEngine reference_;
 };
 
@@ -37,8 +37,8 @@ private:
 TEST_CASE(
     "an engine of one's own draws single pictures, pairs and anaglyphs, and is asked once each") {
   const PairCase c = pair_cases().front();
-  std::vector<Asked> asked;
-  Renderer own(c.scene, Transfer::kSrgb, std::make_unique<Listening>(asked));
+  std::vector<JobProperties> asked;
+  Renderer own(c.scene, Transfer::kSrgb, std::make_unique<RecordingEngine>(asked));
   Renderer tiles(c.scene, Transfer::kSrgb);
 
   CHECK(own.render(c.centre, {}).buffers.color == tiles.render(c.centre, {}).buffers.color);
@@ -58,8 +58,8 @@ TEST_CASE(
 
 TEST_CASE("what an engine does not cull for the camera between the eyes, the reference culls") {
   const PairCase c = pair_cases().front();
-  std::vector<Asked> asked;
-  Renderer own(c.scene, Transfer::kSrgb, std::make_unique<Listening>(asked));
+  std::vector<JobProperties> asked;
+  Renderer own(c.scene, Transfer::kSrgb, std::make_unique<RecordingEngine>(asked));
   const StereoSettings centre_culled{{}, StereoCulling::kCentre};
   const StereoRendering expected = render_pair(c.scene, c.centre, c.pair, centre_culled);
   const StereoRendering drawn = own.render_pair(c.centre, c.pair, centre_culled);

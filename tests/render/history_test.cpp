@@ -135,9 +135,9 @@ TEST_CASE("a pixel's history ends in the picture's bytes and has every fragment,
           REQUIRE(event.stored == depth);
           REQUIRE(event.stored ==
                   (event.stored_by ? history.events[*event.stored_by].code : kEmptyDepth));
-          sums.depth_failed += event.touch == Touch::kHidden ? 1 : 0;
-          sums.discarded += event.touch == Touch::kDiscarded ? 1 : 0;
-          if (event.touch < Touch::kMasked) continue;
+          sums.depth_failed += event.kind == PixelEventKind::kHidden ? 1 : 0;
+          sums.discarded += event.kind == PixelEventKind::kDiscarded ? 1 : 0;
+          if (event.kind < PixelEventKind::kMasked) continue;
           ++written;
           REQUIRE(event.before == bytes);
           bytes = event.after;
@@ -201,7 +201,7 @@ TEST_CASE(
   const Scene scene = triangles({at(8, 8, 1.5), at(24, 8, 1.5), at(8, 24, 1.5)});
   const PixelHistory inside = history_at(scene, 10, 10);
   REQUIRE(inside.events.size() == 1);
-  CHECK(inside.events[0].touch == Touch::kTurnedAway);
+  CHECK(inside.events[0].kind == PixelEventKind::kTurnedAway);
   CHECK(inside.events[0].area_px2 == -128);
   CHECK(!inside.events[0].front);
   CHECK(!inside.shows);
@@ -226,7 +226,7 @@ TEST_CASE("what a plane cut off is in the history of the pixels that it would ha
     // (31.5 - row)/32 w.
     const double w = 1.5 / (2 + (31.5 - y) / 32);
     CHECK(double(event.distance) == Approx(w).epsilon(1e-6));
-    if (event.touch == Touch::kClipped) {
+    if (event.kind == PixelEventKind::kClipped) {
       ++cut;
       CHECK(std::string(event.plane) == "near");
       CHECK(w < 1);
@@ -234,7 +234,7 @@ TEST_CASE("what a plane cut off is in the history of the pixels that it would ha
       CHECK(event.front);
     } else {
       ++kept;
-      CHECK(event.touch == Touch::kWritten);
+      CHECK(event.kind == PixelEventKind::kWritten);
       CHECK(w >= 1);
     }
   }
@@ -301,7 +301,7 @@ TEST_CASE("the nearest miss is the least of the misses of all pixels") {
     }
     if (covered) continue;
     ++compared;
-    const Miss nearest = nearest_miss(*setup, pixels);
+    const CentreMiss nearest = nearest_miss(*setup, pixels);
     CAPTURE(round, nearest.x, nearest.y);
     REQUIRE(nearest.subpixels == *least);
     REQUIRE(miss_at(*setup, nearest.x, nearest.y)->value == nearest.value);

@@ -1,7 +1,7 @@
 // The mip levels of textures that are not visible are not made.
 #include <glassbox/render/renderer.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -22,7 +22,7 @@ void add_textured_wall(Scene& scene, float z, std::uint32_t texture) {
   scene.materials.push_back(material);
   scene.images.push_back(Image<Rgba8>(16, 8, {std::uint8_t(90 * texture), 200, 40, 255}));
   scene.textures.push_back({texture, Sampler{}});
-  place(scene, texture, {0, 0, 0});
+  add_instance_at(scene, texture, {0, 0, 0});
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("the levels of a texture are made when its first pixel asks for them")
   Statistics statistics;
   for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
     INFO(name_of(kind));
-    const PreparedScene prepared = prepare(scene, settings.transfer);
+    const PreparedScene prepared = prepare_scene(scene, settings.transfer);
     const EyePicture eye{view, settings, target, target.color, statistics};
     make_engine(kind)->draw({scene, prepared, {&eye, 1}});
     CHECK(prepared.textures[0]->made());
@@ -64,7 +64,7 @@ TEST_CASE("what a hidden draw would ask for its alpha is not made either") {
       scene.materials[2].base_color.a = 0.25f;  // with a mask it is discarded everywhere
       for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
         INFO(name_of(kind) << ", alpha mode " << int(mode) << ", " << samples << " samples");
-        const PreparedScene prepared = prepare(scene, settings.transfer);
+        const PreparedScene prepared = prepare_scene(scene, settings.transfer);
         const EyePicture eye{view, settings, target, target.color, statistics};
         make_engine(kind)->draw({scene, prepared, {&eye, 1}});
         CHECK(prepared.textures[0]->made());

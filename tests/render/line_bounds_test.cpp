@@ -32,7 +32,7 @@ using test::ExactVertex;
 using test::operator*;
 
 // The largest error in units of its bound.
-struct KeptBound {
+struct LineErrorRatio {
   // Rounding errors of the oracle: in 320 bits, and in double for its textures and bytes.
   static constexpr double kInFull = 0x1p-250, kInDouble = 1e-12;
 
@@ -42,7 +42,7 @@ struct KeptBound {
   int count = 0;
   std::vector<double> bounds = {};
 
-  void see(double value, const Big& exact, double bound) {
+  void add(double value, const Big& exact, double bound) {
     if (!std::isfinite(bound)) return;
     ++count;
     bounds.push_back(bound);
@@ -130,10 +130,10 @@ std::array<ExactVertex, 2> exact_ends(const Trace& trace, std::array<ClipVertex,
 }
 
 struct AllKept {
-  KeptBound depth{"depth"}, inverse_w{"1/w"}, screen{"ends on the screen"}, normal{"normals"},
+  LineErrorRatio depth{"depth"}, inverse_w{"1/w"}, screen{"ends on the screen"}, normal{"normals"},
       texcoord{"texture coordinates"};
-  KeptBound surface{"surface", KeptBound::kInDouble}, light{"light", KeptBound::kInDouble},
-      stored{"stored bytes", KeptBound::kInDouble};
+  LineErrorRatio surface{"surface", LineErrorRatio::kInDouble},
+      light{"light", LineErrorRatio::kInDouble}, stored{"stored bytes", LineErrorRatio::kInDouble};
   std::map<LineKind, int> kinds;
   int cut = 0, without_normal = 0;
 };
@@ -188,17 +188,17 @@ public:
     const bool is_point = traced.source.line == LineKind::kPoint;
     if (!is_point) ends = exact_ends(trace, run, ends);
     all.cut += ends[0].weights[0] != 1 || ends[1].weights[1] != 1;
-    see_ends(line, ends, all);
+    check_ends(line, ends, all);
     const Big share = is_point ? Big(0) : share_of_way(line, traced.fragment);
     const std::array<Big, 2> q{1 / ends[0].clip[3], 1 / ends[1].clip[3]};
-    const FragmentBounds bounds = line.of(traced.fragment);
+    const FragmentBounds bounds = line.of_fragment(traced.fragment);
     const auto between = [&](const Big& a, const Big& b) { return a + share * (b - a); };
-    all.depth.see(double(traced.fragment.depth),
+    all.depth.add(double(traced.fragment.depth),
                   between(ends[0].clip[2] * q[0], ends[1].clip[2] * q[1]), bounds.depth);
     const Big inverse_w = between(q[0], q[1]);
-    all.inverse_w.see(double(traced.fragment.inverse_w), inverse_w, bounds.inverse_w);
+    all.inverse_w.add(double(traced.fragment.inverse_w), inverse_w, bounds.inverse_w);
     ++all.kinds[traced.source.line];
-    if (traced.fate != Fate::kWritten) return;
+    if (traced.result != FragmentResult::kWritten) return;
     const std::array<ExactAttributes, 2> own{attributes_of(corners[0], triangle),
                                              attributes_of(corners[1], triangle)};
     const ExactAttributes at = ExactAttributes::mixed([&](const auto& of) {
@@ -207,7 +207,7 @@ public:
       };
       return between(at_end(0), at_end(1)) / inverse_w;
     });
-    see_colors(traced, at, line.colors(traced, bounds), all);
+    check_colors(traced, at, line.colors(traced, bounds), all);
   }
 
 private:
@@ -249,8 +249,8 @@ private:
     return false;
   }
 
-  void see_colors(const TracedFragment& traced, const ExactAttributes& at, const ColorBounds& found,
-                  AllKept& all) const {
+  void check_colors(const TracedFragment& traced, const ExactAttributes& at,
+                    const ColorBounds& found, AllKept& all) const {
     const Material& material = *draw_.material;
     in_full::Light texel{1, 1, 1, 1};
     if (!levels_.empty()) {
@@ -259,41 +259,41 @@ private:
                               double(at.texcoord[1]), kLevel);
       for (std::size_t i = 0; i < 2; ++i) {
         const auto& [value, bound] = found.at.texcoord[i];
-        all.texcoord.see(double(value), at.texcoord[i], bound);
+        all.texcoord.add(double(value), at.texcoord[i], bound);
       }
     }
     Big3 light;
     for (std::size_t i = 0; i < 3; ++i) {
       light[i] = at.color[i] * Big(texel[i]);
-      all.surface.see(double(found.surface[i].value), light[i], found.surface[i].bound);
+      all.surface.add(double(found.surface[i].value), light[i], found.surface[i].bound);
     }
     if (settings_.shading == Shading::kPhong) {
       for (std::size_t i = 0; i < 3; ++i) {
-        all.normal.see(double(found.at.normal[i].value), at.normal[i], found.at.normal[i].bound);
+        all.normal.add(double(found.at.normal[i].value), at.normal[i], found.at.normal[i].bound);
       }
       all.without_normal += at.normal == Big3{};
       const auto reflection =
           in_full::reflected_light(lighting_, at.position, at.normal, material.shininess, true);
-      light = in_full::lit(light, at.normal, reflection, material.specular, true);
+      light = in_full::reflected_color(light, at.normal, reflection, material.specular, true);
     }
     const std::uint8_t bytes[] = {traced.after.r, traced.after.g, traced.after.b};
     for (std::size_t i = 0; i < 3; ++i) {
-      all.light.see(double(found.light[i].value), light[i], found.light[i].bound);
-      all.stored.see(double(bytes[i]),
+      all.light.add(double(found.light[i].value), light[i], found.light[i].bound);
+      all.stored.add(double(bytes[i]),
                      Big(255 * in_full::encoded(settings_.transfer, double(light[i]))),
                      stored_bound(settings_.transfer, bytes[i], found.light[i]));
     }
   }
 
-  void see_ends(const LineBounds& line, const std::array<ExactVertex, 2>& exact,
-                AllKept& all) const {
+  void check_ends(const LineBounds& line, const std::array<ExactVertex, 2>& exact,
+                  AllKept& all) const {
     const Viewport& v = view_.viewport;
     for (std::size_t k = 0; k < line.ends().size(); ++k) {
       const auto& [vertex, bounds] = line.ends()[k];
       const Big x = exact[k].clip[0] / exact[k].clip[3], y = exact[k].clip[1] / exact[k].clip[3];
-      all.screen.see(double(vertex.screen.position.x),
+      all.screen.add(double(vertex.screen.position.x),
                      Big(v.left) + (x + 1) / 2 * (Big(v.right) - Big(v.left)), bounds.screen.x);
-      all.screen.see(double(vertex.screen.position.y),
+      all.screen.add(double(vertex.screen.position.y),
                      Big(v.bottom) + (y + 1) / 2 * (Big(v.top) - Big(v.bottom)), bounds.screen.y);
     }
   }
@@ -333,7 +333,7 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
     RenderSettings settings;
     settings.shading = random.unit() < 0.5 ? Shading::kUnlit : Shading::kPhong;
     settings.wireframe = i % 2 == 0;
-    const PreparedScene prepared = prepare(scene, settings.transfer);
+    const PreparedScene prepared = prepare_scene(scene, settings.transfer);
     const DrawList list = make_draw_list(scene, prepared, *view);
     const TracedRun run = trace(scene, *view, settings, {});
     const DrawBounds draw_bounds = bounds_of(run.trace.draws[0], *view);
@@ -346,7 +346,8 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
       const bool is_point = source.line == LineKind::kPoint;
       if (source.is_triangle || (!is_point && ++taken % 3 != 0)) continue;
       const bool is_edge = source.line == LineKind::kEdge;
-      const BoundsOfRun::Known* const triangle = is_edge ? &known.at(source.number) : nullptr;
+      const BoundsOfRun::KnownTriangle* const triangle =
+          is_edge ? &known.at(source.number) : nullptr;
       const LineBounds line(stage, run.trace, run.trace.draws[0], source, triangle);
       oracle.compare(run.trace, fragment, is_edge ? triangle->triangle : nullptr, line, all);
     }
@@ -354,7 +355,7 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
   all.depth.check(0.05);
   all.inverse_w.check(0.05);
   all.screen.check(0.05);
-  for (const KeptBound* kept :
+  for (const LineErrorRatio* kept :
        {&all.surface, &all.texcoord, &all.normal, &all.light, &all.stored}) {
     kept->check(0.02);
   }

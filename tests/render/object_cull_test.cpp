@@ -10,16 +10,16 @@
 #include <glassbox/render/staged/vertex_stage.h>
 
 #include "tests/render/stereo/pairs.h"
-#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/generated_case.h"
 #include "tests/render/tile/same_picture.h"
 
 namespace glassbox {
 namespace {
 
-using test::AnyCase;
-using test::kShare;
+using test::GeneratedCase;
+using test::kCaseDivisor;
 
-RenderSettings early(RenderSettings settings = {}) {
+RenderSettings with_object_culling(RenderSettings settings = {}) {
   settings.cull_stage = CullStage::kObject;
   return settings;
 }
@@ -30,24 +30,24 @@ View view_of_size(const Scene& scene, int width, int height) {
 
 // Where the picture with early culling differs from the one without, in either engine; empty if it
 // does not.
-std::string early_difference(const AnyCase& c) {
+std::string early_difference(const GeneratedCase& c) {
   RenderSettings late = c.settings;
   late.cull_stage = CullStage::kScreen;
   const Rendering expected = render_staged(c.scene, c.view, late);
-  const Rendering staged = render_staged(c.scene, c.view, early(c.settings));
-  const Rendering tiled = render_tiled(c.scene, c.view, early(c.settings), c.options);
+  const Rendering staged = render_staged(c.scene, c.view, with_object_culling(c.settings));
+  const Rendering tiled = render_tiled(c.scene, c.view, with_object_culling(c.settings), c.options);
   return test::planes_differ(expected.buffers, staged.buffers, true) +
          test::planes_differ(expected.buffers, tiled.buffers, c.settings.want_depth);
 }
 
 TEST_CASE("culling in object space first changes no byte of any picture, in either engine") {
   std::uint64_t removed = 0, culled = 0;
-  for (std::uint64_t seed = 0; seed < 600 / kShare; ++seed) {
+  for (std::uint64_t seed = 0; seed < 600 / kCaseDivisor; ++seed) {
     Random random(1000 + seed);
-    AnyCase c = test::any_case(random, 200, 130);
+    GeneratedCase c = test::generate_case(random, 200, 130);
     if (seed % 4 != 0) c.settings.cull = seed % 4 == 1 ? Cull::kFront : Cull::kBack;
     test::check_no_difference(1000 + seed, c, early_difference);
-    const Statistics s = render_staged(c.scene, c.view, early(c.settings)).statistics;
+    const Statistics s = render_staged(c.scene, c.view, with_object_culling(c.settings)).statistics;
     removed += s.culled_early;
     culled += s.culled;
   }
@@ -61,7 +61,7 @@ TEST_CASE("both engines cull the same triangles early, and the counts still add 
     const Scene scene = test::built_in(std::string(builtin.name));
     const View view = view_of_size(scene, 160, 90);
     for (const Cull cull : {Cull::kMaterial, Cull::kBack, Cull::kFront, Cull::kNone}) {
-      RenderSettings settings = early();
+      RenderSettings settings = with_object_culling();
       settings.cull = cull;
       TileOptions unplanned;
       unplanned.plan = false;
@@ -81,7 +81,7 @@ TEST_CASE("both engines cull the same triangles early, and the counts still add 
 
 TEST_CASE("nearly half of a closed surface goes before clipping (S4-19)") {
   const Scene scene = test::built_in("teapot:16");
-  RenderSettings settings = early();
+  RenderSettings settings = with_object_culling();
   settings.cull = Cull::kBack;
   const Statistics s = render_staged(scene, view_of_size(scene, 640, 360), settings).statistics;
   const std::uint64_t backs = s.culled_early + s.culled;
@@ -94,8 +94,8 @@ TEST_CASE("a parallel view culls early, too") {
   Camera parallel = test::camera_for(scene, 1);
   parallel.lens = OrthographicLens{3, 0.1, 10};
   const View view = make_view(parallel, 400, 400).value();
-  test::check_same(scene, view, early());
-  const Statistics s = render_staged(scene, view, early()).statistics;
+  test::check_same(scene, view, with_object_culling());
+  const Statistics s = render_staged(scene, view, with_object_culling()).statistics;
   CHECK(double(s.culled_early) > 0.4 * double(s.triangles));
 }
 
@@ -107,7 +107,8 @@ TEST_CASE("each eye of a pair culls for itself, and has the bytes of late cullin
       RenderSettings settings;
       settings.cull = Cull::kBack;
       const StereoRendering late = renderer.render_pair(c.centre, c.pair, {settings});
-      const StereoRendering both = renderer.render_pair(c.centre, c.pair, {early(settings)});
+      const StereoRendering both =
+          renderer.render_pair(c.centre, c.pair, {with_object_culling(settings)});
       CHECK(both.left.color == late.left.color);
       CHECK(both.right.color == late.right.color);
       if (c.name == "teapot") CHECK(both.right_statistics.culled_early > 0);
@@ -139,16 +140,17 @@ int removed_fronts(const Draw& draw, const View& view, const ObjectCull& cull) {
 TEST_CASE("without the margin of the snap fronts are thrown away, and with it none (DESIGN 2)") {
   Random random(3);
   int with_margin = 0, without = 0;
-  for (int i = 0; i < 40 / kShare + 4; ++i) {
+  for (int i = 0; i < 40 / kCaseDivisor + 4; ++i) {
     // Triangles of about one pixel.
     const Scene scene = test::scene_of(test::star_shaped_surface(30, 0.02, random));
     const Camera camera =
-        frame(scene, 1, {random.between(0, 360), random.between(-80, 80), {0, 1, 0}, 45, 1.1})
+        framing_camera(scene, 1,
+                       {random.between(0, 360), random.between(-80, 80), {0, 1, 0}, 45, 1.1})
             .value();
     const View view = make_view(camera, 70, 70).value();
-    const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+    const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
     const DrawList list = make_draw_list(scene, prepared, view);
-    ObjectCull cull = object_culling(list.draws[0], view, early()).test.value();
+    ObjectCull cull = object_culling(list.draws[0], view, with_object_culling()).test.value();
     with_margin += removed_fronts(list.draws[0], view, cull);
     cull.value_per_px2 = 0;
     without += removed_fronts(list.draws[0], view, cull);
@@ -164,7 +166,7 @@ TEST_CASE("a triangle that a plane cuts is left to the snapped area") {
   test::add_face(mesh, {0, 1, 2});
   const Scene scene = test::scene_of(mesh);
   const View view = make_view({"front", PerspectiveLens{1.2, 0.1, 10.0}, {}}, 64, 64).value();
-  RenderSettings settings = early();
+  RenderSettings settings = with_object_culling();
   for (const Cull cull : {Cull::kBack, Cull::kFront}) {
     settings.cull = cull;
     CHECK(render_staged(scene, view, settings).statistics.culled_early == 0);
@@ -177,23 +179,23 @@ TEST_CASE("where the test cannot be made, the reason is given") {
   Scene scene = test::built_in("cube");
   const View view = view_of_size(scene, 64, 64);
   const auto because = [&](const View& seen, const RenderSettings& settings) {
-    const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+    const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
     const DrawList list = make_draw_list(scene, prepared, seen);
     const ObjectCulling culling = object_culling(list.draws[0], seen, settings);
     CHECK_FALSE(culling.test);
     return std::string(culling.because);
   };
   CHECK(because(view, {}) == "not requested");
-  RenderSettings none = early();
+  RenderSettings none = with_object_culling();
   none.cull = Cull::kNone;
   CHECK(because(view, none) == "both sides of its faces are drawn");
   Camera parallel = test::camera_for(scene, 1);
   parallel.lens = OrthographicLens{2, 0.1, 10};
   const View centre = make_view(parallel, 64, 64).value();
-  CHECK(because(eye_view(centre, {0.1, 4}, Side::kLeft), early()).find("oblique") !=
+  CHECK(because(eye_view(centre, {0.1, 4}, Side::kLeft), with_object_culling()).find("oblique") !=
         std::string::npos);
   scene.nodes[scene.instances[0].node].world_from_node = scale<World, Object>(1, 1, 0);
-  CHECK(because(view, early()).find("singular") != std::string::npos);
+  CHECK(because(view, with_object_culling()).find("singular") != std::string::npos);
 }
 
 }  // namespace

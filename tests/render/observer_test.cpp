@@ -6,7 +6,7 @@
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/raster/coverage.h>
-#include <glassbox/render/staged/ready.h>
+#include <glassbox/render/staged/primitives.h>
 #include <glassbox/render/staged/staged.h>
 
 using namespace glassbox;
@@ -15,10 +15,10 @@ namespace {
 
 struct Shown {
   Scene scene = make_cube();
-  View view = make_view(frame(scene, 1.0).value(), 32, 32).value();
+  View view = make_view(framing_camera(scene, 1.0).value(), 32, 32).value();
   RenderSettings settings;
 
-  Image<Rgba8> by(const Observers& observers) const {
+  Image<Rgba8> picture_with(const Observers& observers) const {
     return render_staged(scene, view, settings, observers).buffers.color;
   }
 };
@@ -27,7 +27,7 @@ struct Shown {
 class WithoutRow : public Observer {
 public:
   explicit WithoutRow(int row) : row_(row) {}
-  void ready(const ReadyTriangle& triangle) override { setup_ = triangle.setup; }
+  void piece_ready(const ReadyTriangle& triangle) override { setup_ = triangle.setup; }
   const std::vector<Coverage>* covered(const FragmentSource&) override {
     pixels_.clear();
     for_each_covered(setup_, {0, 0, 32, 32}, [&](const Coverage& pixel) {
@@ -43,7 +43,7 @@ private:
 };
 
 // Moves the snapped vertices one pixel to the right.
-class Moved : public Observer {
+class VertexShifter : public Observer {
 public:
   void fanned(std::span<SnappedVertex> polygon, int&) override {
     for (SnappedVertex& vertex : polygon) vertex.x += kSubpixels;
@@ -52,7 +52,7 @@ public:
 
 class Counts : public Observer {
 public:
-  void varied(const Fragment&, Varyings&) override { ++varied_fragments; }
+  void attributes_interpolated(const Fragment&, Varyings&) override { ++varied_fragments; }
   void fanned(std::span<SnappedVertex>, int&) override { ++polygons; }
   int varied_fragments = 0, polygons = 0;
 };
@@ -62,9 +62,9 @@ public:
 TEST_CASE("pixels that an observer gives are drawn in the place of the stage's") {
   const Shown shown;
   WithoutRow all(-1), without(16);
-  const Image<Rgba8> picture = shown.by(nullptr);
-  CHECK(shown.by(&all).pixels == picture.pixels);
-  const Image<Rgba8> cut = shown.by(&without);
+  const Image<Rgba8> picture = shown.picture_with(nullptr);
+  CHECK(shown.picture_with(&all).pixels == picture.pixels);
+  const Image<Rgba8> cut = shown.picture_with(&without);
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 32; ++x) {
       CAPTURE(x, y);
@@ -75,8 +75,8 @@ TEST_CASE("pixels that an observer gives are drawn in the place of the stage's")
 
 TEST_CASE("vertices that an observer snaps are those that are set up") {
   const Shown shown;
-  Moved moved;
-  const Image<Rgba8> picture = shown.by(nullptr), right = shown.by(&moved);
+  VertexShifter moved;
+  const Image<Rgba8> picture = shown.picture_with(nullptr), right = shown.picture_with(&moved);
   int covered = 0, same = 0;
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x + 1 < 32; ++x) {
@@ -93,8 +93,8 @@ TEST_CASE("of two observers the second sees what the first has made of a run") {
   const Shown shown;
   WithoutRow without(16);
   Counts counts, alone;
-  CHECK(shown.by({&without, &counts}).pixels == shown.by(&without).pixels);
-  shown.by(&alone);
+  CHECK(shown.picture_with({&without, &counts}).pixels == shown.picture_with(&without).pixels);
+  shown.picture_with(&alone);
   CHECK(counts.polygons == alone.polygons);
   CHECK(counts.varied_fragments < alone.varied_fragments);
   CHECK(counts.varied_fragments > 0);

@@ -68,7 +68,7 @@ View view_of(const Lens& lens, DepthRange range) {
 }
 
 // Checks that every coordinate of every corner is within its bound. Returns the figures of the run.
-RoundTrips come_back(const Scene& scene, const View& view) {
+RoundTrips round_trips_of(const Scene& scene, const View& view) {
   TraceFilter filter;
   filter.fragments = false;
   RenderSettings settings;
@@ -80,7 +80,7 @@ RoundTrips come_back(const Scene& scene, const View& view) {
   int broken = 0;
   for (const TracedTriangle& triangle : run.triangles) {
     const TriangleBounds bounds = bounds_of(run, triangle, run.draws.front(), draw_bounds);
-    trips.see(triangle, bounds);
+    trips.add(triangle, bounds);
     for (const CornerBounds& corner : bounds.corners) {
       if (!corner.round_trip || !corner.round_trip->is_bounded()) continue;
       for (int axis = 0; axis < 3; ++axis) {
@@ -107,7 +107,7 @@ TEST_CASE("object to screen to object stays within its bound, from a micrometre 
           Scene scene = triangles_at(depths, 300, random);
           model_in(scene, skewed(size, std::pow(10, depths.to - 1), random));
           CAPTURE(int(range), depths.from, infinite, size);
-          const RoundTrips trips = come_back(scene, view_of(lens, range));
+          const RoundTrips trips = round_trips_of(scene, view_of(lens, range));
           CHECK(trips.largest_ratio > 0.001);
         }
       }
@@ -121,7 +121,7 @@ TEST_CASE("a parallel projection's round trip stays within its bound") {
     Scene scene = triangles_at(depths, 500, random);
     model_in(scene, skewed(0.01, 10, random));
     const OrthographicLens lens{std::pow(10, depths.to), 0, 2 * std::pow(10, depths.to)};
-    const RoundTrips trips = come_back(scene, view_of(lens, DepthRange::kStandard));
+    const RoundTrips trips = round_trips_of(scene, view_of(lens, DepthRange::kStandard));
     CHECK(trips.unbounded == 0);
     CHECK(trips.largest_ratio > 0.001);
   }
@@ -131,9 +131,9 @@ TEST_CASE("beyond 2^25 near distances only reversed depth brings a point back") 
   Random random(405);
   const Scene scene = triangles_at({8, 9}, 300, random);
   const PerspectiveLens lens{1.2, 1, {}};
-  const RoundTrips standard = come_back(scene, view_of(lens, DepthRange::kStandard));
+  const RoundTrips standard = round_trips_of(scene, view_of(lens, DepthRange::kStandard));
   CHECK(standard.unbounded == standard.corners);
-  const RoundTrips reversed = come_back(scene, view_of(lens, DepthRange::kReversed));
+  const RoundTrips reversed = round_trips_of(scene, view_of(lens, DepthRange::kReversed));
   CHECK(reversed.unbounded == 0);
   CHECK(reversed.bound < 1e-6 * 1e9);
   CHECK(reversed.largest_error <= reversed.bound);
@@ -153,7 +153,8 @@ TEST_CASE("what is at or behind the eye has no round trip, and a flattened objec
     }
   }
 
-  const WayThere flat{glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5, 1), glm::dmat4(0)};
+  const ForwardTransform flat{glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5, 1),
+                              glm::dmat4(0)};
   const auto trip = round_trip(Point<Object>(0.25f, 0.5f, 3), Point<Clip>(0.25f, 0.5f, 0.5f, 1),
                                glm::dvec4(0), flat, Viewport{0, 0, kSide, kSide});
   REQUIRE(trip);
@@ -174,7 +175,7 @@ TEST_CASE("the built-in scenes come back to within a thousandth of a unit") {
     for (const TracedTriangle& triangle : run.triangles) {
       for (const TracedDraw& draw : run.draws) {
         if (draw.instance != triangle.instance) continue;
-        trips.see(triangle, bounds_of(run, triangle, draw, bounds_of(draw, *view)));
+        trips.add(triangle, bounds_of(run, triangle, draw, bounds_of(draw, *view)));
       }
     }
     CHECK(trips.corners > 0);

@@ -8,7 +8,7 @@
 
 #include "tests/render/scenes.h"
 #include "tests/render/stereo/pairs.h"
-#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/generated_case.h"
 #include "tests/render/tile/same_picture.h"
 
 namespace glassbox {
@@ -232,7 +232,7 @@ TEST_CASE("all planes but the colours are those of one sample, and so are pictur
   Random random(12);
   std::size_t colors_differ = 0;
   for (int i = 0; i < 150; ++i) {
-    test::AnyCase c = test::any_case(random, 60, 60);
+    test::GeneratedCase c = test::generate_case(random, 60, 60);
     c.settings.want_distance = c.settings.want_id = true;
     c.settings.samples = 1;
     const Framebuffer one = render_staged(c.scene, c.view, c.settings).buffers;

@@ -90,7 +90,7 @@ inline Mesh star_shaped_surface(int n, double roughness, Random& random) {
 
 // The scene's first camera, or the automatic one.
 inline Camera camera_for(const Scene& scene, double aspect) {
-  return scene.cameras.empty() ? *frame(bounds(scene), aspect) : scene.cameras.front();
+  return scene.cameras.empty() ? *framing_camera(bounds(scene), aspect) : scene.cameras.front();
 }
 
 // A camera at `eye` that looks along a random direction.

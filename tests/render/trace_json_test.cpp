@@ -70,7 +70,7 @@ TEST_CASE("the JSON of a trace, written and read again, has the records' numbers
     REQUIRE(written.at("edges") == Json(fragment.coverage.edges));
     REQUIRE(written.at("depth").get<float>() == fragment.fragment.depth);
     REQUIRE(written.at("depth_test").at("incoming") == fragment.code);
-    REQUIRE(written.at("fate") == name_of(fragment.fate));
+    REQUIRE(written.at("fate") == name_of(fragment.result));
     REQUIRE(written.contains("bounds"));
   }
 }
@@ -135,7 +135,7 @@ TEST_CASE("a trace into a sink is the trace that is collected") {
   const TracedRun run = room_pixel(*scene);
   TraceFilter filter;
   filter.pixels = PixelRect{40, 30, 43, 33};
-  const SunkRun sunk = trace(*scene, run.trace.view, RenderSettings{}, filter, counter);
+  const StreamedRun sunk = trace(*scene, run.trace.view, RenderSettings{}, filter, counter);
   CHECK(sunk.complete);
   CHECK(sunk.rendering.buffers.color == run.rendering.buffers.color);
   CHECK(counter.draws == run.trace.draws.size());

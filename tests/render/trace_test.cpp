@@ -38,7 +38,7 @@ struct TraceCase {
 
 // The view of the scene's camera, or nothing if that camera cannot be rendered.
 std::optional<View> framed(const Scene& scene) {
-  const auto automatic = frame(scene, double(kTraceWidth) / kTraceHeight);
+  const auto automatic = framing_camera(scene, double(kTraceWidth) / kTraceHeight);
   REQUIRE(automatic);
   const auto view = make_view(scene.cameras.empty() ? *automatic : scene.cameras.front(),
                               kTraceWidth, kTraceHeight);
@@ -248,7 +248,7 @@ TEST_CASE("the recorded fragments follow from their triangles, bit for bit") {
       REQUIRE(fragment.depth == traced.fragment.depth);
       REQUIRE(fragment.weights == traced.fragment.weights);
       REQUIRE(depth_code(settings.depth, fragment.depth) == traced.code);
-      REQUIRE(in_front(traced.code, traced.stored) == (traced.fate != Fate::kHidden));
+      REQUIRE(in_front(traced.code, traced.stored) == (traced.result != FragmentResult::kHidden));
     }
   }
 }
@@ -262,7 +262,8 @@ TEST_CASE("the last fragment that survived at a pixel is what the picture shows 
     const TracedRun run = trace(*scene, *framed(*scene), settings, {});
     Image<Rgba8> last(kTraceWidth, kTraceHeight, settings.background);
     for (const TracedFragment& traced : run.trace.fragments) {
-      if (traced.fate != Fate::kWritten && traced.fate != Fate::kBlended) continue;
+      if (traced.result != FragmentResult::kWritten && traced.result != FragmentResult::kBlended)
+        continue;
       Rgba8& pixel = last.at(traced.fragment.x, traced.fragment.y);
       REQUIRE(traced.before == pixel);
       pixel = traced.after;
@@ -305,16 +306,16 @@ TEST_CASE("filters keep what they name and nothing else") {
 }
 
 // Culls the fronts and keeps the backs: only the inside of a closed body is left.
-class TurnedOver : public Observer {
+class FrontFaceCuller : public Observer {
 public:
-  void faced(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
+  void facing_tested(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
 };
 
 TEST_CASE("an observer that changes what a stage made has replaced the stage") {
   const auto scene = make_builtin("cube");
   REQUIRE(scene);
   const View view = *framed(*scene);
-  TurnedOver observer;
+  FrontFaceCuller observer;
   RenderSettings culling_fronts;
   culling_fronts.cull = Cull::kFront;
   const Rendering replaced = render_staged(*scene, view, RenderSettings{}, &observer);

@@ -1,4 +1,4 @@
-// The fate of each fragment of a triangle is counted.
+// The result of each fragment of a triangle is counted.
 #include <glassbox/render/trace/verdict.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <glassbox/raster/depth.h>
 #include <glassbox/render/staged/staged.h>
 
-#include "tests/render/judged.h"
+#include "tests/render/checked_verdict.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
@@ -19,8 +19,8 @@ namespace {
 constexpr std::uint32_t kHalfSquare = 28;
 
 TEST_CASE("why: visible, where and in how many pixels") {
-  const TriangleVerdict verdict = judged(half_square(8, 8, 8));
-  CHECK(verdict.end == End::kVisible);
+  const TriangleVerdict verdict = checked_verdict(half_square(8, 8, 8));
+  CHECK(verdict.result == TriangleResult::kVisible);
   CHECK(verdict.fragments.covered == kHalfSquare);
   CHECK(verdict.fragments.visible == kHalfSquare);
   CHECK(verdict.details.visible_box.x0 == 8);
@@ -33,10 +33,10 @@ TEST_CASE("why: visible, where and in how many pixels") {
 }
 
 TEST_CASE("why: hidden, behind what and how close") {
-  const Scene scene =
-      scene_of_parts({{half_square(0, 0, 60), flat(), {}}, {half_square(8, 8, 8, 2), flat(), {}}});
-  const TriangleVerdict verdict = judged(scene, 1);
-  CHECK(verdict.end == End::kHidden);
+  const Scene scene = scene_of_parts({{half_square(0, 0, 60), flat_material(), {}},
+                                      {half_square(8, 8, 8, 2), flat_material(), {}}});
+  const TriangleVerdict verdict = checked_verdict(scene, 1);
+  CHECK(verdict.result == TriangleResult::kHidden);
   CHECK(verdict.fragments.hidden == kHalfSquare);
   REQUIRE(verdict.details.hidden_by.size() == 1);
   CHECK(verdict.details.hidden_by[0].number == 0u);
@@ -49,27 +49,31 @@ TEST_CASE("why: hidden, behind what and how close") {
   CHECK(closest.by == 0u);
 
   // The same triangle twice: of equal depths, the first one drawn stays (C-58).
-  const TriangleVerdict twin = judged(
-      scene_of_parts({{half_square(8, 8, 8), flat(), {}}, {half_square(8, 8, 8), flat(), {}}}), 1);
-  CHECK(twin.end == End::kHidden);
+  const TriangleVerdict twin =
+      checked_verdict(scene_of_parts({{half_square(8, 8, 8), flat_material(), {}},
+                                      {half_square(8, 8, 8), flat_material(), {}}}),
+                      1);
+  CHECK(twin.result == TriangleResult::kHidden);
   CHECK(twin.details.closest_hidden->code == twin.details.closest_hidden->stored);
-  CHECK(contains(said(plain_view(), twin), "the first one drawn stays"));
+  CHECK(contains(explanation_text(plain_view(), twin), "the first one drawn stays"));
 }
 
 TEST_CASE("why: discarded by the alpha cutoff") {
-  Material material = flat({1, 1, 1, 0.25f}, AlphaMode::kMask);
+  Material material = flat_material({1, 1, 1, 0.25f}, AlphaMode::kMask);
   material.alpha_cutoff = 0.375f;
-  const TriangleVerdict verdict = judged(scene_of_parts({{half_square(8, 8, 8), material, {}}}));
-  CHECK(verdict.end == End::kDiscarded);
+  const TriangleVerdict verdict =
+      checked_verdict(scene_of_parts({{half_square(8, 8, 8), material, {}}}));
+  CHECK(verdict.result == TriangleResult::kDiscarded);
   CHECK(verdict.fragments.discarded == kHalfSquare);
   CHECK(verdict.details.closest_discarded->alpha == 0.25f);
   CHECK(verdict.details.closest_discarded->cutoff == 0.375f);
 }
 
 TEST_CASE("why: written, then overwritten, by whom") {
-  const TriangleVerdict verdict = judged(
-      scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}}, {half_square(0, 0, 60), flat(), {}}}));
-  CHECK(verdict.end == End::kOverwritten);
+  const TriangleVerdict verdict =
+      checked_verdict(scene_of_parts({{half_square(8, 8, 8, 2), flat_material(), {}},
+                                      {half_square(0, 0, 60), flat_material(), {}}}));
+  CHECK(verdict.result == TriangleResult::kOverwritten);
   CHECK(verdict.fragments.overwritten == kHalfSquare);
   REQUIRE(verdict.details.overwritten_by.size() == 1);
   CHECK(verdict.details.overwritten_by[0].number == 1u);
@@ -78,37 +82,40 @@ TEST_CASE("why: written, then overwritten, by whom") {
 
   // A blended surface of alpha 1 hides all that is behind it; one of smaller alpha does not.
   for (const float alpha : {1.0f, 0.75f}) {
-    const TriangleVerdict under = judged(
-        scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}},
-                        {half_square(0, 0, 60), flat({1, 0, 0, alpha}, AlphaMode::kBlend), {}}}));
-    CHECK(under.end == (alpha == 1.0f ? End::kOverwritten : End::kVisible));
-    CHECK(under.fragments.veiled == (alpha == 1.0f ? 0 : kHalfSquare));
+    const TriangleVerdict under = checked_verdict(scene_of_parts(
+        {{half_square(8, 8, 8, 2), flat_material(), {}},
+         {half_square(0, 0, 60), flat_material({1, 0, 0, alpha}, AlphaMode::kBlend), {}}}));
+    CHECK(under.result ==
+          (alpha == 1.0f ? TriangleResult::kOverwritten : TriangleResult::kVisible));
+    CHECK(under.fragments.under_translucent == (alpha == 1.0f ? 0 : kHalfSquare));
   }
 }
 
 TEST_CASE("why: nothing passes the colour mask") {
   RenderSettings settings;
   settings.mask = {false, false, false, false};
-  const TriangleVerdict verdict = judged(half_square(8, 8, 8), plain_view(), settings);
-  CHECK(verdict.end == End::kMasked);
+  const TriangleVerdict verdict = checked_verdict(half_square(8, 8, 8), plain_view(), settings);
+  CHECK(verdict.result == TriangleResult::kMasked);
   CHECK(verdict.fragments.masked == kHalfSquare);
   settings.mask.g = true;
-  CHECK(judged(half_square(8, 8, 8), plain_view(), settings).end == End::kVisible);
+  CHECK(checked_verdict(half_square(8, 8, 8), plain_view(), settings).result ==
+        TriangleResult::kVisible);
 }
 
 TEST_CASE("why: blended with alpha 0, or painted in the background's own bytes") {
-  const TriangleVerdict clear =
-      judged(scene_of_parts({{half_square(8, 8, 8), flat({1, 1, 1, 0}, AlphaMode::kBlend), {}}}));
-  CHECK(clear.end == End::kUnchanged);
+  const TriangleVerdict clear = checked_verdict(
+      scene_of_parts({{half_square(8, 8, 8), flat_material({1, 1, 1, 0}, AlphaMode::kBlend), {}}}));
+  CHECK(clear.result == TriangleResult::kUnchanged);
   CHECK(clear.fragments.unchanged == kHalfSquare);
   CHECK(clear.details.unchanged->blended);
   CHECK(clear.details.unchanged->alpha == 0);
 
   RenderSettings settings;
   settings.background = {255, 255, 255, 255};
-  const TriangleVerdict white = judged(
-      scene_of_parts({{half_square(8, 8, 8), flat({1, 1, 1, 1}), {}}}), 0, plain_view(), settings);
-  CHECK(white.end == End::kUnchanged);
+  const TriangleVerdict white =
+      checked_verdict(scene_of_parts({{half_square(8, 8, 8), flat_material({1, 1, 1, 1}), {}}}), 0,
+                      plain_view(), settings);
+  CHECK(white.result == TriangleResult::kUnchanged);
   CHECK(!white.details.unchanged->blended);
   CHECK(white.details.unchanged->bytes == settings.background);
 }
@@ -117,60 +124,64 @@ TEST_CASE("why: partly visible, each loss counted") {
   // The first strip is in front of two rows and is drawn before; the last one is drawn later, over
   // the first column.
   const auto strip = [](double x0, double y0, double x1, double y1, double w) {
-    return std::vector<Point<Object>>{at(x0, y0, w), at(x0, y1, w), at(x1, y0, w),
-                                      at(x1, y0, w), at(x0, y1, w), at(x1, y1, w)};
+    return std::vector<Point<Object>>{point_at_pixel(x0, y0, w), point_at_pixel(x0, y1, w),
+                                      point_at_pixel(x1, y0, w), point_at_pixel(x1, y0, w),
+                                      point_at_pixel(x0, y1, w), point_at_pixel(x1, y1, w)};
   };
-  const Scene scene = scene_of_parts({{strip(8, 8, 16, 10, 1), flat(), {}},
-                                      {half_square(8, 8, 8, 2), flat({1, 0, 0, 1}), {}},
-                                      {strip(8, 10, 9, 16, 1), flat(), {}}});
-  const TriangleVerdict verdict = judged(scene, 2);
-  CHECK(verdict.end == End::kPartlyVisible);
+  const Scene scene = scene_of_parts({{strip(8, 8, 16, 10, 1), flat_material(), {}},
+                                      {half_square(8, 8, 8, 2), flat_material({1, 0, 0, 1}), {}},
+                                      {strip(8, 10, 9, 16, 1), flat_material(), {}}});
+  const TriangleVerdict verdict = checked_verdict(scene, 2);
+  CHECK(verdict.result == TriangleResult::kPartlyVisible);
   CHECK(verdict.fragments.covered == kHalfSquare);
   CHECK(verdict.fragments.hidden == 7 + 6);
   CHECK(verdict.fragments.overwritten == 5);
   CHECK(verdict.fragments.visible == kHalfSquare - 18);
   std::uint32_t hidden = 0;
-  for (const Rival& rival : verdict.details.hidden_by) {
-    CHECK((rival.number == 0u || rival.number == 1u));
-    hidden += rival.pixels;
+  for (const Occluder& occluder : verdict.details.hidden_by) {
+    CHECK((occluder.number == 0u || occluder.number == 1u));
+    hidden += occluder.pixels;
   }
   CHECK(hidden == 13);
   CHECK(verdict.details.hidden_by.front().pixels >= verdict.details.hidden_by.back().pixels);
 }
 
 TEST_CASE("why: lines and points hide triangles without a number") {
-  Scene scene = scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}}});
+  Scene scene = scene_of_parts({{half_square(8, 8, 8, 2), flat_material(), {}}});
   Mesh lines;
-  lines.positions = {at(0.5, 10.5, 1), at(60.5, 10.5, 1)};
+  lines.positions = {point_at_pixel(0.5, 10.5, 1), point_at_pixel(60.5, 10.5, 1)};
   lines.lines = {{Corner{0}, Corner{1}}};
   scene.meshes.push_back(lines);
   scene.instances.push_back({1, 0});
-  const TriangleVerdict verdict = judged(scene);
-  CHECK(verdict.end == End::kPartlyVisible);
+  const TriangleVerdict verdict = checked_verdict(scene);
+  CHECK(verdict.result == TriangleResult::kPartlyVisible);
   REQUIRE(verdict.details.overwritten_by.size() == 1);
   CHECK(!verdict.details.overwritten_by[0].number);
-  CHECK(contains(said(plain_view(), verdict), "lines or points"));
+  CHECK(contains(explanation_text(plain_view(), verdict), "lines or points"));
 }
 
 TEST_CASE("why: in a wireframe, edges are seen") {
   RenderSettings settings;
   settings.wireframe = true;
-  const TriangleVerdict verdict = judged(half_square(8, 8, 8), plain_view(), settings);
-  CHECK(verdict.end == End::kLines);
+  const TriangleVerdict verdict = checked_verdict(half_square(8, 8, 8), plain_view(), settings);
+  CHECK(verdict.result == TriangleResult::kLines);
   settings.want_id = true;
-  const auto ids =
-      render_staged(scene_of_parts({{half_square(8, 8, 8), flat(), {}}}), plain_view(), settings)
-          .buffers.id;
+  const auto ids = render_staged(scene_of_parts({{half_square(8, 8, 8), flat_material(), {}}}),
+                                 plain_view(), settings)
+                       .buffers.id;
   CHECK(verdict.line_pixels == std::uint64_t(std::count(ids.pixels.begin(), ids.pixels.end(), 1u)));
   CHECK(verdict.line_pixels >= 21);
-  CHECK(judged(turned(half_square(8, 8, 8)), plain_view(), settings).end == End::kTurnedAway);
+  CHECK(
+      checked_verdict(with_reversed_winding(half_square(8, 8, 8)), plain_view(), settings).result ==
+      TriangleResult::kTurnedAway);
 }
 
 TEST_CASE("why: a triangle through the eye plane is cut, and what is left is judged (C-32)") {
-  const TriangleVerdict verdict = judged({{0, 0.5f, -1.5f}, {-1, -1, 1}, {1, -1, 1}});
+  const TriangleVerdict verdict = checked_verdict({{0, 0.5f, -1.5f}, {-1, -1, 1}, {1, -1, 1}});
   CHECK(verdict.traced->polygon.size() == 3);
-  CHECK(verdict.end == End::kVisible);
-  CHECK(judged({{0, 0.5f, -1.5f}, {1, -1, 1}, {-1, -1, 1}}).end == End::kTurnedAway);
+  CHECK(verdict.result == TriangleResult::kVisible);
+  CHECK(checked_verdict({{0, 0.5f, -1.5f}, {1, -1, 1}, {-1, -1, 1}}).result ==
+        TriangleResult::kTurnedAway);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/render/staged/staged.h>
-#include <glassbox/render/trace/ledger.h>
+#include <glassbox/render/trace/result_counter.h>
 
 #include <glassbox/base/random.h>
 #include "tests/render/scenes.h"
@@ -40,19 +40,20 @@ TEST_CASE("the ends of all triangles add up to the run's statistics") {
     const Statistics& s = rendering.statistics;
     const SceneVerdict found = scene_verdict(*scene, *view, settings);
     CHECK(found.triangles == s.triangles);
-    CHECK(found.at(End::kNoArea).triangles == s.degenerate);
-    CHECK(found.at(End::kNotFinite).triangles + found.at(End::kBehindEye).triangles +
-              found.at(End::kOutsidePlane).triangles ==
+    CHECK(found.at(TriangleResult::kNoArea).triangles == s.degenerate);
+    CHECK(found.at(TriangleResult::kNotFinite).triangles +
+              found.at(TriangleResult::kBehindEye).triangles +
+              found.at(TriangleResult::kOutsidePlane).triangles ==
           s.rejected);
-    CHECK(found.at(End::kClippedAway).triangles == s.clipped_away);
+    CHECK(found.at(TriangleResult::kClippedAway).triangles == s.clipped_away);
 
-    Ledger ledger(*view, settings, std::nullopt);
-    render_staged(*scene, *view, settings, &ledger);
-    ledger.finish();
-    FragmentTally sum;
-    std::vector<std::uint32_t> visible(ledger.entries().size());
+    ResultCounter counter(*view, settings, std::nullopt);
+    render_staged(*scene, *view, settings, &counter);
+    counter.finish();
+    TriangleFragmentCounts sum;
+    std::vector<std::uint32_t> visible(counter.entries().size());
     for (std::size_t i = 0; i < visible.size(); ++i) {
-      const FragmentTally& t = ledger.entries()[i].fragments;
+      const TriangleFragmentCounts& t = counter.entries()[i].fragments;
       REQUIRE(t.covered == t.hidden + t.discarded + t.masked + t.overwritten + t.visible);
       sum.covered += t.covered;
       sum.hidden += t.hidden;
@@ -76,8 +77,8 @@ TEST_CASE("the ends of all triangles add up to the run's statistics") {
       const auto one = triangle_verdict(*scene, *view, settings, number);
       REQUIRE(one);
       CAPTURE(number);
-      CHECK(one->end == ledger.entries()[number].end());
-      CHECK(one->fragments.visible == ledger.entries()[number].fragments.visible);
+      CHECK(one->result == counter.entries()[number].result());
+      CHECK(one->fragments.visible == counter.entries()[number].fragments.visible);
     }
   }
 }

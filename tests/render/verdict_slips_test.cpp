@@ -7,7 +7,7 @@
 
 #include <glassbox/pipeline/dialects.h>
 
-#include "tests/render/judged.h"
+#include "tests/render/checked_verdict.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
@@ -21,26 +21,26 @@ TEST_CASE(
   const auto slides = t_pers(1, 1, 2);
   REQUIRE(slides);
   view.clip_from_eye = Transform<Clip, Eye>(slides->columns);
-  const TriangleVerdict verdict = judged(half_square(8, 8, 8, 1.5), view);
-  CHECK(verdict.end == End::kBehindEye);
+  const TriangleVerdict verdict = checked_verdict(half_square(8, 8, 8, 1.5), view);
+  CHECK(verdict.result == TriangleResult::kBehindEye);
   CHECK(verdict.clipping->corners[0].clip.w == -1.5);
   CHECK(verdict.conventions.hands_mixed);
   CHECK(verdict.conventions.right_handed_eye);
   CHECK(!verdict.conventions.gaze_is_minus_z);
-  CHECK(contains(said(view, verdict), "Every w is negative"));
-  CHECK(contains(said(view, verdict), "Handedness is mixed"));
+  CHECK(contains(explanation_text(view, verdict), "Every w is negative"));
+  CHECK(contains(explanation_text(view, verdict), "Handedness is mixed"));
 
   const SceneVerdict whole =
-      scene_verdict(scene_of_parts({{half_square(8, 8, 8, 1.5), flat(), {}}}), view, {});
+      scene_verdict(scene_of_parts({{half_square(8, 8, 8, 1.5), flat_material(), {}}}), view, {});
   CHECK(whole.all_lost());
-  CHECK(whole.commonest_loss() == End::kBehindEye);
+  CHECK(whole.most_frequent_loss() == TriangleResult::kBehindEye);
   CHECK(whole.conventions.hands_mixed);
 
   // The opposite case: a left-handed eye and our projection.
   View left = plain_view();
   left.eye_from_world = Transform<Eye, World>(eye_left_from_eye().columns);
-  const TriangleVerdict other = judged(half_square(8, 8, 8, 1.5), left);
-  CHECK(other.end == End::kBehindEye);
+  const TriangleVerdict other = checked_verdict(half_square(8, 8, 8, 1.5), left);
+  CHECK(other.result == TriangleResult::kBehindEye);
   CHECK(other.conventions.hands_mixed);
   CHECK(!other.conventions.right_handed_eye);
 
@@ -48,16 +48,16 @@ TEST_CASE(
   std::vector<Point<Object>> behind{{-0.5f, 0.5f, 1.5f}, {0.5f, 0.5f, 1.5f}, {0, -0.5f, 1.5f}};
   RenderSettings both_sides;
   both_sides.cull = Cull::kNone;
-  CHECK(judged(behind, left, both_sides).end == End::kVisible);
+  CHECK(checked_verdict(behind, left, both_sides).result == TriangleResult::kVisible);
 
   // With the adaptor, and with a left-handed eye and projection, nothing is mixed.
   View right = plain_view();
   right.clip_from_eye = *slides * eye_left_from_eye();
-  CHECK(judged(half_square(8, 8, 8, 1.5), right).end == End::kVisible);
+  CHECK(checked_verdict(half_square(8, 8, 8, 1.5), right).result == TriangleResult::kVisible);
   CHECK(!conventions_of(right).hands_mixed);
   left.clip_from_eye = Transform<Clip, Eye>(slides->columns);
   CHECK(!conventions_of(left).hands_mixed);
-  CHECK(judged(half_square(8, 8, 8, 1.5), left).end == End::kVisible);
+  CHECK(checked_verdict(half_square(8, 8, 8, 1.5), left).result == TriangleResult::kVisible);
 }
 
 TEST_CASE("why: hands mixed before a parallel projection show in the depth") {
@@ -69,9 +69,9 @@ TEST_CASE("why: hands mixed before a parallel projection show in the depth") {
   left.eye_from_world = Transform<Eye, World>(eye_left_from_eye().columns);
   CHECK(conventions_of(left).hands_mixed);
   const TriangleVerdict verdict =
-      judged({{0, 0, -1.5f}, {0, -0.5f, -1.5f}, {0.5f, 0, -1.5f}}, left);
-  CHECK(verdict.end == End::kOutsidePlane);
-  CHECK(contains(said(left, verdict), "Handedness is mixed"));
+      checked_verdict({{0, 0, -1.5f}, {0, -0.5f, -1.5f}, {0.5f, 0, -1.5f}}, left);
+  CHECK(verdict.result == TriangleResult::kOutsidePlane);
+  CHECK(contains(explanation_text(left, verdict), "Handedness is mixed"));
   const auto reversed =
       make_view({"", OrthographicLens{1, 1, 2}, {}}, kSide, kSide, DepthRange::kReversed);
   REQUIRE(reversed);
@@ -83,15 +83,15 @@ TEST_CASE("why: OpenGL's depth range clipped at z = 0 (E16, C-41)") {
   View view = plain_view();
   view.clip_from_eye = Transform<Clip, Eye>((clip_gl_from_clip() * view.clip_from_eye).columns);
   // z_gl = 2 (2 w - 2) - w = 3 w - 4: negative up to w = 4/3.
-  const TriangleVerdict verdict = judged(half_square(8, 8, 8, 1.25), view);
-  CHECK(verdict.end == End::kOutsidePlane);
+  const TriangleVerdict verdict = checked_verdict(half_square(8, 8, 8, 1.25), view);
+  CHECK(verdict.result == TriangleResult::kOutsidePlane);
   CHECK(std::string(verdict.clipping->equation.name) == "near");
   CHECK(verdict.clipping->corners[0].inside == -0.25);
   CHECK(verdict.clipping->inside_opengl_depth);
   CHECK(verdict.conventions.near_depth == -1);
   CHECK(verdict.conventions.opengl_range);
-  CHECK(contains(said(view, verdict), "OpenGL"));
-  CHECK(judged(half_square(8, 8, 8, 1.5), view).end == End::kVisible);
+  CHECK(contains(explanation_text(view, verdict), "OpenGL"));
+  CHECK(checked_verdict(half_square(8, 8, 8, 1.5), view).result == TriangleResult::kVisible);
   CHECK(!conventions_of(plain_view()).opengl_range);
 }
 
@@ -99,10 +99,10 @@ TEST_CASE("why: a projection without depth hides what is drawn second, however n
   View view = plain_view();
   view.clip_from_eye = singular_projection(1) * eye_left_from_eye();
   // z/w = 1 for all points, which the far plane keeps.
-  const Scene scene = scene_of_parts(
-      {{half_square(8, 8, 8, 2), flat(), {}}, {half_square(8, 8, 8, 1), flat(), {}}});
-  const TriangleVerdict verdict = judged(scene, 1, view);
-  CHECK(verdict.end == End::kHidden);
+  const Scene scene = scene_of_parts({{half_square(8, 8, 8, 2), flat_material(), {}},
+                                      {half_square(8, 8, 8, 1), flat_material(), {}}});
+  const TriangleVerdict verdict = checked_verdict(scene, 1, view);
+  CHECK(verdict.result == TriangleResult::kHidden);
   CHECK(verdict.details.closest_hidden->code == verdict.details.closest_hidden->stored);
   CHECK(verdict.details.closest_hidden->distance < verdict.details.closest_hidden->stored_distance);
 }
@@ -112,15 +112,16 @@ TEST_CASE(
   // Half the separation is s = 1/16 and the window is at f = 2: at w = 1 the picture moves by 32 s
   // (1/w - 1/f) = 1 px.
   constexpr double kHalf = 1.0 / 16, kFocus = 2;
-  const std::vector<Point<Object>> strip{at(64.125, 8), at(64.125, 16), at(64.875, 8)};
-  const TriangleVerdict centre = judged(strip);
-  CHECK(centre.end == End::kOutsidePicture);
+  const std::vector<Point<Object>> strip{point_at_pixel(64.125, 8), point_at_pixel(64.125, 16),
+                                         point_at_pixel(64.875, 8)};
+  const TriangleVerdict centre = checked_verdict(strip);
+  CHECK(centre.result == TriangleResult::kOutsidePicture);
   CHECK(centre.outside->right == 32);  // 1/8 px
   // The eye is at +s: x' = x - s (1 - w/f).
   View eye = plain_view();
   eye.clip_from_eye = eye.clip_from_eye * stereo_skew(-kHalf, kFocus);
-  const TriangleVerdict seen = judged(strip, eye);
-  CHECK(seen.end == End::kVisible);
+  const TriangleVerdict seen = checked_verdict(strip, eye);
+  CHECK(seen.result == TriangleResult::kVisible);
   CHECK(seen.details.visible_box.x0 == 63);
   CHECK(seen.details.visible_box.x1 == 64);
 }

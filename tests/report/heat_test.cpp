@@ -7,7 +7,7 @@
 #include "tests/images/temporary_directory.h"
 
 #include <glassbox/compare/pixels/heat_map.h>
-#include <glassbox/compare/report/heat.h>
+#include <glassbox/compare/report/heat_map_file.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
@@ -43,12 +43,12 @@ TEST_CASE("the levels are those of the files, with what the comparison left out"
   REQUIRE(levels);
   Image<std::uint8_t> expected(16, 16, kHeatSame);
   for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
-    expected.at(x, y) = kHeatLeftOut;
+    expected.at(x, y) = kHeatNotCompared;
   }
   expected.at(3, 2) = heat_level(40, blank(1, 1, 1, Format::kBytes));
   CHECK(*levels == expected);
 
-  REQUIRE(write_heat(here.file("heat.png"), found));
+  REQUIRE(write_heat_map(here.file("heat.png"), found));
   const auto picture = read_image(here.file("heat.png"));
   REQUIRE(picture);
   CHECK(*picture == heat_picture(*levels));
@@ -57,14 +57,14 @@ TEST_CASE("the levels are those of the files, with what the comparison left out"
 TEST_CASE("the levels of FLIP are highest where the error is, and none of floats") {
   const Pictures here;
   const auto levels =
-      heat_levels(compare_files(here.file("a.png"), here.file("b.png")), HeatOf::kFlip);
+      heat_levels(compare_files(here.file("a.png"), here.file("b.png")), HeatMapKind::kFlip);
   REQUIRE(levels);
   CHECK(levels->at(3, 2) > 0);
   // Beyond the reach of the widest filter the levels are 0; they grow towards the pixel.
   CHECK(levels->at(3, 2) >= levels->at(4, 2));
   CHECK(levels->at(3, 2) >= levels->at(12, 12));
   const auto floats =
-      heat_levels(compare_files(here.file("a.pfm"), here.file("a.pfm")), HeatOf::kFlip);
+      heat_levels(compare_files(here.file("a.pfm"), here.file("a.pfm")), HeatMapKind::kFlip);
   REQUIRE(!floats);
   CHECK(floats.error().cause.find("floats") != std::string::npos);
 }
@@ -76,7 +76,7 @@ TEST_CASE("there is no heat map of what could not be compared") {
     INFO(test);
     const Comparison found = compare_files(here.file("a.png"), here.file(test));
     CHECK(!heat_levels(found));
-    CHECK(!write_heat(here.file("heat.png"), found));
+    CHECK(!write_heat_map(here.file("heat.png"), found));
     CHECK(!read_image(here.file("heat.png")));
   }
 }
@@ -93,9 +93,9 @@ TEST_CASE("a file that has changed since it was compared is not shown as if it h
 TEST_CASE("a heat map goes where its extension says, or nowhere") {
   const Pictures here;
   const Comparison found = compare_files(here.file("a.png"), here.file("b.png"));
-  CHECK(write_heat(here.file("heat.ppm"), found));
-  CHECK(!write_heat(here.file("heat.jpg"), found));
-  CHECK(!write_heat(here.file("nowhere/heat.png"), found));
+  CHECK(write_heat_map(here.file("heat.ppm"), found));
+  CHECK(!write_heat_map(here.file("heat.jpg"), found));
+  CHECK(!write_heat_map(here.file("nowhere/heat.png"), found));
 }
 
 }  // namespace

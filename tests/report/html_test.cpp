@@ -1,7 +1,7 @@
 // The beginning of every page, and the escaping of text in it.
 #include <string>
 
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 #include <glassbox/html/page.h>
 
 #include "tests/support/catch.h"
@@ -10,10 +10,10 @@ namespace glassbox {
 namespace {
 
 TEST_CASE("text in a page ends neither an element nor an attribute, and is UTF-8") {
-  CHECK(escaped("a <b> & \"c\"") == "a &lt;b&gt; &amp; &quot;c&quot;");
-  CHECK(escaped("line\n\ttab, \xc3\xa4") == "line\n\ttab, \xc3\xa4");
-  CHECK(escaped("\x1b[1m") == "\xef\xbf\xbd[1m");
-  CHECK(escaped("\xc3<") == "\xef\xbf\xbd&lt;");
+  CHECK(escaped_html("a <b> & \"c\"") == "a &lt;b&gt; &amp; &quot;c&quot;");
+  CHECK(escaped_html("line\n\ttab, \xc3\xa4") == "line\n\ttab, \xc3\xa4");
+  CHECK(escaped_html("\x1b[1m") == "\xef\xbf\xbd[1m");
+  CHECK(escaped_html("\xc3<") == "\xef\xbf\xbd&lt;");
 }
 
 TEST_CASE("a page's policy names the hashes of its style and its script, and nothing more") {

@@ -117,7 +117,7 @@ TEST_CASE("what a comparison leaves out is left out in the page's heat map", "[r
   options.ignore = {{0, 0, 4, 4}};
   const Page page = page_of(directory, {compare_files(first, second, options)});
   const auto levels = bytes_of(page, page.manifest["pairs"][0]["pictures"]["heat"]);
-  CHECK(levels[2 * 16 + 3] == kHeatLeftOut);
+  CHECK(levels[2 * 16 + 3] == kHeatNotCompared);
   CHECK(levels[2 * 16 + 4] == kHeatSame);
 }
 

@@ -13,17 +13,17 @@ namespace glassbox::test {
 namespace {
 
 TEST_CASE("a comparison is one line: the picture, the verdict, and why") {
-  CHECK(one_line(comparison("a.png", Verdict::kSame)) == "a.png: same");
-  CHECK(one_line(different("a.png")) == "a.png: different: 3 of 32 pixels differ");
-  CHECK(one_line(without_test("a.png")) ==
+  CHECK(comparison_line(comparison("a.png", Verdict::kSame)) == "a.png: same");
+  CHECK(comparison_line(different("a.png")) == "a.png: different: 3 of 32 pixels differ");
+  CHECK(comparison_line(without_test("a.png")) ==
         "a.png: missing: out/a.png: there is no such picture; render it");
-  CHECK(one_line(without_reference("a.png")) ==
+  CHECK(comparison_line(without_reference("a.png")) ==
         "a.png: new: ref/a.png: there is no such reference; look at it");
-  CHECK(one_line(broken("a.png")) ==
+  CHECK(comparison_line(broken("a.png")) ==
         "a.png: not compared: out/a.png: chunk 3: is cut off; save it again");
   Comparison within = different("a.png");
   within.verdict = Verdict::kWithinTolerance;
-  CHECK(one_line(within) == "a.png: within tolerance: 3 of 32 pixels differ");
+  CHECK(comparison_line(within) == "a.png: within tolerance: 3 of 32 pixels differ");
 }
 
 TEST_CASE("the details are a line each, in the order of their weight") {
@@ -36,7 +36,7 @@ TEST_CASE("the details are a line each, in the order of their weight") {
   all.hints = {"a hint"};
   all.notes = {"a note"};
   all.inspect_command = "glassbox pixel cube --at 2,1";
-  CHECK(details(all) ==
+  CHECK(comparison_details(all) ==
         "  and: psnr is 10, not psnr>40\n"
         "  tolerance: psnr>40\n"
         "  because: noise\n"
@@ -48,7 +48,7 @@ TEST_CASE("the details are a line each, in the order of their weight") {
 }
 
 TEST_CASE("a picture that passes and has nothing to tell has no details") {
-  CHECK(details(comparison("a.png", Verdict::kSame)).empty());
+  CHECK(comparison_details(comparison("a.png", Verdict::kSame)).empty());
 }
 
 TEST_CASE("names and words from files stay on their line") {
@@ -57,21 +57,21 @@ TEST_CASE("names and words from files stay on their line") {
   hostile.hints = {"hint\n\x1b"};
   hostile.notes = {"note\n"};
   hostile.tolerance_reason = "why\nnot";
-  const std::string line = one_line(hostile);
+  const std::string line = comparison_line(hostile);
   CHECK(line.find_first_of("\n\r\x1b\x07") == std::string::npos);
-  const std::string more = details(hostile);
+  const std::string more = comparison_details(hostile);
   CHECK(std::count(more.begin(), more.end(), '\n') == 4);
   CHECK(more.find_first_of("\r\x1b") == std::string::npos);
   Comparison error = broken("a");
   error.error->cause = "x\ny\x1b";
-  CHECK(one_line(error).find_first_of("\n\x1b") == std::string::npos);
+  CHECK(comparison_line(error).find_first_of("\n\x1b") == std::string::npos);
 }
 
 TEST_CASE("long names are cut, commands are not") {
   Comparison longest = different(std::string(10000, 'n'));
   longest.inspect_command = "glassbox pixel " + std::string(9000, 's') + " --at 2,1";
-  CHECK(one_line(longest).size() < 600);
-  CHECK(details(longest) == "  inspect: " + longest.inspect_command + "\n");
+  CHECK(comparison_line(longest).size() < 600);
+  CHECK(comparison_details(longest) == "  inspect: " + longest.inspect_command + "\n");
 }
 
 TEST_CASE("the summary counts every verdict that there is") {

@@ -8,10 +8,10 @@
 #include <glassbox/images/write.h>
 #include <glassbox/render/renderer.h>
 
-#include "tests/render/tile/any_case.h"
-#include "tests/same_bytes/any_object.h"
-#include "tests/same_bytes/ways.h"
-#include "views/glyphs/find.h"
+#include "tests/render/tile/generated_case.h"
+#include "tests/same_bytes/configurations.h"
+#include "tests/same_bytes/generated_object.h"
+#include "views/glyphs/find_glyphs.h"
 #include "views/glyphs/sensor.h"
 #include "views/glyphs/sweep.h"
 #include "views/klt/band_files.h"
@@ -21,8 +21,8 @@
 namespace glassbox {
 namespace {
 
-using test::Made;
-using test::Way;
+using test::Configuration;
+using test::RunResult;
 
 // ---- klt ----
 
@@ -43,8 +43,8 @@ void check_klt(std::uint64_t seed) {
   Random random(seed);
   const views::Bands bands = any_bands(random);
   const Image<Rgba8> ground(2, 1, {40, 70, 110, 255});
-  test::check_all_ways(seed, [&](const Way&) {
-    Made made;
+  test::check_same_result(seed, [&](const Configuration&) {
+    RunResult made;
     const views::Klt klt = views::klt_of(bands).value();
     const views::Bands components = views::components_of(bands, klt, bands.count());
     for (const views::Band& component : components.bands) made.add("component", component.samples);
@@ -71,14 +71,15 @@ void check_glyphs(std::uint64_t seed) {
   const views::Wall wall = views::make_wall(layout).value();
   const double distance = random.between(0.4, 1.2);
   const double azimuth = random.between(-30, 30), elevation = random.between(-20, 20);
-  const views::PinholeCamera camera = views::camera_before(distance, azimuth, elevation, 160, 120);
+  const views::PinholeCamera camera =
+      views::camera_in_front(distance, azimuth, elevation, 160, 120);
   views::Sensor sensor{random.between(-0.05, 0.05), random.between(0, 0.3), seed % 2 == 0, 2000};
-  test::check_all_ways(seed, [&](const Way&) {
-    Made made;
+  test::check_same_result(seed, [&](const Configuration&) {
+    RunResult made;
     made.add("panel", views::draw_panel(wall, 0, 300));
-    const Image<Rgba8> picture = views::Studio(wall).photograph(camera, 160, 120);
+    const Image<Rgba8> picture = views::WallPhotographer(wall).photograph(camera, 160, 120);
     made.add("photograph", picture);
-    const Image<Rgba8> taken = views::through_sensor(picture, sensor, seed);
+    const Image<Rgba8> taken = views::apply_sensor(picture, sensor, seed);
     made.add("through a sensor", taken);
     for (const views::GlyphRegion& region :
          views::find_glyphs(taken, {}, wall.identities()).regions) {
@@ -116,12 +117,12 @@ void check_diff(std::uint64_t seed, double most) {
   const StoredImage reference = any_stored<Sample>(width, height, channels, most, random);
   const StoredImage test = altered<Sample>(reference, most, random);
   Selection selection(width, height);
-  if (seed % 2 == 0) REQUIRE(selection.leave_out({width / 3, height / 3, 9, 9}));
-  test::check_all_ways(seed, [&](const Way&) {
+  if (seed % 2 == 0) REQUIRE(selection.exclude({width / 3, height / 3, 9, 9}));
+  test::check_same_result(seed, [&](const Configuration&) {
     const PicturePair pair{reference, test, selection};
-    Made made;
+    RunResult made;
     for (const MetricValue& value :
-         measure(pair, parse_metrics("absmax,rmse,psnr,ssim,flip").value()))
+         measure_metrics(pair, parse_metrics("absmax,rmse,psnr,ssim,flip").value()))
       made.add_number(value.name.c_str(), value.value.value_or(-1));
     const Image<std::uint8_t> heat = heat_map(pair);
     made.add("heat", heat_picture(heat));
@@ -145,8 +146,8 @@ void check_file(std::uint64_t seed) {
     const std::uint64_t bits = random.bits();
     if (bits % 8 == 0) pixel = {std::uint8_t(bits >> 8), std::uint8_t(bits >> 16), 7, 255};
   }
-  test::check_all_ways(seed, [&](const Way&) {
-    Made made;
+  test::check_same_result(seed, [&](const Configuration&) {
+    RunResult made;
     made.add("file", encode_png(picture).value());
     return made;
   });
@@ -165,20 +166,20 @@ void check_any_diff(std::uint64_t seed) {
 }
 
 TEST_CASE("components of bands and their globe have the same bytes in every way", "[colours]") {
-  check_seeds(4 / test::kShare + 1, check_klt);
+  check_seeds(4 / test::kCaseDivisor + 1, check_klt);
 }
 
 TEST_CASE("walls of glyphs, their photographs and what is found there are the same in every way",
           "[colours]") {
-  check_seeds(1 / test::kShare + 1, check_glyphs);
+  check_seeds(1 / test::kCaseDivisor + 1, check_glyphs);
 }
 
 TEST_CASE("what diff measures and shows is the same in every way", "[colours]") {
-  check_seeds(6 / test::kShare + 1, check_any_diff);
+  check_seeds(6 / test::kCaseDivisor + 1, check_any_diff);
 }
 
 TEST_CASE("a picture's file has the same bytes in every way", "[colours]") {
-  check_seeds(3 / test::kShare + 1, check_file);
+  check_seeds(3 / test::kCaseDivisor + 1, check_file);
 }
 
 TEST_CASE("some hundred components, walls, differences and files", "[.same-bytes]") {

@@ -8,21 +8,21 @@
 #include <glassbox/render/stereo/monocular.h>
 #include <glassbox/render/stereo/window_violations.h>
 
-#include "tests/same_bytes/any_pair.h"
-#include "tests/same_bytes/ways.h"
+#include "tests/same_bytes/configurations.h"
+#include "tests/same_bytes/generated_pair.h"
 #include "views/layers/second_eye.h"
 
 namespace glassbox {
 namespace {
 
-using test::AnyPair;
-using test::Made;
-using test::Way;
+using test::Configuration;
+using test::GeneratedPair;
+using test::RunResult;
 
-TileOptions options_of(const test::AnyCase& c, const Way& way) {
+TileOptions options_of(const test::GeneratedCase& c, const Configuration& configuration) {
   TileOptions options = c.options;
-  options.target = way.target;
-  options.threads = way.threads;
+  options.target = configuration.target;
+  options.threads = configuration.threads;
   return options;
 }
 
@@ -45,25 +45,27 @@ struct Counts {
   std::size_t pairs = 0, seen_through = 0, layered = 0, without_depth = 0;
 };
 
-// Draws the left eye by the stages and warps the right eye from it in all ways. Other tests compare
-// the engines, so the warp, which takes very little time, can be tested on many pictures.
+// Draws the left eye by the stages and warps the right eye from it in all configurations. Other
+// tests compare the engines, so the warp, which takes very little time, can be tested on many
+// pictures.
 void check_warp(std::uint64_t seed, Counts& counts) {
-  auto pair = test::any_pair(seed, 260);
+  auto pair = test::generate_pair(seed, 260);
   if (!pair) return;
   ++counts.pairs;
-  test::AnyCase& c = pair->scene;
+  test::GeneratedCase& c = pair->scene;
   c.settings.want_depth = true;
   counts.seen_through += is_seen_through(c.scene);
   Renderer renderer(c.scene, c.settings.transfer, EngineKind::kStaged);
   const Rendering left = renderer.render(eye_view(c.view, pair->eyes, Side::kLeft), c.settings);
   counts.without_depth += colored_without_depth(left.buffers, c.settings.background);
-  test::check_all_ways(seed, [&](const Way& way) {
+  test::check_same_result(seed, [&](const Configuration& configuration) {
     views::SecondEye second;
     Image<Rgba8> right;
-    Made made;
-    made.add_number("holes",
-                    second.warp({left.buffers.color, left.buffers.depth}, c.view, pair->eyes,
-                                {1, way.threads, way.target, c.settings.depth}, right));
+    RunResult made;
+    made.add_number(
+        "holes",
+        second.warp({left.buffers.color, left.buffers.depth}, c.view, pair->eyes,
+                    {1, configuration.threads, configuration.target, c.settings.depth}, right));
     made.add("right", right);
     return made;
   });
@@ -72,10 +74,10 @@ void check_warp(std::uint64_t seed, Counts& counts) {
 // Tests all of `--stereo pair --second-eye warp:N`. If N is more than 1, translucent surfaces are
 // replaced by masked ones.
 void check_warped_pair(std::uint64_t seed, Counts& counts) {
-  auto pair = test::any_pair(seed, 130);
+  auto pair = test::generate_pair(seed, 130);
   if (!pair) return;
   ++counts.pairs;
-  test::AnyCase& c = pair->scene;
+  test::GeneratedCase& c = pair->scene;
   const int layers = 1 + int(seed % 3);
   if (layers > 1) {
     test::make_opaque_or_masked(c.scene);
@@ -83,22 +85,23 @@ void check_warped_pair(std::uint64_t seed, Counts& counts) {
     ++counts.layered;
   }
   REQUIRE(views::check_second_eye(c.scene, c.settings, layers));
-  const auto warped_by = [&](EngineKind kind, const Way& way) {
-    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, way));
+  const auto warped_by = [&](EngineKind kind, const Configuration& configuration) {
+    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, configuration));
     views::SecondEye second;
-    views::PairByWarp both;
-    views::render_pair_by_warp(renderer, c.view, pair->eyes, c.settings,
-                               {layers, way.threads, way.target, c.settings.depth}, second, both);
-    Made made;
+    views::WarpedPair both;
+    views::render_pair_by_warp(
+        renderer, c.view, pair->eyes, c.settings,
+        {layers, configuration.threads, configuration.target, c.settings.depth}, second, both);
+    RunResult made;
     made.add("left", both.rendering.left.color);
     made.add("right", both.rendering.right.color);
     made.add("distance", both.rendering.right.distance);
     made.add_number("holes", both.holes);
     return made;
   };
-  const Made staged = warped_by(EngineKind::kStaged, {});
-  test::check_all_ways(seed, [&](const Way& way) {
-    Made made = warped_by(EngineKind::kTile, way);
+  const RunResult staged = warped_by(EngineKind::kStaged, {});
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    RunResult made = warped_by(EngineKind::kTile, configuration);
     const std::string difference = made.difference_from(staged);
     if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
     return made;
@@ -108,11 +111,11 @@ void check_warped_pair(std::uint64_t seed, Counts& counts) {
 // Tests the surfaces behind a picture, which are drawn for the layers of a warp and of `views
 // layers build`.
 void check_behind(std::uint64_t seed, Counts& counts) {
-  const auto pair = test::any_pair(seed, 130);
+  const auto pair = test::generate_pair(seed, 130);
   if (!pair) return;
   ++counts.pairs;
-  test::AnyCase c = pair->scene;
-  test::make_opaque_or_masked(c.scene);  // EyePicture::behind requires this
+  test::GeneratedCase c = pair->scene;
+  test::make_opaque_or_masked(c.scene);  // EyePicture::behind_depth requires this
   c.settings.want_depth = c.settings.want_distance = c.settings.want_id = true;
   c.settings.samples = 1;
   Renderer staged(c.scene, c.settings.transfer, EngineKind::kStaged);
@@ -121,17 +124,17 @@ void check_behind(std::uint64_t seed, Counts& counts) {
   const auto drawn_by = [&](Renderer& renderer) {
     Rendering drawn;
     renderer.render(c.view, c.settings, drawn, &behind);
-    Made made;
+    RunResult made;
     made.add("color", drawn.buffers.color);
     made.add("depth", drawn.buffers.depth);
     made.add("distance", drawn.buffers.distance);
     made.add("id", drawn.buffers.id);
     return made;
   };
-  const Made expected = drawn_by(staged);
-  test::check_all_ways(seed, [&](const Way& way) {
-    Renderer tiled(c.scene, c.settings.transfer, EngineKind::kTile, options_of(c, way));
-    Made made = drawn_by(tiled);
+  const RunResult expected = drawn_by(staged);
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    Renderer tiled(c.scene, c.settings.transfer, EngineKind::kTile, options_of(c, configuration));
+    RunResult made = drawn_by(tiled);
     const std::string difference = made.difference_from(expected);
     if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
     return made;
@@ -139,20 +142,20 @@ void check_behind(std::uint64_t seed, Counts& counts) {
 }
 
 void check_stereo_maps(std::uint64_t seed, Counts& counts) {
-  const auto pair = test::any_pair(seed, 100);
+  const auto pair = test::generate_pair(seed, 100);
   if (!pair) return;
   ++counts.pairs;
-  const test::AnyCase& c = pair->scene;
+  const test::GeneratedCase& c = pair->scene;
   StereoSettings settings{c.settings};
   settings.render.want_distance = settings.render.want_id = true;
-  const auto maps_by = [&](EngineKind kind, const Way& way) {
-    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, way));
+  const auto maps_by = [&](EngineKind kind, const Configuration& configuration) {
+    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, configuration));
     const StereoRendering eyes = renderer.render_pair(c.view, pair->eyes, settings);
     const Image<float> left = disparity_map(c.view, pair->eyes, eyes.left.distance),
                        right = disparity_map(c.view, pair->eyes, eyes.right.distance);
     const MonocularMaps alone = monocular_maps(left, right);
     const WindowViolations cut = window_violations(c.scene, {eyes.left, left}, {eyes.right, right});
-    Made made;
+    RunResult made;
     made.add("left picture", eyes.left.color);
     made.add("right picture", eyes.right.color);
     made.add("left disparity", left);
@@ -163,9 +166,9 @@ void check_stereo_maps(std::uint64_t seed, Counts& counts) {
     made.add("cut by the right window", cut.right);
     return made;
   };
-  const Made staged = maps_by(EngineKind::kStaged, {});
-  test::check_all_ways(seed, [&](const Way& way) {
-    Made made = maps_by(EngineKind::kTile, way);
+  const RunResult staged = maps_by(EngineKind::kStaged, {});
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    RunResult made = maps_by(EngineKind::kTile, configuration);
     const std::string difference = made.difference_from(staged);
     if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
     return made;
@@ -181,7 +184,7 @@ Counts check_seeds(std::uint64_t count, const Check& check) {
 
 TEST_CASE("a second eye that is warped has the same bytes by every target and number of threads",
           "[eyes]") {
-  const Counts counts = check_seeds(400 / test::kShare, check_warp);
+  const Counts counts = check_seeds(400 / test::kCaseDivisor, check_warp);
   // Scenes of the kind in which such colours were once lost.
   CHECK(counts.seen_through > counts.pairs / 8);
   CHECK(counts.without_depth > 100 * counts.pairs);
@@ -189,16 +192,16 @@ TEST_CASE("a second eye that is warped has the same bytes by every target and nu
 
 TEST_CASE("a pair whose second eye is warped has the same bytes by both engines in every way",
           "[eyes]") {
-  const Counts counts = check_seeds(30 / test::kShare, check_warped_pair);
+  const Counts counts = check_seeds(30 / test::kCaseDivisor, check_warped_pair);
   CHECK(counts.layered > counts.pairs / 3);
 }
 
 TEST_CASE("what is behind any picture has the same bytes by both engines in every way", "[eyes]") {
-  CHECK(check_seeds(40 / test::kShare, check_behind).pairs > 25 / test::kShare);
+  CHECK(check_seeds(40 / test::kCaseDivisor, check_behind).pairs > 25 / test::kCaseDivisor);
 }
 
 TEST_CASE("what stereo sees in two pictures is the same by both engines in every way", "[eyes]") {
-  CHECK(check_seeds(20 / test::kShare, check_stereo_maps).pairs > 12 / test::kShare);
+  CHECK(check_seeds(20 / test::kCaseDivisor, check_stereo_maps).pairs > 12 / test::kCaseDivisor);
 }
 
 TEST_CASE("ten thousand warped eyes and some hundred of the rest", "[.same-bytes]") {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include "tests/same_bytes/any_pair.h"
-#include "tests/same_bytes/ways.h"
+#include "tests/same_bytes/configurations.h"
+#include "tests/same_bytes/generated_pair.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_builder.h"
 #include "views/layers/ray_layers.h"
@@ -14,11 +14,11 @@
 namespace glassbox {
 namespace {
 
-using test::AnyPair;
-using test::Made;
-using test::Way;
+using test::Configuration;
+using test::GeneratedPair;
+using test::RunResult;
 
-void add(Made& made, const views::LayeredImage& image) {
+void add(RunResult& made, const views::LayeredImage& image) {
   made.add("offsets", image.first);
   made.add("depths", image.depth);
   made.add("colours", image.color);
@@ -27,14 +27,14 @@ void add(Made& made, const views::LayeredImage& image) {
 }
 
 // The pair with only opaque and masked surfaces, shown in colours, as layers require.
-AnyPair layered(AnyPair pair) {
+GeneratedPair layered(GeneratedPair pair) {
   test::make_opaque_or_masked(pair.scene.scene);
   pair.scene.settings.wireframe = false;
   pair.scene.settings.samples = 1;
   return pair;
 }
 
-views::LayeredImage peeled(const test::AnyCase& c) {
+views::LayeredImage peeled(const test::GeneratedCase& c) {
   RenderSettings settings = c.settings;
   settings.want_distance = settings.want_id = true;
   views::LayerBuilder builder(views::layer_camera(c.view), views::kMergedDepths, {true, true});
@@ -74,14 +74,14 @@ views::LayerDrawing any_drawing(Random& random) {
 }
 
 std::size_t check_layers(std::uint64_t seed) {
-  auto pair = test::any_pair(seed, 90);
+  auto pair = test::generate_pair(seed, 90);
   if (!pair) return 0;
   *pair = layered(*pair);
   std::size_t samples = 0;
-  test::check_all_ways(seed, [&](const Way&) {
+  test::check_same_result(seed, [&](const Configuration&) {
     const views::LayeredImage image = peeled(pair->scene);
     samples = image.samples();
-    Made made;
+    RunResult made;
     add(made, image);
     return made;
   });
@@ -92,17 +92,17 @@ std::size_t check_layers(std::uint64_t seed) {
     views::LayerDrawing drawing = any_drawing(random);
     const views::LayerCamera there =
         moved(image.camera, pair->scene.view.near * random.unit(), random);
-    test::check_all_ways(seed, [&](const Way& way) {
-      drawing.target = way.target;
-      drawing.threads = way.threads;
+    test::check_same_result(seed, [&](const Configuration& configuration) {
+      drawing.target = configuration.target;
+      drawing.threads = configuration.threads;
       const views::LayerPicture picture = views::draw_layers(image, there, drawing);
-      Made made;
+      RunResult made;
       made.add("colour", picture.color);
       made.add("depth", picture.depth);
       made.add_number("drawn", picture.counts.drawn);
       made.add_number("behind", picture.counts.behind);
-      made.add_number("beside", picture.counts.beside);
-      made.add_number("cut", picture.counts.cut);
+      made.add_number("beside", picture.counts.outside);
+      made.add_number("cut", picture.counts.oversized);
       return made;
     });
   }
@@ -110,19 +110,19 @@ std::size_t check_layers(std::uint64_t seed) {
 }
 
 std::size_t check_rays(std::uint64_t seed) {
-  auto pair = test::any_pair(seed, 40);
+  auto pair = test::generate_pair(seed, 40);
   if (!pair || !pair->scene.view.perspective) return 0;
   *pair = layered(*pair);
-  test::AnyCase& c = pair->scene;
+  test::GeneratedCase& c = pair->scene;
   if (c.settings.shading != Shading::kUnlit) c.settings.shading = Shading::kPhong;
   std::size_t samples = 0;
-  test::check_all_ways(seed, [&](const Way& way) {
-    views::RaySampling sampling{4, 16, c.view.near / 2, way.threads};
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    views::RaySampling sampling{4, 16, c.view.near / 2, configuration.threads};
     views::RayCounts counts;
     const views::LayeredImage image = views::build_layers_by_rays(
         c.scene, c.view, c.settings, sampling, views::kMergedHits, counts, {true, true});
     samples = image.samples();
-    Made made;
+    RunResult made;
     add(made, image);
     made.add_number("followed", counts.followed);
     made.add_number("hits", counts.hits);
@@ -132,11 +132,11 @@ std::size_t check_rays(std::uint64_t seed) {
 }
 
 TEST_CASE("layers have the same bytes in every way, built and drawn", "[layers]") {
-  CHECK(test::sum_over_seeds(20 / test::kShare, check_layers) > 5000 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kCaseDivisor, check_layers) > 5000 / test::kCaseDivisor);
 }
 
 TEST_CASE("layers of rays have the same bytes in every way", "[layers]") {
-  CHECK(test::sum_over_seeds(12 / test::kShare, check_rays) > 100 / test::kShare);
+  CHECK(test::sum_over_seeds(12 / test::kCaseDivisor, check_rays) > 100 / test::kCaseDivisor);
 }
 
 TEST_CASE("some hundred layered images", "[.same-bytes]") {

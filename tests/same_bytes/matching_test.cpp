@@ -1,10 +1,10 @@
 // The disparities that `views match` finds in two pictures: in rendered pairs, and in unrealistic
 // pictures.
-#include "tests/same_bytes/any_pair.h"
-#include "tests/same_bytes/ways.h"
+#include "tests/same_bytes/configurations.h"
+#include "tests/same_bytes/generated_pair.h"
 #include "views/matching/calibration.h"
 #include "views/matching/match.h"
-#include "views/matching/rendered.h"
+#include "views/matching/rendered_pair.h"
 #include "views/matching/surface.h"
 
 #include <glassbox/render/renderer.h>
@@ -12,9 +12,9 @@
 namespace glassbox {
 namespace {
 
-using test::AnyPair;
-using test::Made;
-using test::Way;
+using test::Configuration;
+using test::GeneratedPair;
+using test::RunResult;
 using views::MatchingCost;
 using views::MatchSettings;
 
@@ -68,8 +68,8 @@ TwoPictures any_pictures(Random& random) {
   return pictures;
 }
 
-TwoPictures drawn(const AnyPair& pair) {
-  const test::AnyCase& c = pair.scene;
+TwoPictures drawn(const GeneratedPair& pair) {
+  const test::GeneratedCase& c = pair.scene;
   Renderer renderer(c.scene, c.settings.transfer, EngineKind::kStaged);
   StereoRendering eyes = renderer.render_pair(c.view, pair.eyes, {c.settings});
   return {std::move(eyes.left.color), std::move(eyes.right.color)};
@@ -79,15 +79,15 @@ TwoPictures drawn(const AnyPair& pair) {
 std::size_t check_match(std::uint64_t seed) {
   Random random(seed);
   MatchSettings settings = any_settings(random);
-  const auto pair = test::any_pair(seed, 60);
+  const auto pair = test::generate_pair(seed, 60);
   const TwoPictures pictures = seed % 2 == 0 && pair ? drawn(*pair) : any_pictures(random);
   const views::Calibration calibration{100, 0.1, 20};
   std::size_t answered = 0;
-  test::check_all_ways(seed, [&](const Way& way) {
-    settings.target = way.target;
-    settings.threads = way.threads;
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    settings.target = configuration.target;
+    settings.threads = configuration.threads;
     const auto match = views::match_pictures(pictures.left, pictures.right, settings);
-    Made made;
+    RunResult made;
     if (!match) {
       made.add("refusal", match.error().message());
       return made;
@@ -96,7 +96,7 @@ std::size_t check_match(std::uint64_t seed) {
         match->disparity.pixels, [](float disparity) { return std::isfinite(disparity); }));
     made.add("disparity", match->disparity);
     made.add("confidence", match->confidence);
-    made.add("doubts", match->doubts);
+    made.add("doubts", match->invalid_reasons);
     made.add("sums", match->sums.costs);
     made.add("depths", views::depths_of(match->disparity, calibration));
     made.add("surface", views::encode_ply(
@@ -108,12 +108,12 @@ std::size_t check_match(std::uint64_t seed) {
 
 // Tests the pair that `views match --scene` draws, and its true disparities.
 std::size_t check_rendered_pair(std::uint64_t seed) {
-  const auto pair = test::any_pair(seed, 90);
+  const auto pair = test::generate_pair(seed, 90);
   if (!pair) return 0;
-  const test::AnyCase& c = pair->scene;
-  test::check_all_ways(seed, [&](const Way&) {
+  const test::GeneratedCase& c = pair->scene;
+  test::check_same_result(seed, [&](const Configuration&) {
     const auto rendered = views::rendered_pair(c.scene, c.view, pair->eyes, c.settings);
-    Made made;
+    RunResult made;
     if (!rendered) {
       made.add("refusal", rendered.error().message());
       return made;
@@ -129,11 +129,12 @@ std::size_t check_rendered_pair(std::uint64_t seed) {
 }
 
 TEST_CASE("disparities have the same bytes in every way, whatever is asked for", "[matching]") {
-  CHECK(test::sum_over_seeds(20 / test::kShare, check_match) > 5000 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kCaseDivisor, check_match) > 5000 / test::kCaseDivisor);
 }
 
 TEST_CASE("the pair that is drawn to be matched has the same bytes in every way", "[matching]") {
-  CHECK(test::sum_over_seeds(20 / test::kShare, check_rendered_pair) > 10 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kCaseDivisor, check_rendered_pair) >
+        10 / test::kCaseDivisor);
 }
 
 TEST_CASE("a thousand matches", "[.same-bytes]") {

@@ -2,22 +2,22 @@
 // `texture`.
 #include <algorithm>
 
-#include "tests/render/tile/any_case.h"
-#include "tests/same_bytes/any_object.h"
-#include "tests/same_bytes/ways.h"
+#include "tests/render/tile/generated_case.h"
+#include "tests/same_bytes/configurations.h"
+#include "tests/same_bytes/generated_object.h"
 #include "views/polygons/coloring.h"
 #include "views/polygons/mesh_scene.h"
 #include "views/rings/draw_ring.h"
 #include "views/texture/static_texture.h"
 #include "views/texture/textured_surface.h"
-#include "views/voxels/draw.h"
+#include "views/voxels/draw_voxels.h"
 #include "views/voxels/voxel_file.h"
 
 namespace glassbox {
 namespace {
 
-using test::Made;
-using test::Way;
+using test::Configuration;
+using test::RunResult;
 using namespace views;
 
 template <class Enum>
@@ -44,7 +44,7 @@ ColoringRequest any_request(const PictureSet& set, Random& random) {
   ColoringRequest request;
   request.box = *set.box;
   request.voxel_size = size_for(request.box, int(random.integer(4, 14)));
-  request.order = random.integer(0, 2) == 0 ? Order::kCarve : Order::kSweep;
+  request.order = random.integer(0, 2) == 0 ? ColoringOrder::kCarve : ColoringOrder::kSweep;
   ColoringSettings& settings = request.settings;
   settings.consistency = any_of<Consistency>(random, 3);
   settings.threshold = random.between(5, 90);
@@ -52,13 +52,13 @@ ColoringRequest any_request(const PictureSet& set, Random& random) {
   settings.edge = random.integer(0, 2) == 0 ? 10 : 0;
   settings.sampled = any_of<Footprint>(random, 3);
   settings.hidden = any_of<Footprint>(random, 3);
-  settings.update = any_of<Update>(random, 2);
-  settings.alone = any_of<Alone>(random, 2);
-  if (request.order == Order::kSweep && random.integer(0, 2) == 0) request.levels = 1;
+  settings.update = any_of<OcclusionUpdate>(random, 2);
+  settings.alone = any_of<SingleViewPolicy>(random, 2);
+  if (request.order == ColoringOrder::kSweep && random.integer(0, 2) == 0) request.levels = 1;
   return request;
 }
 
-void add(Made& made, const PictureSet& set) {
+void add(RunResult& made, const PictureSet& set) {
   for (const CalibratedPicture& picture : set.pictures) {
     made.add("picture", picture.color);
     made.add("matte", picture.matte);
@@ -67,21 +67,21 @@ void add(Made& made, const PictureSet& set) {
 
 // Returns how many coloured voxels and polygons there were.
 std::size_t check_shapes(std::uint64_t seed) {
-  const Scene scene = test::any_object(seed);
+  const Scene scene = test::generate_object(seed);
   Random random(seed);
   const Random before_ring = random;
   const PictureSet set = ring_around(scene, seed, random);
   const ColoringRequest request = any_request(set, random);
   const std::size_t beside = std::size_t(random.integer(0, std::int64_t(set.pictures.size()) - 1));
   std::size_t count = 0;
-  test::check_all_ways(seed, [&](const Way& way) {
-    Made made;
+  test::check_same_result(seed, [&](const Configuration& configuration) {
+    RunResult made;
     Random again = before_ring;
     const PictureSet drawn = ring_around(scene, seed, again);
     add(made, drawn);
     ColoringRequest voxels = request;
-    voxels.settings.target = way.target;
-    voxels.settings.threads = way.threads;
+    voxels.settings.target = configuration.target;
+    voxels.settings.threads = configuration.threads;
     const auto plan = plan_coloring(drawn, voxels);
     if (!plan) {
       made.add("refusal", plan.error().message());
@@ -104,7 +104,7 @@ std::size_t check_shapes(std::uint64_t seed) {
     made.add("voxels' distances", seen.distance);
 
     PolygonColoringSettings settings;
-    settings.threads = way.threads;
+    settings.threads = configuration.threads;
     settings.threshold = 40;
     const auto polygons = color_polygons(drawn, solid, settings);
     if (!polygons) {
@@ -114,7 +114,7 @@ std::size_t check_shapes(std::uint64_t seed) {
     made.add("polygons", polygons_ply(*polygons).value());
     count = coloring.voxels.size() + polygons->mesh.polygons.size();
     const Scene surface = scene_of(*polygons).value();
-    const auto textured = TexturedSurface::of(surface, drawn, Blend(seed % 3), 2);
+    const auto textured = TexturedSurface::create(surface, drawn, Blend(seed % 3), 2);
     if (!textured) {
       made.add("refusal of texture", textured.error().message());
       return made;
@@ -134,7 +134,7 @@ std::size_t check_shapes(std::uint64_t seed) {
 }
 
 TEST_CASE("rings, voxels, polygons and textures have the same bytes in every way", "[shapes]") {
-  CHECK(test::sum_over_seeds(5 / test::kShare + 1, check_shapes) > 300 / test::kShare);
+  CHECK(test::sum_over_seeds(5 / test::kCaseDivisor + 1, check_shapes) > 300 / test::kCaseDivisor);
 }
 
 TEST_CASE("some hundred rings, voxels, polygons and textures", "[.same-bytes]") {

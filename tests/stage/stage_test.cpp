@@ -28,7 +28,7 @@ std::vector<Shown> all_shown() {
   std::vector<Shown> all;
   for (const char* name : {"room", "f-glyph"}) {
     Scene scene = make_builtin(name).value();
-    const View view = make_view(frame(scene, 1.5).value(), 48, 32).value();
+    const View view = make_view(framing_camera(scene, 1.5).value(), 48, 32).value();
     for (const Shading shading : {Shading::kPhong, Shading::kGouraud, Shading::kUnlit}) {
       all.push_back({scene, view, {}});
       all.back().settings.shading = shading;

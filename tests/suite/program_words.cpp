@@ -340,7 +340,7 @@ Words cpp_words(std::string_view text) {
   Words all;
   const auto literals = literals_of(source);
   static const std::regex call(
-      "\\b(run_program|run_process|program_called|execv?p?e?|posix_spawnp?|popen|system)\\(");
+      "\\b(run_program|run_process|find_system_program|execv?p?e?|posix_spawnp?|popen|system)\\(");
   for (std::sregex_iterator at(source.begin(), source.end(), call), none; at != none; ++at) {
     const auto open = std::size_t(at->position() + at->length() - 1);
     // Arguments of the program under test are not commands.

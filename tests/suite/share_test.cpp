@@ -1,5 +1,6 @@
-// A share of many tests (tests/support/share.h) leaves no test out for longer than it promises.
-#include "tests/support/share.h"
+// A share of many tests (tests/support/daily_share.h) leaves no test out for longer than it
+// promises.
+#include "tests/support/daily_share.h"
 
 #include <optional>
 #include <vector>
@@ -36,7 +37,7 @@ TEST_CASE("after as many seeds as a share has days every test has had its turn, 
         for (std::uint64_t seed = first; seed < first + days; ++seed) {
           std::size_t now = 0;
           for (std::size_t i = 0; i < size; ++i) {
-            const std::size_t turn = Share(days, seed).has(i, size) ? 1 : 0;
+            const std::size_t turn = DailyShare(days, seed).includes(i, size) ? 1 : 0;
             turns[i] += turn;
             now += turn;
           }
@@ -54,7 +55,7 @@ TEST_CASE("under every seed every group has a test, and a large group its share"
     for (std::size_t size = 1; size <= 40; ++size) {
       CAPTURE(seed, size);
       std::size_t now = 0;
-      for (std::size_t i = 0; i < size; ++i) now += Share(8, seed).has(i, size) ? 1u : 0u;
+      for (std::size_t i = 0; i < size; ++i) now += DailyShare(8, seed).includes(i, size) ? 1u : 0u;
       CHECK(now >= 1);
       CHECK(now >= size / 8);
       CHECK(now <= size / 8 + 1);
@@ -66,7 +67,7 @@ TEST_CASE("SEED repeats a share, and is refused where it is no number") {
   {
     const Said said("20783");
     CHECK(seed_of_shares() == 20783);
-    CHECK(Share(8).text() == "one in 8, SEED=20783");
+    CHECK(DailyShare(8).text() == "one in 8, SEED=20783");
   }
   {
     const Said said(nullptr);

@@ -27,18 +27,18 @@ namespace glassbox::views {
 
 // For the left picture's pixels: how many points are seen in the right picture, or why they are not
 // (S2-03).
-struct PixelFates {
-  std::uint64_t seen = 0, hidden = 0, beside = 0, missing = 0, nothing = 0;
+struct PixelVisibility {
+  std::uint64_t seen = 0, hidden = 0, outside = 0, missing = 0, nothing = 0;
 };
 
 struct GeometryInput {
-  std::string about;       // "room, 640 x 480", "matches.csv"
-  std::string made_how;    // one line on how pair and matches were made; empty for files
-  views::Matches matches;  // positions in pixels from the pictures' top left corners
+  std::string description;       // "room, 640 x 480", "matches.csv"
+  std::string pair_description;  // one line on how pair and matches were made; empty for files
+  views::Matches matches;        // positions in pixels from the pictures' top left corners
   std::optional<std::array<views::Matrix3d, 2>> intrinsics;  // left, right
   std::optional<views::RelativePose> truth;                  // |T| in world units
   std::vector<bool> is_outlier;  // for each match, if it is known; else empty
-  std::optional<PixelFates> fates;
+  std::optional<PixelVisibility> visibility;
   std::optional<std::array<Image<Rgba8>, 2>> pictures;
   std::array<std::string, 2> picture_names{"left", "right"};
 };
@@ -47,7 +47,7 @@ struct GeometryInput {
 // errors if the truth is known, and what is left out.
 
 // The parameters of the analysis.
-struct GeometryQuestion {
+struct GeometryRequest {
   std::optional<views::Estimator> estimator;  // absent: five points if K is known, else eight
   double sigma = 0.5;                         // px: standard deviation of a coordinate of a match
   std::optional<double> threshold;            // px, of an inlier; absent: 2 sigma
@@ -79,12 +79,12 @@ struct OutlierFacts {
   int lost = 0;  // true matches that do not count as inliers
 };
 
-struct LeftOut {
+struct OmittedItem {
   std::string what, why;
 };
 
 struct GeometryReport {
-  views::PairQuestion question;
+  views::PairRequest request;
   views::PairAnalysis analysis;
   double samples_wanted = 0;  // by RANSAC's law, from the share of inliers found
 
@@ -95,15 +95,14 @@ struct GeometryReport {
   std::vector<PoseCandidate> candidates;  // empty if no pose was found
   std::optional<PoseErrors> errors;
   std::optional<OutlierFacts> outliers;
-  std::vector<LeftOut> left_out;
+  std::vector<OmittedItem> left_out;
 
   bool has_geometry() const { return analysis.fundamental.has_value(); }
 };
 
 // Analyses the pair. Errors: fewer than 8 distinct matches, an estimator that needs cameras that
 // are not known, and errors of `analyse`.
-Result<GeometryReport> report_geometry(const GeometryInput& input,
-                                       const GeometryQuestion& question);
+Result<GeometryReport> report_geometry(const GeometryInput& input, const GeometryRequest& request);
 
 // Draws a pair with the rasterizer, for cameras of all three arrangements (S2-02), and computes the
 // true matches: where each point is in the other picture (S2-03).

@@ -39,10 +39,10 @@ public:
   void add_to(CLI::App& views, int& exit_code);
 
 private:
-  void add_question_options(CLI::App& command);
+  void add_request_options(CLI::App& command);
   void add_output_options(CLI::App& command);
   Result<void> check_sources() const;
-  Result<void> check_question() const;
+  Result<void> check_request() const;
   Result<void> check_outputs() const;
   Result<GeometryInput> input(Progress& progress);
   Result<void> write_scene(const SceneGeometry& made) const;
@@ -55,7 +55,7 @@ private:
 
   GeometryFiles files_;
   GeometryScene scene_;
-  GeometryQuestion question_;
+  GeometryRequest request_;
   bool sigma_given_ = false;
   std::pair<std::string, std::string> pair_output_, rectified_output_;
   std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
@@ -85,36 +85,36 @@ CLI::Option* add_real(CLI::App& command, const std::string& name, const std::str
 
 }  // namespace
 
-void ViewsGeometryCommand::add_question_options(CLI::App& command) {
+void ViewsGeometryCommand::add_request_options(CLI::App& command) {
   const std::string group = "Estimation";
   add_choice<std::optional<Estimator>>(
-      command, "--estimator", question_.estimator,
+      command, "--estimator", request_.estimator,
       {{"8", Estimator::kEightPoint}, {"7", Estimator::kSevenPoint}, {"5", Estimator::kFivePoint}},
       "number of matches in a sample [5 if K is known, else 8]")
       ->group(group);
   add_real(
       command, "--sigma", "PX",
       [this](double value) {
-        question_.sigma = value;
+        request_.sigma = value;
         sigma_given_ = true;
       },
       fmt::format("standard deviation of a match's coordinates (px) [{:g}; for a scene --noise, "
                   "but at least {:g}]",
-                  question_.sigma, kLeastSigma))
+                  request_.sigma, kLeastSigma))
       ->group(group);
   add_real(
-      command, "--threshold", "PX", [this](double value) { question_.threshold = value; },
+      command, "--threshold", "PX", [this](double value) { request_.threshold = value; },
       "largest Sampson distance of an inlier (px) [2 sigma]")
       ->group(group);
   add_real(
-      command, "--confidence", "P", [this](double value) { question_.confidence = value; },
+      command, "--confidence", "P", [this](double value) { request_.confidence = value; },
       fmt::format("probability that one sample without outliers is drawn, 0 < P < 1 [{:g}]",
-                  question_.confidence))
+                  request_.confidence))
       ->group(group);
   command
-      .add_option("--seed", question_.seed,
-                  fmt::format("seed of the random samples, the noise and the outliers [{}]",
-                              question_.seed))
+      .add_option(
+          "--seed", request_.seed,
+          fmt::format("seed of the random samples, the noise and the outliers [{}]", request_.seed))
       ->type_name("N")
       ->group(group);
 }
@@ -174,7 +174,7 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
           ->group(group));
   add_geometry_scene_options(command, scene_);
   const std::size_t before = command.get_options().size();
-  add_question_options(command);
+  add_request_options(command);
   const auto all = command.get_options();
   options_.insert(options_.end(), all.begin() + std::ptrdiff_t(before), all.end());
   add_output_options(command);
@@ -192,8 +192,8 @@ Result<void> ViewsGeometryCommand::check_sources() const {
     return fail("--matches", "the matching points of the pictures are not given",
                 "give a file of matches, or draw a pair with --scene");
   }
-  std::vector<std::string> words = words_of(scene_.options);
-  std::ranges::copy(words_given(scene_.picture), std::back_inserter(words));
+  std::vector<std::string> words = option_words(scene_.options);
+  std::ranges::copy(given_option_words(scene_.picture), std::back_inserter(words));
   for (const auto& [word, is_given] : {std::pair{"--matches-out", matches_output_.has_value()},
                                        std::pair{"--cameras-out", cameras_output_.has_value()},
                                        std::pair{"--pair-out", !pair_output_.first.empty()}}) {
@@ -205,22 +205,22 @@ Result<void> ViewsGeometryCommand::check_sources() const {
   return {};
 }
 
-Result<void> ViewsGeometryCommand::check_question() const {
+Result<void> ViewsGeometryCommand::check_request() const {
   constexpr double kMost = 1000;
-  if (!(question_.sigma > 0 && question_.sigma <= kMost)) {
+  if (!(request_.sigma > 0 && request_.sigma <= kMost)) {
     return fail("--sigma",
-                fmt::format("{:g} px is not a possible standard deviation", question_.sigma),
+                fmt::format("{:g} px is not a possible standard deviation", request_.sigma),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
-  if (const double threshold = question_.threshold.value_or(1);
+  if (const double threshold = request_.threshold.value_or(1);
       !(threshold > 0 && threshold <= kMost)) {
     return fail("--threshold",
                 fmt::format("{:g} px is not a possible distance of an inlier", threshold),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
-  if (!(question_.confidence > 0 && question_.confidence < 1)) {
+  if (!(request_.confidence > 0 && request_.confidence < 1)) {
     return fail("--confidence",
-                fmt::format("{:g} is not a probability between 0 and 1", question_.confidence),
+                fmt::format("{:g} is not a probability between 0 and 1", request_.confidence),
                 "give 0 < P < 1, such as 0.99");
   }
   return {};
@@ -272,8 +272,8 @@ Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
     progress.phase("reading the pair");
     return read_geometry_files(files_);
   }
-  if (!sigma_given_) question_.sigma = std::max(scene_.sampling.noise, kLeastSigma);
-  scene_.sampling.seed = question_.seed;
+  if (!sigma_given_) request_.sigma = std::max(scene_.sampling.noise, kLeastSigma);
+  scene_.sampling.seed = request_.seed;
   auto made = draw_geometry_scene(scene_, progress);
   if (!made) return tl::unexpected(made.error());
   if (const auto written = write_scene(*made); !written) return tl::unexpected(written.error());
@@ -287,9 +287,9 @@ std::string ViewsGeometryCommand::command_line() const {
   if (page_) page = {"--draw", *page_};
   return shell_line({{"views", "geometry"},
                      files,
-                     words_of(options_),
-                     words_of(scene_.options),
-                     words_given(scene_.picture),
+                     option_words(options_),
+                     option_words(scene_.options),
+                     given_option_words(scene_.picture),
                      page});
 }
 
@@ -316,13 +316,13 @@ Result<void> ViewsGeometryCommand::write_report(
     const std::optional<RectifiedPair>& rectified) const {
   nlohmann::ordered_json json = geometry_json(input, report);
   if (rectified) {
-    json["rectification"] = rectification_json(rectified->how);
+    json["rectification"] = rectification_json(rectified->rectification);
     if (const auto written = write_rectified(rectified_output_, *rectified); !written) {
       return written;
     }
   }
   if (page_) {
-    const auto written = write_made(
+    const auto written = write_text_result(
         *page_, make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
     if (!written) return written;
   }
@@ -330,14 +330,14 @@ Result<void> ViewsGeometryCommand::write_report(
 }
 
 int ViewsGeometryCommand::run() {
-  for (const auto& legal : {check_sources(), check_question(), check_outputs()}) {
+  for (const auto& legal : {check_sources(), check_request(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
   Progress progress;
   const Result<GeometryInput> pair = input(progress);
   if (!pair) return refuse(pair.error());
   progress.phase("estimating the cameras");
-  const Result<GeometryReport> report = report_geometry(*pair, question_);
+  const Result<GeometryReport> report = report_geometry(*pair, request_);
   if (!report) {
     Error error = report.error();
     if (files_.matches && error.place == "the matches") error.file = *files_.matches;
@@ -351,7 +351,7 @@ int ViewsGeometryCommand::run() {
   progress.done();
   if (json_output_ == "-" || matches_output_ == "-") return kSuccess;
   fmt::print("{}", geometry_text(*pair, *report));
-  if (*rectified) fmt::print("\n{}", rectification_text((*rectified)->how));
+  if (*rectified) fmt::print("\n{}", rectification_text((*rectified)->rectification));
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
   return kSuccess;
 }

@@ -26,7 +26,8 @@ Result<std::string> text_of_file(const std::string& path) {
 
 // Parses a file. Errors begin with the file's name.
 template <class Parse>
-auto parsed(const std::string& path, const Parse& parse) -> decltype(parse(std::string_view())) {
+auto parse_file(const std::string& path, const Parse& parse)
+    -> decltype(parse(std::string_view())) {
   const Result<std::string> text = text_of_file(path);
   if (!text) return tl::unexpected(text.error());
   auto result = parse(*text);
@@ -47,8 +48,8 @@ const views::NamedCamera* camera_named(const NamedCameras& cameras, const std::s
 // The cameras of the two pictures, in the pictures' order. If there are exactly
 // two cameras and the names do not decide (no camera has a picture's name, or both pictures have
 // the same name), the first camera is taken for the left one.
-Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
-                                                   const GeometryFiles& files) {
+Result<std::array<views::PinholeCamera, 2>> pair_cameras(const NamedCameras& cameras,
+                                                         const GeometryFiles& files) {
   const std::string& file = *files.cameras;
   const bool are_two = cameras.size() == 2;
   if (cameras.size() < 2 || (!are_two && !files.has_pair())) {
@@ -92,7 +93,7 @@ Result<void> add_pictures(const GeometryFiles& files, GeometryInput& input) {
                             left->height, right->width, right->height),
                 "give two pictures of one size");
   }
-  input.about += fmt::format(", {} x {}", left->width, left->height);
+  input.description += fmt::format(", {} x {}", left->width, left->height);
   input.pictures = {std::move(*left), std::move(*right)};
   input.picture_names = {files.pair.first, files.pair.second};
   return {};
@@ -101,17 +102,17 @@ Result<void> add_pictures(const GeometryFiles& files, GeometryInput& input) {
 }  // namespace
 
 Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files) {
-  const auto cameras = parsed(*files.cameras, views::parse_cameras);
+  const auto cameras = parse_file(*files.cameras, views::parse_cameras);
   if (!cameras) return tl::unexpected(cameras.error());
-  return two_of(*cameras, files);
+  return pair_cameras(*cameras, files);
 }
 
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files) {
   GeometryInput input;
-  auto matches = parsed(*files.matches, views::parse_matches);
+  auto matches = parse_file(*files.matches, views::parse_matches);
   if (!matches) return tl::unexpected(matches.error());
   input.matches = std::move(*matches);
-  input.about = *files.matches;
+  input.description = *files.matches;
   if (files.cameras) {
     if (const auto added = add_cameras(files, input); !added) return tl::unexpected(added.error());
   }

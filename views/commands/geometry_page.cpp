@@ -74,18 +74,18 @@ Json pose_json(const views::RelativePose& pose) {
 }
 
 Json input_json(const GeometryInput& input) {
-  Json json{{"about", input.about}};
-  if (!input.made_how.empty()) json["pair"] = input.made_how;
+  Json json{{"about", input.description}};
+  if (!input.pair_description.empty()) json["pair"] = input.pair_description;
   if (input.pictures) {
     json["width"] = input.pictures->front().width;
     json["height"] = input.pictures->front().height;
   }
-  if (const auto& fates = input.fates) {
-    json["left_pixels"] = {{"seen", fates->seen},
-                           {"hidden", fates->hidden},
-                           {"beside", fates->beside},
-                           {"missing", fates->missing},
-                           {"nothing_drawn", fates->nothing}};
+  if (const auto& visibility = input.visibility) {
+    json["left_pixels"] = {{"seen", visibility->seen},
+                           {"hidden", visibility->hidden},
+                           {"beside", visibility->outside},
+                           {"missing", visibility->missing},
+                           {"nothing_drawn", visibility->nothing}};
   }
   json["cameras"] = optional_json(input.intrinsics, [](const auto& intrinsics) {
     return Json{{"K_left", matrix_json(intrinsics[0])}, {"K_right", matrix_json(intrinsics[1])}};
@@ -93,23 +93,23 @@ Json input_json(const GeometryInput& input) {
   return json;
 }
 
-Json judgement_json(const views::PairJudgement& judgement) {
-  return {{"kind", name_of(judgement.kind)},
-          {"sentence", kind_sentence(judgement.kind)},
-          {"cost_of_constraint", finite_json(judgement.cost_of_fundamental)},
-          {"cost_of_homography", finite_json(judgement.cost_of_homography)},
-          {"cost_of_rotation", finite_json(judgement.cost_of_rotation)},
-          {"eighth_over_ninth", finite_json(judgement.eighth_over_ninth)}};
+Json classification_json(const views::PairClassification& classification) {
+  return {{"kind", name_of(classification.kind)},
+          {"sentence", kind_sentence(classification.kind)},
+          {"cost_of_constraint", finite_json(classification.cost_of_fundamental)},
+          {"cost_of_homography", finite_json(classification.cost_of_homography)},
+          {"cost_of_rotation", finite_json(classification.cost_of_rotation)},
+          {"eighth_over_ninth", finite_json(classification.eighth_over_ninth)}};
 }
 
 Json estimation_json(const GeometryReport& report) {
-  const views::PairQuestion& question = report.question;
+  const views::PairRequest& request = report.request;
   const views::PairAnalysis& analysis = report.analysis;
-  return {{"estimator", name_of(question.estimator)},
-          {"sigma_px", question.sigma},
-          {"threshold_px", question.ransac.threshold},
-          {"confidence", question.ransac.confidence},
-          {"seed", question.ransac.seed},
+  return {{"estimator", name_of(request.estimator)},
+          {"sigma_px", request.sigma},
+          {"threshold_px", request.ransac.threshold},
+          {"confidence", request.ransac.confidence},
+          {"seed", request.ransac.seed},
           {"samples", analysis.samples},
           {"samples_wanted", finite_json(report.samples_wanted)},
           {"law", law_text(report)},
@@ -118,7 +118,7 @@ Json estimation_json(const GeometryReport& report) {
            {{"rank", analysis.system.rank},
             {"condition_raw", finite_json(analysis.system.condition_raw)},
             {"condition_normalised", finite_json(analysis.system.condition_normalised)}}},
-          {"pair_is", judgement_json(analysis.judgement)}};
+          {"pair_is", classification_json(analysis.classification)}};
 }
 
 Json residuals_json(const GeometryReport& report) {
@@ -187,7 +187,7 @@ Json geometry_json(const GeometryInput& input, const GeometryReport& report) {
   json["four_poses"] = candidates_json(report.candidates);
   json["truth"] = truth_json(input, report);
   Json left_out = Json::array();
-  for (const LeftOut& one : report.left_out)
+  for (const OmittedItem& one : report.left_out)
     left_out.push_back({{"what", one.what}, {"why", one.why}});
   json["left_out"] = std::move(left_out);
   json["matches"] = matches_json(input, report);

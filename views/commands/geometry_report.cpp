@@ -37,18 +37,18 @@ Result<void> check_matches(const views::Matches& matches) {
   return {};
 }
 
-Result<views::PairQuestion> question_of(const GeometryInput& input,
-                                        const GeometryQuestion& question) {
-  if (question.estimator == Estimator::kFivePoint && !input.intrinsics) {
+Result<views::PairRequest> make_pair_request(const GeometryInput& input,
+                                             const GeometryRequest& request) {
+  if (request.estimator == Estimator::kFivePoint && !input.intrinsics) {
     return fail("--estimator", "five matches determine the cameras only if K is known",
                 "give --cameras, or --estimator 8 or 7");
   }
   const Estimator usual = input.intrinsics ? Estimator::kFivePoint : Estimator::kEightPoint;
-  views::PairQuestion asked{
-      input.matches, input.intrinsics, question.estimator.value_or(usual), question.sigma, {}};
-  asked.ransac.threshold = question.threshold.value_or(2 * question.sigma);
-  asked.ransac.confidence = question.confidence;
-  asked.ransac.seed = question.seed;
+  views::PairRequest asked{
+      input.matches, input.intrinsics, request.estimator.value_or(usual), request.sigma, {}};
+  asked.ransac.threshold = request.threshold.value_or(2 * request.sigma);
+  asked.ransac.confidence = request.confidence;
+  asked.ransac.seed = request.seed;
   return asked;
 }
 
@@ -68,9 +68,9 @@ ResidualFacts facts_of(const std::vector<double>& residuals, const std::vector<b
 // chosen pose is the chosen one.
 std::vector<PoseCandidate> candidates_of(const GeometryReport& report) {
   const views::RelativePose& chosen = *report.analysis.pose;
-  const auto& [left, right] = *report.question.intrinsics;
+  const auto& [left, right] = *report.request.intrinsics;
   const views::Matches inliers = views::calibrated(
-      views::inliers_of(report.question.matches, report.analysis.is_inlier), left, right);
+      views::inliers_of(report.request.matches, report.analysis.is_inlier), left, right);
   std::vector<PoseCandidate> candidates;
   for (const views::RelativePose& pose : views::poses_of(*report.essential)) {
     const bool is_chosen = (pose.rotation - chosen.rotation).norm() < 1 &&
@@ -83,7 +83,7 @@ std::vector<PoseCandidate> candidates_of(const GeometryReport& report) {
 void add_geometry(GeometryReport& report) {
   const views::Matrix3d& f = *report.analysis.fundamental;
   report.epipoles = {views::epipole_left(f), views::epipole_right(f)};
-  for (const views::Match& match : report.question.matches)
+  for (const views::Match& match : report.request.matches)
     report.epipolar_distances.push_back(views::epipolar_distance(f, match));
   report.sampson = facts_of(report.analysis.residuals, report.analysis.is_inlier);
   report.epipolar = facts_of(report.epipolar_distances, report.analysis.is_inlier);
@@ -117,9 +117,9 @@ OutlierFacts outlier_facts(const std::vector<bool>& is_outlier,
 
 // ---- what is left out ----
 
-void leave_out_geometry(const GeometryReport& report, std::vector<LeftOut>& out) {
-  switch (report.analysis.judgement.kind) {
-    case PairKind::kTurned:
+void leave_out_geometry(const GeometryReport& report, std::vector<OmittedItem>& out) {
+  switch (report.analysis.classification.kind) {
+    case PairKind::kPureRotation:
       out.push_back({"F, E, T, epipoles",
                      "one point of view: a rotation alone explains the matches, E is 0, and any "
                      "direction of T would fit (C-101)"});
@@ -139,7 +139,7 @@ void leave_out_geometry(const GeometryReport& report, std::vector<LeftOut>& out)
   }
 }
 
-void leave_out_pose(const GeometryInput& input, std::vector<LeftOut>& out) {
+void leave_out_pose(const GeometryInput& input, std::vector<OmittedItem>& out) {
   if (!input.intrinsics) {
     out.push_back({"E, R, T",
                    "K is unknown without --cameras, so the viewing directions of the pixels are "
@@ -148,7 +148,7 @@ void leave_out_pose(const GeometryInput& input, std::vector<LeftOut>& out) {
 }
 
 void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report,
-                        std::vector<LeftOut>& out) {
+                        std::vector<OmittedItem>& out) {
   if (!report.analysis.pose) return;
   out.push_back({"|T|", "pictures do not show how far apart the cameras are: T has length 1"});
   const int behind = report.analysis.inliers - report.analysis.in_front;
@@ -162,7 +162,7 @@ void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report
   }
 }
 
-int outside(const GeometryInput& input) {
+int count_outside(const GeometryInput& input) {
   if (!input.pictures) return 0;
   const auto is_outside = [](const views::Vector2d& at, const Image<Rgba8>& picture) {
     return at.x() < 0 || at.y() < 0 || at.x() > picture.width || at.y() > picture.height;
@@ -173,12 +173,12 @@ int outside(const GeometryInput& input) {
   }));
 }
 
-std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryReport& report) {
-  std::vector<LeftOut> out;
+std::vector<OmittedItem> omitted_items(const GeometryInput& input, const GeometryReport& report) {
+  std::vector<OmittedItem> out;
   if (!report.has_geometry()) leave_out_geometry(report, out);
   leave_out_pose(input, out);
   leave_out_of_truth(input, report, out);
-  if (report.samples_wanted > report.question.ransac.most_samples) {
+  if (report.samples_wanted > report.request.ransac.most_samples) {
     out.push_back({"certainty", fmt::format("{:.3g} samples are needed, but only {} were drawn: so "
                                             "few inliers may agree by chance",
                                             report.samples_wanted, report.analysis.samples)});
@@ -187,9 +187,9 @@ std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryRepor
   if (off > 0) {
     out.push_back({fmt::format("{} matches", off),
                    fmt::format("outliers, farther than {:g} px from what the inliers agree on",
-                               report.question.ransac.threshold)});
+                               report.request.ransac.threshold)});
   }
-  if (const int count = outside(input); count > 0) {
+  if (const int count = count_outside(input); count > 0) {
     out.push_back(
         {"no match for its place",
          fmt::format("{} have a point outside its picture, where noise may have moved it", count)});
@@ -199,15 +199,14 @@ std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryRepor
 
 }  // namespace
 
-Result<GeometryReport> report_geometry(const GeometryInput& input,
-                                       const GeometryQuestion& question) {
+Result<GeometryReport> report_geometry(const GeometryInput& input, const GeometryRequest& request) {
   if (const auto legal = check_matches(input.matches); !legal) return tl::unexpected(legal.error());
-  const auto asked = question_of(input, question);
+  const auto asked = make_pair_request(input, request);
   if (!asked) return tl::unexpected(asked.error());
   const auto analysis = views::analyse(*asked);
   if (!analysis) return tl::unexpected(analysis.error());
   GeometryReport report;
-  report.question = *asked;
+  report.request = *asked;
   report.analysis = *analysis;
   report.samples_wanted =
       views::samples_needed(double(analysis->inliers) / double(input.matches.size()),
@@ -216,7 +215,7 @@ Result<GeometryReport> report_geometry(const GeometryInput& input,
   if (input.truth && analysis->pose) report.errors = errors_of(*analysis->pose, *input.truth);
   if (!input.is_outlier.empty())
     report.outliers = outlier_facts(input.is_outlier, analysis->is_inlier);
-  report.left_out = left_out_of(input, report);
+  report.left_out = omitted_items(input, report);
   return report;
 }
 

@@ -41,7 +41,7 @@ void add_real(CLI::App& command, const std::string& name, double& value, const s
 using Rotation = glm::dmat3;
 
 // The rotation by an angle that turns the first of two axes towards the second. glm stores columns.
-Rotation about(int first, int second, double degrees) {
+Rotation rotation_in_plane(int first, int second, double degrees) {
   const SinCos angle = sin_cos_degrees(degrees);
   Rotation turned(1.0);
   turned[first][first] = turned[second][second] = angle.cos;
@@ -51,10 +51,12 @@ Rotation about(int first, int second, double degrees) {
 }
 
 // The same camera, moved and turned. In eye space x is right, y is up, and the gaze is -z.
-View moved(const View& view, const std::array<double, 3>& move, const std::array<double, 3>& turn) {
+View moved_view(const View& view, const std::array<double, 3>& move,
+                const std::array<double, 3>& turn) {
   constexpr int kX = 0, kY = 1, kZ = 2;
   // A turn to the right is from -z to x, a turn up from -z to y, and a clockwise turn from y to x.
-  const Rotation own = about(kX, kZ, turn[0]) * about(kY, kZ, turn[1]) * about(kY, kX, turn[2]);
+  const Rotation own = rotation_in_plane(kX, kZ, turn[0]) * rotation_in_plane(kY, kZ, turn[1]) *
+                       rotation_in_plane(kY, kX, turn[2]);
   const Rotation back = glm::transpose(own);
   glm::dmat4 step(back);
   step[3] = glm::dvec4(back * -glm::dvec3(move[0], move[1], -move[2]), 1);
@@ -65,7 +67,7 @@ View moved(const View& view, const std::array<double, 3>& move, const std::array
 
 struct ViewPair {
   View left, right;
-  std::string how;
+  std::string description;
 };
 
 Result<ViewPair> arbitrary_pair(const GeometryScene& scene, const Scene& loaded) {
@@ -73,7 +75,7 @@ Result<ViewPair> arbitrary_pair(const GeometryScene& scene, const Scene& loaded)
   if (!chosen) return tl::unexpected(chosen.error());
   const std::array<double, 3> none{};
   const auto move = scene.move.value_or(none), turn = scene.turn.value_or(none);
-  return ViewPair{chosen->view, moved(chosen->view, move, turn),
+  return ViewPair{chosen->view, moved_view(chosen->view, move, turn),
                   fmt::format("arbitrary: the second camera {:g} to the right, {:g} up, {:g} "
                               "forward, turned by {:g} to the right, {:g} up, {:g} deg clockwise",
                               move[0], move[1], move[2], turn[0], turn[1], turn[2])};
@@ -99,28 +101,28 @@ Result<ViewPair> pair_of(const GeometryScene& scene, const Scene& loaded) {
                               chosen->eyes.window_is_at)};
 }
 
-PixelFates fates_of(const Image<views::TrueMatch>& truth) {
-  PixelFates fates;
+PixelVisibility pixel_visibility(const Image<views::TrueMatch>& truth) {
+  PixelVisibility visibility;
   for (const views::TrueMatch& match : truth.pixels) {
-    switch (match.fate) {
-      case OtherEye::kNothingDrawn:
-        ++fates.nothing;
+    switch (match.visibility) {
+      case OtherEyeVisibility::kNothingDrawn:
+        ++visibility.nothing;
         break;
-      case OtherEye::kSeesIt:
-        ++fates.seen;
+      case OtherEyeVisibility::kVisible:
+        ++visibility.seen;
         break;
-      case OtherEye::kBesideIt:
-        ++fates.beside;
+      case OtherEyeVisibility::kOutsidePicture:
+        ++visibility.outside;
         break;
-      case OtherEye::kHidden:
-        ++fates.hidden;
+      case OtherEyeVisibility::kHidden:
+        ++visibility.hidden;
         break;
-      case OtherEye::kMissing:
-        ++fates.missing;
+      case OtherEyeVisibility::kMissing:
+        ++visibility.missing;
         break;
     }
   }
-  return fates;
+  return visibility;
 }
 
 }  // namespace
@@ -219,7 +221,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
 }
 
 Result<SceneGeometry> draw_geometry_scene(const GeometryScene& scene, Progress& progress) {
-  const Result<Scene> loaded = load_asked_scene(*scene.scene, scene.picture, progress);
+  const Result<Scene> loaded = load_scene_argument(*scene.scene, scene.picture, progress);
   if (!loaded) return tl::unexpected(loaded.error());
   progress.phase("rendering " + scene_title(*scene.scene));
   const auto pair = pair_of(scene, *loaded);
@@ -233,16 +235,17 @@ Result<SceneGeometry> draw_geometry_scene(const GeometryScene& scene, Progress& 
   const Image<views::TrueMatch> truth = views::true_matches(*left, *right);
   SceneGeometry made;
   GeometryInput& input = made.input;
-  input.fates = fates_of(truth);
-  if (input.fates->seen < 8) {
+  input.visibility = pixel_visibility(truth);
+  if (input.visibility->seen < 8) {
     return fail("--scene",
                 fmt::format("the right picture shows {} of the left one's points, but 8 are needed",
-                            input.fates->seen),
+                            input.visibility->seen),
                 "move the cameras closer together, or make the pictures larger");
   }
   auto sampled = views::sample_matches(truth, right->distance, scene.sampling);
-  input.about = fmt::format("{}, {} x {}", scene_title(*scene.scene), truth.width, truth.height);
-  input.made_how = pair->how;
+  input.description =
+      fmt::format("{}, {} x {}", scene_title(*scene.scene), truth.width, truth.height);
+  input.pair_description = pair->description;
   input.matches = std::move(sampled.matches);
   input.is_outlier = std::move(sampled.is_outlier);
   input.intrinsics = {left->camera.intrinsic, right->camera.intrinsic};

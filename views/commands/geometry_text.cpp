@@ -53,14 +53,14 @@ std::string epipole_text(const Vector3d& epipole) {
 }
 
 std::string input_lines(const GeometryInput& input, const GeometryReport& report) {
-  std::string text = printable(input.about, kTextWidth) + "\n";
-  if (!input.made_how.empty()) text += heading("pair", input.made_how);
-  if (const auto& fates = input.fates) {
+  std::string text = printable(input.description, kTextWidth) + "\n";
+  if (!input.pair_description.empty()) text += heading("pair", input.pair_description);
+  if (const auto& visibility = input.visibility) {
     text +=
         heading("pixels", fmt::format("in the left picture: {} are visible in the right one, {} "
                                       "hidden there, {} outside it, {} missing; {} show nothing",
-                                      fates->seen, fates->hidden, fates->beside, fates->missing,
-                                      fates->nothing));
+                                      visibility->seen, visibility->hidden, visibility->outside,
+                                      visibility->missing, visibility->nothing));
   }
   std::string planted;
   if (report.outliers) planted = fmt::format(", {} of them outliers", report.outliers->planted);
@@ -68,14 +68,14 @@ std::string input_lines(const GeometryInput& input, const GeometryReport& report
 }
 
 std::string estimation_lines(const GeometryReport& report) {
-  const auto& [question, analysis] = std::tie(report.question, report.analysis);
+  const auto& [request, analysis] = std::tie(report.request, report.analysis);
   const auto& system = analysis.system;
-  const auto& judgement = analysis.judgement;
+  const auto& classification = analysis.classification;
   const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
   std::string text =
       heading("samples", is_undecided ? "none determines a model; all matches are tested"
                                       : fmt::format("{} drawn, {}; {}", analysis.samples,
-                                                    name_of(question.estimator), law_text(report)));
+                                                    name_of(request.estimator), law_text(report)));
   std::string planted;
   if (const auto& facts = report.outliers; facts && facts->planted > 0) {
     planted = fmt::format("; {} outliers among them by chance, {} true matches rejected",
@@ -83,16 +83,18 @@ std::string estimation_lines(const GeometryReport& report) {
   }
   text +=
       heading("inliers", fmt::format("{} of {} within {:g} px{}", analysis.inliers,
-                                     question.matches.size(), question.ransac.threshold, planted));
+                                     request.matches.size(), request.ransac.threshold, planted));
   text += heading("equations",
                   fmt::format("rank {} (8 determine F, 9 is due to noise); condition {:.3g} raw, "
                               "{:.3g} with normalised points",
                               system.rank, system.condition_raw, system.condition_normalised));
-  text += heading("pair is", kind_sentence(judgement.kind));
-  return text + heading("", fmt::format("costs (GRIC): constraint {:.1f}, homography {:.1f}, "
-                                        "rotation {:.1f}; eighth over ninth singular value {:.3g}",
-                                        judgement.cost_of_fundamental, judgement.cost_of_homography,
-                                        judgement.cost_of_rotation, judgement.eighth_over_ninth));
+  text += heading("pair is", kind_sentence(classification.kind));
+  return text +
+         heading("",
+                 fmt::format("costs (GRIC): constraint {:.1f}, homography {:.1f}, "
+                             "rotation {:.1f}; eighth over ninth singular value {:.3g}",
+                             classification.cost_of_fundamental, classification.cost_of_homography,
+                             classification.cost_of_rotation, classification.eighth_over_ninth));
 }
 
 std::string residual_lines(const GeometryReport& report) {
@@ -143,7 +145,7 @@ std::string pose_lines(const GeometryReport& report) {
 std::string left_out_lines(const GeometryReport& report) {
   if (report.left_out.empty()) return "";
   std::string text = "\nleft out\n";
-  for (const LeftOut& one : report.left_out) text += wrapped("  - ", one.what + ": " + one.why);
+  for (const OmittedItem& one : report.left_out) text += wrapped("  - ", one.what + ": " + one.why);
   return text;
 }
 
@@ -153,7 +155,7 @@ std::string kind_sentence(views::PairKind kind) {
   switch (kind) {
     case views::PairKind::kGeneral:
       return "general: the epipolar constraint explains the matches, and no simpler model does";
-    case views::PairKind::kTurned:
+    case views::PairKind::kPureRotation:
       return "from one point of view: a rotating camera explains the matches";
     case views::PairKind::kPlane:
       return "of a plane: one homography explains the matches";
@@ -164,10 +166,10 @@ std::string kind_sentence(views::PairKind kind) {
 }
 
 std::string law_text(const GeometryReport& report) {
-  const int size = views::sample_size(report.question.estimator);
-  const double share = double(report.analysis.inliers) / double(report.question.matches.size());
+  const int size = views::sample_size(report.request.estimator);
+  const double share = double(report.analysis.inliers) / double(report.request.matches.size());
   return fmt::format("log(1 - {:g})/log(1 - {:.3f}^{}) = {:.1f} are needed",
-                     report.question.ransac.confidence, share, size, report.samples_wanted);
+                     report.request.ransac.confidence, share, size, report.samples_wanted);
 }
 
 std::string geometry_text(const GeometryInput& input, const GeometryReport& report) {

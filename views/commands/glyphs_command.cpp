@@ -23,7 +23,7 @@
 #include "cli/report/shell_line.h"
 #include "views/commands/commands.h"
 #include "views/commands/glyphs_report.h"
-#include "views/glyphs/find.h"
+#include "views/glyphs/find_glyphs.h"
 #include "views/glyphs/pose.h"
 #include "views/glyphs/sweep.h"
 #include "views/glyphs/wall.h"
@@ -57,9 +57,9 @@ private:
   std::optional<double> dpi_, fov_;
   std::string output_, picture_;
   std::optional<std::string> against_, page_, json_output_;
-  views::LensKnown known_ = views::LensKnown::kCentre;
+  views::KnownIntrinsics known_ = views::KnownIntrinsics::kCentre;
   views::FindSettings settings_;
-  views::SweepOf what_ = views::SweepOf::kSize;
+  views::SweepVariable what_ = views::SweepVariable::kSize;
   std::vector<const CLI::Option*> options_;
 };
 
@@ -108,7 +108,7 @@ std::string rule_names() {
 void ViewsGlyphsCommand::leave_out(const std::string& name) {
   for (int rule = 0; rule < views::kGlyphRules; ++rule) {
     if (name != views::name_of(views::GlyphRule(rule))) continue;
-    settings_.asks[std::size_t(rule)] = false;
+    settings_.enabled_rules[std::size_t(rule)] = false;
     return;
   }
   throw CLI::ValidationError("--without", "needs one of " + rule_names() + ", not '" + name + "'");
@@ -210,10 +210,11 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
   const std::size_t before = find.get_options().size();
   find.add_option("--fov", fov_, "the full vertical angle of view, degrees [found]")
       ->type_name("DEG");
-  add_choice<LensKnown>(find, "--lens", known_,
-                        {{"centre", LensKnown::kCentre}, {"square", LensKnown::kSquare}},
-                        "what is known of the lens without --fov: that its axis is in the middle "
-                        "of the picture, or only that pixels are square [centre]");
+  add_choice<KnownIntrinsics>(
+      find, "--lens", known_,
+      {{"centre", KnownIntrinsics::kCentre}, {"square", KnownIntrinsics::kSquare}},
+      "what is known of the lens without --fov: that its axis is in the middle "
+      "of the picture, or only that pixels are square [centre]");
   find.add_option("--against", against_, "a file of cameras, with one for the picture")
       ->type_name("FILE");
   add_rules(find);
@@ -235,11 +236,12 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "of the\n"
       "default wall from 2 m; camera: with the noise, the colour filters and the lens of a "
       "camera.");
-  add_choice<SweepOf>(sweep, "WHAT", what_,
-                      choices_of({SweepOf::kSize, SweepOf::kBlur, SweepOf::kOcclusion,
-                                  SweepOf::kTilt, SweepOf::kJpeg, SweepOf::kBalance,
-                                  SweepOf::kCamera, SweepOf::kThreshold, SweepOf::kRules}),
-                      "what gets worse")
+  add_choice<SweepVariable>(
+      sweep, "WHAT", what_,
+      choices_of({SweepVariable::kSize, SweepVariable::kBlur, SweepVariable::kOcclusion,
+                  SweepVariable::kTilt, SweepVariable::kJpeg, SweepVariable::kBalance,
+                  SweepVariable::kCamera, SweepVariable::kThreshold, SweepVariable::kRules}),
+      "what gets worse")
       ->required();
   add_rules(sweep);
   add_json_output(sweep, json_output_);
@@ -324,33 +326,33 @@ int ViewsGlyphsCommand::find() {
   report.found = views::find_glyphs(*picture, settings_, wall->identities());
   report.points = views::points_of(report.found, *wall);
   progress.phase("finding the camera");
-  views::PoseQuestion question;
-  question.known = report.known = fov_ ? LensKnown::kAll : known_;
-  question.width = report.width;
-  question.height = report.height;
+  views::PoseRequest request;
+  request.known = report.known = fov_ ? KnownIntrinsics::kAll : known_;
+  request.width = report.width;
+  request.height = report.height;
   if (fov_) {
     const double focal = report.height / 2.0 / tan_half_degrees(*fov_);
-    question.intrinsic << focal, 0, report.width / 2.0, 0, focal, report.height / 2.0, 0, 0, 1;
+    request.intrinsic << focal, 0, report.width / 2.0, 0, focal, report.height / 2.0, 0, 0, 1;
   }
-  auto pose = views::find_pose(report.points.points, question);
+  auto pose = views::find_pose(report.points.points, request);
   if (pose)
     report.pose = std::move(*pose);
   else
     report.no_pose = pose.error().message();
   if (report.truth) {
-    report.score =
-        views::score_of(report.found, *wall, *report.truth,
-                        views::visible_glyphs(*wall, *report.truth, report.width, report.height));
+    report.score = views::glyph_score(
+        report.found, *wall, *report.truth,
+        views::visible_glyphs(*wall, *report.truth, report.width, report.height));
     if (report.pose) report.error = views::pose_error(report.pose->camera, *report.truth);
   }
   progress.done();
   const Json json = glyphs_json(report, *wall);
   if (page_) {
-    const auto written =
-        write_made(*page_, make_glyphs_page(*picture, report, json,
-                                            shell_line({{"views", "glyphs", "find", picture_},
-                                                        words_of(options_),
-                                                        {"--html", *page_}})));
+    const auto written = write_text_result(
+        *page_, make_glyphs_page(*picture, report, json,
+                                 shell_line({{"views", "glyphs", "find", picture_},
+                                             option_words(options_),
+                                             {"--html", *page_}})));
     if (!written) return refuse(written.error());
   }
   if (json_output_) {
@@ -375,7 +377,7 @@ int ViewsGlyphsCommand::sweep() {
   const auto rows = views::sweep_glyphs(what_, settings_,
                                         [&](const std::string& level) { progress.phase(level); });
   progress.done();
-  const bool has_poses = what_ != SweepOf::kRules;
+  const bool has_poses = what_ != SweepVariable::kRules;
   if (json_output_) {
     Json json{{"sweep", views::name_of(what_)}, {"levels", Json::array()}};
     for (const views::SweepRow& row : rows) {

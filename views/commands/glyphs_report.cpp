@@ -80,8 +80,8 @@ Json glyphs_json(const GlyphsReport& report, const views::Wall& wall) {
             {"lens", views::name_of(report.known)},
             {"regions", Json::array()}};
   std::map<std::size_t, bool> agrees;
-  for (std::size_t i = 0; report.pose && i < report.points.of.size(); ++i)
-    agrees[report.points.of[i]] = report.pose->is_inlier[i];
+  for (std::size_t i = 0; report.pose && i < report.points.regions.size(); ++i)
+    agrees[report.points.regions[i]] = report.pose->is_inlier[i];
   for (std::size_t i = 0; i < report.found.regions.size(); ++i) {
     const views::GlyphRegion& region = report.found.regions[i];
     const views::Ellipse& ellipse = region.ellipse;
@@ -96,7 +96,7 @@ Json glyphs_json(const GlyphsReport& report, const views::Wall& wall) {
              {"classified", region.classified},
              {"others", region.others},
              {"shares", region.shares},
-             {"apart_px", region.apart}};
+             {"apart_px", region.centroid_distance}};
     if (const auto found = agrees.find(i); found != agrees.end()) one["agrees"] = found->second;
     if (const views::WallGlyph* glyph = wall.find(region.identity); glyph != nullptr)
       one["world"] = vector_json(glyph->centre);

@@ -8,8 +8,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "views/files/camera_file.h"
-#include "views/glyphs/evaluate.h"
-#include "views/glyphs/find.h"
+#include "views/glyphs/find_glyphs.h"
+#include "views/glyphs/glyph_score.h"
 #include "views/glyphs/pose.h"
 #include "views/glyphs/wall.h"
 
@@ -23,7 +23,7 @@ struct GlyphsReport {
   int width = 0, height = 0;  // in px
   views::FoundGlyphs found;
   views::GlyphPoints points;
-  views::LensKnown known = views::LensKnown::kCentre;
+  views::KnownIntrinsics known = views::KnownIntrinsics::kCentre;
   std::optional<views::FoundPose> pose;
   std::string no_pose;  // the reason if no pose was found
   std::optional<views::PinholeCamera> truth;

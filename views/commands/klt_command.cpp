@@ -216,7 +216,7 @@ Result<void> ViewsKltCommand::write_folder(const KltInput& input, const KltRepor
   }
   if (const auto written = views::write_cube(*output_ + "/components", report.components); !written)
     return written;
-  if (const auto written = views::write_cube(*output_ + "/again", report.again); !written)
+  if (const auto written = views::write_cube(*output_ + "/again", report.reconstructed); !written)
     return written;
   for (int b = 0; input.ground && b < input.bands.count(); ++b) {
     const StoredImage band{
@@ -244,8 +244,8 @@ Result<void> ViewsKltCommand::write_outputs(const KltInput& input, const KltRepo
   const nlohmann::ordered_json json = klt_json(input, report);
   if (page_) {
     const std::string line =
-        shell_line({{"views", "klt"}, bands_, words_of(options_), {"--html", *page_}});
-    const auto written = write_made(
+        shell_line({{"views", "klt"}, bands_, option_words(options_), {"--html", *page_}});
+    const auto written = write_text_result(
         *page_, make_klt_page(input, report, json, {"glassbox " GLASSBOX_VERSION, line}));
     if (!written) return written;
   }

@@ -48,7 +48,7 @@ int group_size(const KltReport& report, int first) {
 }  // namespace
 
 bool KltReport::holds() const {
-  return std::abs(error - klt.dropped(kept)) <= bound;
+  return std::abs(error - klt.truncation_error(kept)) <= bound;
 }
 
 Result<KltReport> report_klt(const KltInput& input, int kept) {
@@ -58,18 +58,18 @@ Result<KltReport> report_klt(const KltInput& input, int kept) {
   report.klt = std::move(*klt);
   report.kept = kept;
   report.components = views::components_of(input.bands, report.klt, kept);
-  report.again = views::reconstructed(report.components, report.klt, input.bands);
-  report.error = views::mean_squared_error(input.bands, report.again);
+  report.reconstructed = views::reconstructed(report.components, report.klt, input.bands);
+  report.error = views::mean_squared_error(input.bands, report.reconstructed);
   report.bound = views::identity_bound(input.bands, report.klt, kept);
   report.correlation = views::largest_correlation(report.components);
-  report.groups = views::groups_of(report.klt.eigenvalues,
-                                   2 * views::eigenvalue_bound(input.bands, report.klt));
+  report.groups = views::eigenvalue_groups(report.klt.eigenvalues,
+                                           2 * views::eigenvalue_bound(input.bands, report.klt));
   if (!input.opacity.empty()) {
     report.truth = correlation_with(report.components.bands.front().samples, input.opacity);
-    report.truth_of_band = 0;
+    report.best_band_truth = 0;
     for (const views::Band& band : input.bands.bands)
-      report.truth_of_band =
-          std::max(*report.truth_of_band, correlation_with(band.samples, input.opacity));
+      report.best_band_truth =
+          std::max(*report.best_band_truth, correlation_with(band.samples, input.opacity));
   }
   return report;
 }
@@ -85,7 +85,7 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
     Eigen::Index most = 0;
     klt.vectors.col(i).cwiseAbs().maxCoeff(&most);
     text += fmt::format("{:<10}{:>12.6g}{:>7.2f} %{:>14.6g}   {}\n", i + 1, klt.eigenvalues[i],
-                        100 * share(klt.eigenvalues[i], trace), klt.dropped(int(i) + 1),
+                        100 * share(klt.eigenvalues[i], trace), klt.truncation_error(int(i) + 1),
                         printable(input.bands.bands[std::size_t(most)].name));
   }
   if (report.kept == input.bands.count()) {
@@ -98,8 +98,9 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
         "{} of {} components keep {:.2f} % of the variance; the mean square error of a pixel is "
         "{:.6g},\n"
         "{} the sum of the dropped eigenvalues.\n",
-        report.kept, input.bands.count(), 100 * (1 - share(klt.dropped(report.kept), trace)),
-        report.error, report.holds() ? "which is" : "WHICH IS NOT");
+        report.kept, input.bands.count(),
+        100 * (1 - share(klt.truncation_error(report.kept), trace)), report.error,
+        report.holds() ? "which is" : "WHICH IS NOT");
   }
   for (int i = 0; i < int(report.groups.size()); ++i) {
     const int size = group_size(report, i);
@@ -112,7 +113,7 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
   if (report.truth) {
     text += fmt::format(
         "Correlation with the generated clouds: component 1 {:.4f}, the best band {:.4f}.\n",
-        *report.truth, *report.truth_of_band);
+        *report.truth, *report.best_band_truth);
   }
   return text;
 }
@@ -126,7 +127,7 @@ Json klt_json(const KltInput& input, const KltReport& report) {
             {"kept", report.kept},
             {"trace", klt.trace()},
             {"mse", report.error},
-            {"dropped", klt.dropped(report.kept)},
+            {"dropped", klt.truncation_error(report.kept)},
             {"bound", report.bound},
             {"holds", report.holds()},
             {"largest_correlation", report.correlation},
@@ -141,12 +142,12 @@ Json klt_json(const KltInput& input, const KltReport& report) {
     for (int b = 0; b < input.bands.count(); ++b) vector.push_back(klt.vectors(b, i));
     json["components"].push_back({{"eigenvalue", klt.eigenvalues[i]},
                                   {"share", share(klt.eigenvalues[i], klt.trace())},
-                                  {"mse_without", klt.dropped(i + 1)},
+                                  {"mse_without", klt.truncation_error(i + 1)},
                                   {"group", report.groups[std::size_t(i)] + 1},
                                   {"vector", vector}});
   }
   if (report.truth) {
-    json["clouds"] = {{"component", *report.truth}, {"best_band", *report.truth_of_band}};
+    json["clouds"] = {{"component", *report.truth}, {"best_band", *report.best_band_truth}};
   }
   return json;
 }
@@ -181,7 +182,7 @@ Result<void> add_planes(const std::string& name, const views::Bands& planes, Jso
                         std::string& blocks) {
   for (int i = 0; i < planes.count(); ++i) {
     const Packed plane = packed(planes.bands[std::size_t(i)].samples);
-    const auto text = packed_text(plane.bytes);
+    const auto text = compressed_base64(plane.bytes);
     if (!text) return tl::unexpected(text.error());
     blocks += data_block(fmt::format("{}{}", name, ranges.size()), *text);
     ranges.push_back({plane.low, plane.high});

@@ -26,15 +26,15 @@ struct KltInput {
 struct KltReport {
   views::Klt klt;
   int kept = 0;
-  views::Bands components;  // the kept components
-  views::Bands again;       // the bands reconstructed from the kept components
+  views::Bands components;     // the kept components
+  views::Bands reconstructed;  // the bands reconstructed from the kept components
   // for each eigenvalue, the first of those that rounding could exchange with it
   std::vector<int> groups;
   double error = 0;        // mean square distance between the pixels and the reconstructed ones
   double bound = 0;        // of |error - the sum of the dropped eigenvalues|
   double correlation = 0;  // the largest between two components, as a share of the trace
   std::optional<double> truth,
-      truth_of_band;  // |correlation| with the clouds: of component 1; the largest of a band
+      best_band_truth;  // |correlation| with the clouds: of component 1; the largest of a band
 
   bool holds() const;
 };

@@ -44,25 +44,25 @@ public:
 
 private:
   // The layers, and the facts for the report about them.
-  struct Built {
+  struct BuiltLayers {
     views::StoredLayers layers;
     std::size_t views = 1;
-    std::size_t beside = 0;  // samples of other views that are outside this camera's picture
+    std::size_t outside = 0;  // samples of other views that are outside this camera's picture
     std::vector<std::string> left_out;
     std::optional<views::RayCounts> rays;
   };
 
   int run();
   Result<void> check_sources() const;
-  Result<void> check_asked(const Scene& scene) const;
-  Result<Built> build(Progress& progress) const;
-  Result<Built> build_from_scene(Progress& progress) const;
-  Result<Built> build_from_pictures() const;
+  Result<void> check_options(const Scene& scene) const;
+  Result<BuiltLayers> build(Progress& progress) const;
+  Result<BuiltLayers> build_from_scene(Progress& progress) const;
+  Result<BuiltLayers> build_from_pictures() const;
   Result<void> check_rays() const;
-  Built build_by_rays(const Scene& scene, const Camera& camera, const View& view) const;
+  BuiltLayers build_by_rays(const Scene& scene, const Camera& camera, const View& view) const;
   double epsilon() const;
   double cube_side(const View& view) const;  // world units
-  views::SampleWishes wishes() const { return {normals_, ids_}; }
+  views::WantedAttributes wanted_attributes() const { return {normals_, ids_}; }
 
   std::optional<std::string> scene_, views_, pictures_;
   std::string output_;
@@ -192,7 +192,7 @@ Result<void> LayersBuildCommand::check_sources() const {
   if (normals_ || ids_)
     return fail(normals_ ? "--normals" : "--ids", "--pictures does not contain surfaces",
                 "name a scene, or leave it out");
-  if (const auto words = words_given(picture_); !words.empty())
+  if (const auto words = given_option_words(picture_); !words.empty())
     return fail(words.front(), "it is an option for drawing a scene", "leave it out");
   return {};
 }
@@ -217,14 +217,14 @@ Result<void> LayersBuildCommand::check_rays() const {
   return {};
 }
 
-Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
+Result<void> LayersBuildCommand::check_options(const Scene& scene) const {
   const RenderSettings& settings = picture_.settings;
   if (settings.wireframe)
     return fail("--wireframe", "layers store surfaces, not lines", "leave it out");
   if (settings.samples > 1)
     return fail("--samples", "a sample of a layer has one depth", "leave it out");
   if (settings.show != Show::kColor) return fail("--show", "layers store colours", "leave it out");
-  if (const Material* glass = views::seen_through(scene))
+  if (const Material* glass = views::transparent_material(scene))
     return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is transparent",
                 "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
   return {};
@@ -238,10 +238,11 @@ double LayersBuildCommand::epsilon() const {
   return epsilon_.value_or(views::kMergedDepths);
 }
 
-Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress& progress) const {
-  const auto scene = load_asked_scene(*scene_, picture_, progress);
+Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build_from_scene(
+    Progress& progress) const {
+  const auto scene = load_scene_argument(*scene_, picture_, progress);
   if (!scene) return tl::unexpected(scene.error());
-  if (const auto good = check_asked(*scene); !good) return tl::unexpected(good.error());
+  if (const auto good = check_options(*scene); !good) return tl::unexpected(good.error());
   const auto chosen = choose_view(*scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
   if (rays_) {
@@ -285,8 +286,8 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
       normals_ ? views::triangle_normals(*scene) : std::vector<views::SampleNormal>();
   const int layers = layers_.value_or(kUsualLayers);
   views::LayerBuilder builder(views::layer_camera(chosen->view), others.empty() ? 0 : epsilon(),
-                              wishes());
-  Built built;
+                              wanted_attributes());
+  BuiltLayers built;
   built.views = 1 + others.size();
   std::uint32_t rank = 0;
   bool is_cut = false;  // the last allowed layer of a view was not empty, so there may be more
@@ -296,7 +297,7 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
                                                 rank + 1, built.views));
     const std::vector<views::Layer> peeled = views::peel(*scene, view, settings, layers);
     for (const views::Layer& layer : peeled)
-      built.beside += builder.add_layer(view, layer, normals, rank);
+      built.outside += builder.add_layer(view, layer, normals, rank);
     is_cut = is_cut || (peeled.size() == std::size_t(layers) && !views::is_empty(peeled.back()));
     ++rank;
   };
@@ -309,18 +310,18 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   return built;
 }
 
-LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
-                                                            const Camera& camera,
-                                                            const View& view) const {
+LayersBuildCommand::BuiltLayers LayersBuildCommand::build_by_rays(const Scene& scene,
+                                                                  const Camera& camera,
+                                                                  const View& view) const {
   views::RaySampling sampling = *rays_;
   sampling.half_side = cube_side(view) / 2;
   sampling.threads = threads_.value_or(1);
-  Built built;
+  BuiltLayers built;
   built.rays.emplace();
-  built.layers = {
-      camera, picture_.settings.background,
-      views::build_layers_by_rays(scene, view, picture_.settings, sampling,
-                                  epsilon_.value_or(views::kMergedHits), *built.rays, wishes())};
+  built.layers = {camera, picture_.settings.background,
+                  views::build_layers_by_rays(scene, view, picture_.settings, sampling,
+                                              epsilon_.value_or(views::kMergedHits), *built.rays,
+                                              wanted_attributes())};
   built.left_out.emplace_back(
       "the position of a hit inside its pixel, up to half a pixel, and all but one of the hits "
       "that\n"
@@ -331,28 +332,28 @@ LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
   return built;
 }
 
-Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_pictures() const {
+Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build_from_pictures() const {
   const auto pictures = views::read_source_pictures(*pictures_);
   if (!pictures) return tl::unexpected(pictures.error());
   const views::SourcePicture& first = pictures->front();
   views::LayerBuilder builder(views::layer_camera(first.view),
                               pictures->size() == 1 ? 0 : epsilon());
-  Built built;
+  BuiltLayers built;
   built.views = pictures->size();
   std::uint32_t rank = 0;
   for (const views::SourcePicture& picture : *pictures) {
-    built.beside += builder.add_picture(picture.view, picture.color, picture.distance, rank++);
+    built.outside += builder.add_picture(picture.view, picture.color, picture.distance, rank++);
   }
   built.layers = {first.camera, picture_.settings.background, builder.pack()};
   built.left_out.emplace_back("pixels without a distance");
   return built;
 }
 
-Result<LayersBuildCommand::Built> LayersBuildCommand::build(Progress& progress) const {
+Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build(Progress& progress) const {
   auto built = pictures_ ? build_from_pictures() : build_from_scene(progress);
   if (built && ends_) {
     const std::size_t before = built->layers.image.samples();
-    built->layers.image = views::ends_of(built->layers.image);
+    built->layers.image = views::nearest_and_farthest(built->layers.image);
     built->left_out.push_back(
         fmt::format("{} between the nearest and the farthest of their pixels (--ends)",
                     counted(before - built->layers.image.samples(), "sample")));
@@ -390,7 +391,7 @@ int LayersBuildCommand::run() {
                                 {"covered_pixels", counts.covered},
                                 {"most_samples_of_a_pixel", counts.most},
                                 {"depth_complexity", counts.complexity()},
-                                {"beside", built->beside},
+                                {"beside", built->outside},
                                 {"bytes", bytes.size()},
                                 {"left_out", built->left_out},
                                 {"seconds", seconds}};
@@ -410,7 +411,7 @@ int LayersBuildCommand::run() {
              counts.complexity(), counts.covered, counts.most, seconds);
   if (built->views > 1)
     fmt::print("  from {} views; {} are outside the picture of the first one\n", built->views,
-               counted(built->beside, "sample"));
+               counted(built->outside, "sample"));
   if (built->rays)
     fmt::print(
         "  {} rays: {} through what the picture shows, and {} of these hit a surface there\n",

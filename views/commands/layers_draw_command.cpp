@@ -23,7 +23,7 @@
 #include "cli/report/picture_output.h"
 #include "cli/report/progress.h"
 #include "views/commands/commands.h"
-#include "views/commands/layers.h"
+#include "views/commands/layers_drawing.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_file.h"
 #include "views/layers/second_eye_error.h"
@@ -45,17 +45,17 @@ private:
     double processor_ms = 0;             // lower quartile of the time of all threads together
     int count = 1;
   };
-  struct Drawn {
+  struct DrawnLayers {
     views::LayerPicture picture;
     Times times;
-    std::optional<LayersAgainst> against;
+    std::optional<LayersComparison> against;
   };
 
   int run();
   Result<void> check_options() const;
-  Result<Drawn> draw(const views::StoredLayers& layers, Progress& progress);
+  Result<DrawnLayers> draw(const views::StoredLayers& layers, Progress& progress);
   int run_frames(const views::StoredLayers& layers, Progress& progress);
-  int report(const Drawn& drawn) const;
+  int report(const DrawnLayers& drawn) const;
 
   const CLI::App* command_ = nullptr;  // tells which options were given
   std::string file_;
@@ -146,7 +146,7 @@ Result<void> LayersDrawCommand::check_options() const {
   if (drawing_.splat == views::Splat::kSoft && drawing_.order == views::LayerOrder::kDepth)
     return fail("--splat soft", "transparent rims are blended over what is behind them",
                 "give --order occlusion too");
-  if (frames_.wanted()) {
+  if (frames_.requests_sequence()) {
     PictureOptions picture;
     picture.camera = camera_;
     if (const auto legal = check_frames_options(picture, false, frames_); !legal) return legal;
@@ -174,23 +174,23 @@ Result<void> LayersDrawCommand::check_options() const {
   }
   std::vector<std::string> outputs;
   for (const auto& output : {output_, page_, json_output_}) {
-    const bool is_frames = output == output_ && frames_.wanted();
+    const bool is_frames = output == output_ && frames_.requests_sequence();
     if (output && *output != "-" && !is_frames) outputs.push_back(*output);
   }
   return check_outputs(outputs);
 }
 
-Result<LayersDrawCommand::Drawn> LayersDrawCommand::draw(const views::StoredLayers& layers,
-                                                         Progress& progress) {
+Result<LayersDrawCommand::DrawnLayers> LayersDrawCommand::draw(const views::StoredLayers& layers,
+                                                               Progress& progress) {
   std::optional<Scene> truth;
   if (against_) {
-    auto scene = load_asked_scene(*against_);
+    auto scene = load_scene_argument(*against_);
     if (!scene) return tl::unexpected(scene.error());
     truth = std::move(*scene);
   }
-  const auto view = LayersShots(layers, camera_, size_).view();
+  const auto view = LayersView(layers, camera_, size_).view();
   if (!view) return tl::unexpected(view.error());
-  Drawn drawn;
+  DrawnLayers drawn;
   views::LayerDrawer drawer(layers.image);
   std::vector<double> times, processor;
   progress.phase("drawing " + file_);
@@ -207,12 +207,12 @@ Result<LayersDrawCommand::Drawn> LayersDrawCommand::draw(const views::StoredLaye
                  int(times.size())};
   if (!truth) return drawn;
   progress.phase("drawing " + scene_title(*against_));
-  drawn.against = against_scene(drawn.picture, *view, *truth, layers);
+  drawn.against = compare_with_scene(drawn.picture, *view, *truth, layers);
   return drawn;
 }
 
 int LayersDrawCommand::run_frames(const views::StoredLayers& layers, Progress& progress) {
-  LayersFrames frames{*output_, camera_, size_, frames_, drawing_};
+  LayersFramesRequest frames{*output_, camera_, size_, frames_, drawing_};
   const auto written = draw_layer_frames(frames, layers, progress);
   if (!written) return refuse(written.error());
   progress.done();
@@ -253,7 +253,7 @@ int LayersDrawCommand::run() {
     if (!page) return refuse(page.error());
   }
   int exit_code = kSuccess;
-  if (frames_.wanted()) {
+  if (frames_.requests_sequence()) {
     exit_code = run_frames(*layers, progress);
   } else if (output_) {
     const auto drawn = draw(*layers, progress);
@@ -271,7 +271,7 @@ int LayersDrawCommand::run() {
   return exit_code;
 }
 
-int LayersDrawCommand::report(const Drawn& drawn) const {
+int LayersDrawCommand::report(const DrawnLayers& drawn) const {
   const views::LayerPicture& picture = drawn.picture;
   const Times& times = drawn.times;
   const std::size_t pixels = picture.depth.pixels.size();
@@ -281,8 +281,8 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
     nlohmann::ordered_json json{{"picture", *output_},
                                 {"samples_drawn", counts.drawn},
                                 {"samples_behind", counts.behind},
-                                {"samples_beside", counts.beside},
-                                {"splats_cut", counts.cut},
+                                {"samples_beside", counts.outside},
+                                {"splats_cut", counts.oversized},
                                 {"pixels", pixels},
                                 {"pixels_without_sample", holes},
                                 {"target", name_of(drawing_.target)},
@@ -307,16 +307,16 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
   if (json_output_ == "-" || output_ == "-") return kSuccess;
   const auto percent = [&](std::size_t count) { return 100 * double(count) / double(pixels); };
   fmt::print("{}: {} samples drawn, {} outside the picture, {} behind the eye; {:.2f} ms\n",
-             printable(*output_, kLongestMessage), counts.drawn, counts.beside, counts.behind,
+             printable(*output_, kLongestMessage), counts.drawn, counts.outside, counts.behind,
              times.median_ms);
   if (times.count > 1)
     fmt::print(
         "  {} times: {:.0f} pictures per second (median), {:.0f} in the fastest quarter; there "
         "{:.3f} ms of processor time\n",
         times.count, 1000 / times.median_ms, 1000 / times.lower_ms, times.processor_ms);
-  if (counts.cut > 0)
+  if (counts.oversized > 0)
     fmt::print("  {} samples would be larger than {:g} px, and are drawn at that size.\n",
-               counts.cut,
+               counts.oversized,
                drawing_.splat == views::Splat::kSoft ? 7.0 : double(views::kLargestSplat));
   fmt::print("  {:.2f} % of the pixels have no sample.\n", percent(holes));
   if (const auto& against = drawn.against)

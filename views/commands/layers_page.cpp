@@ -1,4 +1,4 @@
-#include "views/commands/layers.h"
+#include "views/commands/layers_drawing.h"
 
 #include <algorithm>
 #include <cstring>
@@ -43,7 +43,7 @@ double pivot_of(const views::LayeredImage& image, const Eigen::Matrix4d& eye_fro
   const int width = image.camera.width, height = image.camera.height;
   for (int y = height / 3; y <= height * 2 / 3 && y < height; ++y) {
     for (int x = width / 3; x <= width * 2 / 3 && x < width; ++x) {
-      const std::size_t place = image.place(x, y);
+      const std::size_t place = image.pixel_index(x, y);
       if (image.first[place] == image.first[place + 1]) continue;
       const double depth = double(image.depth[image.first[place + 1] - 1]);
       const Eigen::Vector4d at = eye_from_screen * Eigen::Vector4d(x + 0.5, y + 0.5, depth, 1);
@@ -96,7 +96,7 @@ Result<std::string> make_layers_page(const views::StoredLayers& layers, const st
        {std::pair("counts", bytes_of(per_pixel)), std::pair("depths", bytes_of(image.depth)),
         std::pair("colours", bytes_of(image.color)),
         std::pair("normals", bytes_of(image.normal))}) {
-    const auto packed = packed_text(bytes);
+    const auto packed = compressed_base64(bytes);
     if (!packed) return tl::unexpected(packed.error());
     blocks += data_block(id, *packed);
   }

@@ -251,7 +251,7 @@ Result<void> ViewsMatchCommand::check_sources() const {
   if (!given.left || !given.right) {
     return fail("LEFT RIGHT", "two pictures are needed", "name their files, or give --scene");
   }
-  if (const auto words = words_given(given.picture); !words.empty()) {
+  if (const auto words = given_option_words(given.picture); !words.empty()) {
     return fail(words.front(), "it is only for a pair that --scene draws",
                 "add --scene, or leave it out");
   }
@@ -386,15 +386,15 @@ std::string ViewsMatchCommand::command_line() const {
   }
   return shell_line({{"views", "match"},
                      files,
-                     words_of(options_),
-                     words_given(given.picture),
+                     option_words(options_),
+                     given_option_words(given.picture),
                      {"--html", *page_}});
 }
 
 Result<void> ViewsMatchCommand::write_page(const MatchInput& input, const views::DenseMatch& match,
                                            const nlohmann::ordered_json& json) const {
   if (!page_) return {};
-  return write_made(
+  return write_text_result(
       *page_, make_match_page(input, match, json, {"glassbox " GLASSBOX_VERSION, command_line()}));
 }
 

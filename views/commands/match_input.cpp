@@ -8,7 +8,7 @@
 #include "cli/options/scene_input.h"
 #include "views/commands/geometry.h"
 #include "views/commands/rectified_pair.h"
-#include "views/matching/rendered.h"
+#include "views/matching/rendered_pair.h"
 
 #include <glassbox/images/read.h>
 #include <glassbox/images/stored_image.h>
@@ -65,10 +65,10 @@ Result<void> rectify_input(const MatchSources& sources, MatchInput& input) {
   }
   input.left = std::move(pair->left);
   input.right = std::move(pair->right);
-  input.rectification = pair->how;
-  const views::Matrix3d& k = pair->how.intrinsic;
-  input.calibration =
-      views::Calibration{k(0, 0), pair->how.baseline, 0, views::Principal{k(0, 2), k(1, 2)}};
+  input.rectification = pair->rectification;
+  const views::Matrix3d& k = pair->rectification.intrinsic;
+  input.calibration = views::Calibration{k(0, 0), pair->rectification.baseline, 0,
+                                         views::Principal{k(0, 2), k(1, 2)}};
   return {};
 }
 
@@ -78,7 +78,7 @@ Result<MatchInput> read_files(const MatchSources& sources) {
   if (!left) return tl::unexpected(left.error());
   auto right = read_opaque(*sources.right);
   if (!right) return tl::unexpected(right.error());
-  input.about =
+  input.description =
       fmt::format("{} and {}, {} x {}", *sources.left, *sources.right, left->width, left->height);
   const double scale = sources.truth_scale.value_or(1);
   if (sources.truth) {
@@ -105,7 +105,7 @@ Result<MatchInput> read_files(const MatchSources& sources) {
 }
 
 Result<MatchInput> draw_scene(const MatchSources& sources, Progress& progress) {
-  const Result<Scene> scene = load_asked_scene(*sources.scene, sources.picture, progress);
+  const Result<Scene> scene = load_scene_argument(*sources.scene, sources.picture, progress);
   if (!scene) return tl::unexpected(scene.error());
   progress.phase("rendering " + scene_title(*sources.scene));
   const auto chosen = choose_eyes(*scene, sources.picture);
@@ -114,9 +114,9 @@ Result<MatchInput> draw_scene(const MatchSources& sources, Progress& progress) {
       views::rendered_pair(*scene, chosen->centre, chosen->eyes.pair, sources.picture.settings);
   if (!pair) return tl::unexpected(pair.error());
   MatchInput input;
-  input.about = fmt::format("{}, {} x {}, eyes {:.6g} apart ({})", scene_title(*sources.scene),
-                            pair->left.width, pair->left.height,
-                            2 * chosen->eyes.pair.half_separation, chosen->eyes.separation_is_from);
+  input.description = fmt::format(
+      "{}, {} x {}, eyes {:.6g} apart ({})", scene_title(*sources.scene), pair->left.width,
+      pair->left.height, 2 * chosen->eyes.pair.half_separation, chosen->eyes.separation_is_from);
   input.left = std::move(pair->left);
   input.right = std::move(pair->right);
   input.truth = std::move(pair->truth);

@@ -8,7 +8,7 @@
 #include "cli/options/picture_options.h"
 #include "cli/report/progress.h"
 #include "views/matching/calibration.h"
-#include "views/matching/evaluate.h"
+#include "views/matching/disparity_errors.h"
 #include "views/matching/settings.h"
 #include "views/two_view/rectification.h"
 
@@ -27,7 +27,7 @@ struct MatchSources {
 };
 
 struct MatchInput {
-  std::string about;  // "cones/im2.ppm, cones/im6.ppm, 450 x 375"
+  std::string description;  // "cones/im2.ppm, cones/im6.ppm, 450 x 375"
   Image<Rgba8> left, right;
   std::optional<views::StereoTruth> truth;
   std::optional<Image<std::uint8_t>> is_textured;  // only for a rendered pair

@@ -34,12 +34,12 @@ Bytes float_bytes(const Image<float>& values) {
   return bytes;
 }
 
-// Bit 0: whether the right picture shows the point. The other bits: why the disparity was doubtful.
+// Bit 0: whether the right picture shows the point. The other bits: why the disparity is invalid.
 Bytes mark_bytes(const MatchInput& input, const views::DenseMatch& match) {
   Bytes bytes;
-  for (std::size_t i = 0; i < match.doubts.pixels.size(); ++i) {
+  for (std::size_t i = 0; i < match.invalid_reasons.pixels.size(); ++i) {
     const int visible = input.truth ? input.truth->is_visible.pixels[i] : 0;
-    bytes.push_back(std::uint8_t(visible | int(match.doubts.pixels[i]) << 1));
+    bytes.push_back(std::uint8_t(visible | int(match.invalid_reasons.pixels[i]) << 1));
   }
   return bytes;
 }
@@ -52,12 +52,12 @@ Bytes confidence_bytes(const Image<float>& confidence) {
 
 // The sums of costs, divided by `step` such that the greatest of the searched ones fits into a
 // byte.
-struct SteppedSums {
+struct QuantisedSums {
   int step = 1;
   Bytes bytes;  // for each pixel, one per disparity; 255 if the other pixel is outside the picture
 };
-SteppedSums stepped(const views::CostVolume& sums) {
-  SteppedSums result;
+QuantisedSums quantise_sums(const views::CostVolume& sums) {
+  QuantisedSums result;
   int greatest = 0;
   const auto for_sums = [&](const auto& one) {
     for (int y = 0; y < sums.height; ++y) {
@@ -88,7 +88,7 @@ Json calibration_json(const views::Calibration& calibration, int width, int heig
 }
 
 Result<void> add_block(std::string& content, const char* id, const Bytes& bytes) {
-  const auto packed = packed_text(bytes);
+  const auto packed = compressed_base64(bytes);
   if (!packed) return tl::unexpected(packed.error());
   content += data_block(id, *packed);
   return {};
@@ -136,7 +136,7 @@ Result<std::string> make_match_page(const MatchInput& input, const views::DenseM
     if (!added) return tl::unexpected(added.error());
   }
   if (!match.sums.costs.empty()) {
-    const SteppedSums sums = stepped(match.sums);
+    const QuantisedSums sums = quantise_sums(match.sums);
     manifest["sums_step"] = sums.step;
     const auto added = add_block(blocks, "sums", sums.bytes);
     if (!added) return tl::unexpected(added.error());

@@ -23,48 +23,50 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Judged {
+struct RegionErrors {
   const char* where;  // in words
   const char* key;
   views::DisparityErrors errors;
 };
 
-Image<std::uint8_t> both_of(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
+Image<std::uint8_t> mask_intersection(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
   for (std::size_t i = 0; i < one.pixels.size(); ++i) one.pixels[i] &= other.pixels[i];
   return one;
 }
 
-std::vector<Judged> judge(const MatchInput& input, const Image<float>& disparity) {
+std::vector<RegionErrors> evaluate_regions(const MatchInput& input, const Image<float>& disparity) {
   const views::StereoTruth& truth = *input.truth;
-  std::vector<Judged> all;
+  std::vector<RegionErrors> all;
   const auto add = [&](const char* where, const char* key, const Image<std::uint8_t>& mask) {
-    all.push_back({where, key, views::evaluate(disparity, truth.disparity, &mask)});
+    all.push_back({where, key, views::disparity_errors(disparity, truth.disparity, &mask)});
   };
   const Image<std::uint8_t> jumps =
-      both_of(views::near_discontinuity(truth.disparity), truth.is_visible);
+      mask_intersection(views::near_discontinuity(truth.disparity), truth.is_visible);
   if (input.is_textured) {
     add("visible and textured", "visible_and_textured",
-        both_of(*input.is_textured, truth.is_visible));
-    add("textured, at a jump", "textured_at_jumps", both_of(*input.is_textured, jumps));
+        mask_intersection(*input.is_textured, truth.is_visible));
+    add("textured, at a jump", "textured_at_jumps", mask_intersection(*input.is_textured, jumps));
   }
   add("visible to both", "visible", truth.is_visible);
   add("visible, at a jump", "visible_at_jumps", jumps);
-  all.push_back({"all known", "all", views::evaluate(disparity, truth.disparity)});
+  all.push_back({"all known", "all", views::disparity_errors(disparity, truth.disparity)});
   return all;
 }
 
 // The parts that the result does not have, with the reasons.
-std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSettings& settings,
-                                 const views::DenseMatch& match) {
-  std::vector<LeftOut> out;
+std::vector<OmittedItem> omitted_items(const MatchInput& input,
+                                       const views::MatchSettings& settings,
+                                       const views::DenseMatch& match) {
+  std::vector<OmittedItem> out;
   out.push_back(
       {fmt::format("disparities below {} and above {}", settings.range.first, settings.range.last),
        "not searched, because time and memory grow with --range"});
-  std::uint64_t doubted = 0;
-  for (const views::Doubt doubt : match.doubts.pixels) doubted += doubt != views::Doubt::kNone;
-  if (doubted > 0) {
+  std::uint64_t invalid = 0;
+  for (const views::InvalidReason reason : match.invalid_reasons.pixels)
+    invalid += reason != views::InvalidReason::kNone;
+  if (invalid > 0) {
     out.push_back({fmt::format("a match for {:.1f} % of the pixels",
-                               100 * double(doubted) / double(match.doubts.pixels.size())),
+                               100 * double(invalid) / double(match.invalid_reasons.pixels.size())),
                    settings.fill ? "they are uncertain, and filled with the values around them: "
                                    "--no-fill leaves them empty"
                                  : "they are uncertain, and +inf in the file"});
@@ -97,16 +99,16 @@ std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSett
   return out;
 }
 
-constexpr std::array<std::pair<views::Doubt, const char*>, 5> kDoubts{
-    {{views::Doubt::kOccluded, "occluded"},
-     {views::Doubt::kMismatched, "mismatched"},
-     {views::Doubt::kUnsure, "unsure"},
-     {views::Doubt::kOutside, "outside"},
-     {views::Doubt::kSpeckle, "speckle"}}};
+constexpr std::array<std::pair<views::InvalidReason, const char*>, 5> kInvalidReasons{
+    {{views::InvalidReason::kOccluded, "occluded"},
+     {views::InvalidReason::kMismatched, "mismatched"},
+     {views::InvalidReason::kUnsure, "unsure"},
+     {views::InvalidReason::kOutside, "outside"},
+     {views::InvalidReason::kSpeckle, "speckle"}}};
 
-std::uint64_t count_of(const views::DenseMatch& match, views::Doubt doubt) {
+std::uint64_t count_of(const views::DenseMatch& match, views::InvalidReason reason) {
   std::uint64_t count = 0;
-  for (const views::Doubt one : match.doubts.pixels) count += one == doubt;
+  for (const views::InvalidReason one : match.invalid_reasons.pixels) count += one == reason;
   return count;
 }
 
@@ -138,11 +140,11 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
   std::string text =
       fmt::format("{:<22}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "off by more than, %", "0.5 px",
                   "1 px", "2 px", "4 px", "RMS px", "of good px", "density %");
-  for (const Judged& judged : judge(input, disparity)) {
-    const views::DisparityErrors& errors = judged.errors;
+  for (const RegionErrors& region : evaluate_regions(input, disparity)) {
+    const views::DisparityErrors& errors = region.errors;
     if (errors.known == 0) continue;  // without known pixels there are no shares
     text += fmt::format("{:<22}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n",
-                        judged.where, errors.bad_percent[0], errors.bad_percent[1],
+                        region.where, errors.bad_percent[0], errors.bad_percent[1],
                         errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,
                         errors.density_percent);
   }
@@ -157,15 +159,16 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
 std::string match_text(const MatchInput& input, const views::MatchSettings& settings,
                        const views::DenseMatch& match) {
   std::string text = fmt::format("{}\ndisparities {} to {}, {}, {} paths, {} MB of volumes\n",
-                                 printable(input.about, kLongPath), settings.range.first,
+                                 printable(input.description, kLongPath), settings.range.first,
                                  settings.range.last, views::name_of(settings.cost), settings.paths,
                                  (match.bytes + (1u << 20) - 1) >> 20);
-  std::string doubts;
-  for (const auto& [doubt, name] : kDoubts) {
-    const double share = 100 * double(count_of(match, doubt)) / double(match.doubts.pixels.size());
-    doubts += fmt::format("{}{} {:.1f} %", doubts.empty() ? "" : ", ", name, share);
+  std::string names;
+  for (const auto& [reason, name] : kInvalidReasons) {
+    const double share =
+        100 * double(count_of(match, reason)) / double(match.invalid_reasons.pixels.size());
+    names += fmt::format("{}{} {:.1f} %", names.empty() ? "" : ", ", name, share);
   }
-  text += fmt::format("uncertain: {}{}\n", doubts, settings.fill ? " (filled)" : "");
+  text += fmt::format("uncertain: {}{}\n", names, settings.fill ? " (filled)" : "");
   std::string steps;
   for (const views::MatchStep& step : match.steps) {
     steps += fmt::format("{}{} {:.1f}", steps.empty() ? "" : ", ", step.name, step.milliseconds);
@@ -179,7 +182,7 @@ std::string match_text(const MatchInput& input, const views::MatchSettings& sett
   if (input.rectification) text += "\n" + rectification_text(*input.rectification);
   if (input.truth) text += "\n" + errors_text(input, match.disparity);
   text += "\nleft out\n";
-  for (const LeftOut& one : left_out_of(input, settings, match)) {
+  for (const OmittedItem& one : omitted_items(input, settings, match)) {
     text += wrapped("  - ", one.what + ": " + one.why);
   }
   return text;
@@ -187,7 +190,7 @@ std::string match_text(const MatchInput& input, const views::MatchSettings& sett
 
 Json match_json(const MatchInput& input, const views::MatchSettings& settings,
                 const views::DenseMatch& match) {
-  Json json{{"pair", input.about},
+  Json json{{"pair", input.description},
             {"width", match.disparity.width},
             {"height", match.disparity.height},
             {"range", {settings.range.first, settings.range.last}},
@@ -196,20 +199,21 @@ Json match_json(const MatchInput& input, const views::MatchSettings& settings,
             {"planes", settings.planes},
             {"volume_bytes", match.bytes},
             {"target", name_of(settings.target)}};
-  for (const auto& [doubt, name] : kDoubts) json["in_doubt"][name] = count_of(match, doubt);
+  for (const auto& [reason, name] : kInvalidReasons)
+    json["in_doubt"][name] = count_of(match, reason);
   json["ms"] = total_ms(match);
   for (const views::MatchStep& step : match.steps) json["steps_ms"][step.name] = step.milliseconds;
   if (const auto depth = depth_facts(input, match)) {
     json["depth"] = {{"median", depth->median}, {"error_of_a_tenth_px", depth->per_tenth}};
   }
   if (input.rectification) json["rectification"] = rectification_json(*input.rectification);
-  for (const LeftOut& one : left_out_of(input, settings, match)) {
+  for (const OmittedItem& one : omitted_items(input, settings, match)) {
     json["left_out"].push_back({{"what", one.what}, {"why", one.why}});
   }
   if (!input.truth) return json;
   json["visible_by"] = input.visible_by;
-  for (const Judged& judged : judge(input, match.disparity)) {
-    const views::DisparityErrors& errors = judged.errors;
+  for (const RegionErrors& region : evaluate_regions(input, match.disparity)) {
+    const views::DisparityErrors& errors = region.errors;
     Json one{{"pixels", errors.known}};
     for (std::size_t i = 0; i < views::kBadAt.size(); ++i) {
       one["bad_percent"][fmt::format("{:g}", views::kBadAt[i])] = errors.bad_percent[i];
@@ -217,7 +221,7 @@ Json match_json(const MatchInput& input, const views::MatchSettings& settings,
     one["rms_px"] = errors.rms;
     one["rms_good_px"] = errors.rms_good;
     one["density_percent"] = errors.density_percent;
-    json["errors"][judged.key] = one;
+    json["errors"][region.key] = one;
   }
   return json;
 }

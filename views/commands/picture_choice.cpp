@@ -126,7 +126,7 @@ Result<void> check_memory(const std::string& place, const std::string& what, dou
                                   : "use larger voxels, or allow more with --max-mb");
 }
 
-void add_box(CLI::App& command, AskedBox& box) {
+void add_box(CLI::App& command, BoxOption& box) {
   command
       .add_option_function<std::string>(
           "--box", [&box](const std::string& text) { box = parse_numbers<6>("--box", text); },
@@ -135,7 +135,7 @@ void add_box(CLI::App& command, AskedBox& box) {
       ->group("Voxels");
 }
 
-Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set) {
+Result<views::WorldBox> box_of(const BoxOption& asked, const views::PictureSet& set) {
   if (!asked && !set.box)
     return fail("--box", "the folder has no box.txt that says where the object is",
                 "give the box around it: --box X0,Y0,Z0,X1,Y1,Z1");

@@ -47,13 +47,13 @@ Result<void> check_memory(const std::string& place, const std::string& what, dou
                           std::uint64_t most_bytes);
 
 // the corners with the least and the greatest coordinates
-using AskedBox = std::optional<std::array<double, 6>>;
+using BoxOption = std::optional<std::array<double, 6>>;
 
 // Adds --box.
-void add_box(CLI::App& command, AskedBox& box);
+void add_box(CLI::App& command, BoxOption& box);
 
 // The box given by the user, or else the folder's.
-Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set);
+Result<views::WorldBox> box_of(const BoxOption& asked, const views::PictureSet& set);
 
 // Reports how well a picture that was left out is reconstructed from a surface.
 std::string left_out_text(const std::string& picture, const views::TextureErrors& errors);

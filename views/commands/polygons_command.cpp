@@ -44,7 +44,7 @@ private:
   void add_surface_options(CLI::App& command);
   void add_output_options(CLI::App& command);
   int run();
-  Result<void> check_asked() const;
+  Result<void> check_options() const;
   Result<void> check_outputs() const;
   Result<void> complete_request(const views::PictureSet& set);
   Result<void> write_outputs(const PolygonsInput& input, const PolygonsReport& report) const;
@@ -52,7 +52,7 @@ private:
 
   PictureChoice choice_;
   std::optional<std::string> truth_;
-  AskedBox box_;
+  BoxOption box_;
   int resolution_ = 64;
   PolygonsRequest request_;
   std::optional<std::string> output_, left_out_output_, json_output_, page_;
@@ -81,7 +81,8 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
       ->type_name("T")
       ->group(group);
   add_choice(command, "--order", request_.voxels.order,
-             choices_of({views::Order::kAuto, views::Order::kSweep, views::Order::kCarve}),
+             choices_of({views::ColoringOrder::kAuto, views::ColoringOrder::kSweep,
+                         views::ColoringOrder::kCarve}),
              "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
       ->group(group);
 
@@ -157,7 +158,7 @@ void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
-Result<void> ViewsPolygonsCommand::check_asked() const {
+Result<void> ViewsPolygonsCommand::check_options() const {
   for (const auto& [option, threshold] :
        {std::pair{"--threshold", request_.voxels.settings.threshold},
         {"--polygon-threshold", request_.polygons.threshold}}) {
@@ -196,7 +197,7 @@ Result<void> ViewsPolygonsCommand::complete_request(const views::PictureSet& set
 std::string ViewsPolygonsCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "polygons", choice_.path}, words_of(options_), page});
+  return shell_line({{"views", "polygons", choice_.path}, option_words(options_), page});
 }
 
 Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
@@ -240,7 +241,7 @@ Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
 }
 
 int ViewsPolygonsCommand::run() {
-  for (const auto& legal : {check_asked(), check_outputs()}) {
+  for (const auto& legal : {check_options(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
   Progress progress;
@@ -250,7 +251,7 @@ int ViewsPolygonsCommand::run() {
   PolygonsInput input{std::move(*pictures), {}};
   if (const auto legal = complete_request(input.pictures.set); !legal) return refuse(legal.error());
   if (truth_) {
-    auto scene = load_asked_scene(*truth_, progress);
+    auto scene = load_scene_argument(*truth_, progress);
     if (!scene) return refuse(scene.error());
     input.truth = std::move(*scene);
   }

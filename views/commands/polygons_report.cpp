@@ -27,7 +27,7 @@ double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
   for (int z = 0; z < count[2]; ++z) {
     for (int y = 0; y < count[1]; ++y) {
       for (int x = 0; x < count[0]; ++x) {
-        const views::VoxelAt at{x, y, z};
+        const views::VoxelPosition at{x, y, z};
         if (solid.has(at)) overlap.add(at);
       }
     }
@@ -44,8 +44,8 @@ double polygons_of_box(const views::VoxelGrid& grid) {
 
 // An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels and
 // the polygons. All parts are counted as if they existed at the same time.
-double bytes_beside(const PolygonsInput& input, const PolygonsRequest& request,
-                    const views::VoxelGrid& grid, double polygons) {
+double extra_bytes(const PolygonsInput& input, const PolygonsRequest& request,
+                   const views::VoxelGrid& grid, double polygons) {
   double bytes =
       views::Occupancy::bytes_for(grid) +
       polygons * (views::kBytesOfScenePolygon + (request.writes_glb ? kGlbBytesOfTriangle : 0));
@@ -69,7 +69,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   if (const auto legal = views::check_floats(grid); !legal) return tl::unexpected(legal.error());
   const double expected = polygons_of_box(grid);
   PolygonsReport report;
-  report.bytes = std::uint64_t(double(plan->bytes) + bytes_beside(input, request, grid, expected) +
+  report.bytes = std::uint64_t(double(plan->bytes) + extra_bytes(input, request, grid, expected) +
                                views::polygon_bytes(grid, expected) + views::layer_bytes(set));
   const auto legal = check_memory(
       "--resolution",
@@ -100,7 +100,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   // The layered images are freed now, and the number of polygons is known.
   const auto polygons = double(report.coloring.mesh.polygons.size());
   const double bytes = views::bytes_of(set) + views::polygon_bytes(grid, polygons) +
-                       bytes_beside(input, request, grid, polygons);
+                       extra_bytes(input, request, grid, polygons);
   const auto fits = check_memory(
       "--max-mb", fmt::format("a scene of {} polygons", report.coloring.mesh.polygons.size()),
       bytes, request.voxels.most_bytes);
@@ -116,7 +116,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
                      .draw(left_out.camera, left_out.color.width, left_out.color.height);
     if (!drawn) return tl::unexpected(drawn.error());
     report.drawn = views::TexturedPicture{std::move(drawn->color), std::move(drawn->id)};
-    report.left_out = views::compare(*report.drawn, left_out);
+    report.left_out = views::textured_picture_errors(*report.drawn, left_out);
   }
   if (input.truth) {
     progress.phase("computing the inside of the scene");
@@ -141,8 +141,8 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
       coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
       report.voxel_milliseconds, coloring.mesh.polygons.size(), check.corners,
-      check.edges - check.holes - check.crowded, check.euler, check.volume,
-      coloring.carved_by_color, coloring.kept, coloring.carved_by_background, coloring.judged,
+      check.edges - check.holes - check.non_manifold_edges, check.euler, check.volume,
+      coloring.carved_by_color, coloring.kept, coloring.carved_by_background, coloring.examined,
       coloring.milliseconds, coloring.samples, (report.bytes + (1u << 20) - 1) >> 20);
   if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
@@ -169,7 +169,7 @@ nlohmann::ordered_json polygons_json(const PolygonsInput& input, const PolygonsR
       {"carved_by_color", coloring.carved_by_color},
       {"kept", coloring.kept},
       {"carved_by_background", coloring.carved_by_background},
-      {"judged", coloring.judged},
+      {"judged", coloring.examined},
       {"polygons", coloring.mesh.polygons.size()},
       {"unseen", coloring.unseen},
       {"corners", check.corners},

@@ -22,33 +22,36 @@ std::string six_digits(double value) {
 
 Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& right,
                               const views::StereoRig& rig) {
-  const auto how = views::rectification_of(rig, left.width, left.height);
-  if (!how) return tl::unexpected(how.error());
-  return RectifiedPair{*how, views::rectified(left, how->left),
-                       views::rectified(right, how->right)};
+  const auto rectification = views::rectification_of(rig, left.width, left.height);
+  if (!rectification) return tl::unexpected(rectification.error());
+  return RectifiedPair{*rectification, views::rectified(left, rectification->left),
+                       views::rectified(right, rectification->right)};
 }
 
-std::string rectification_text(const views::Rectification& how) {
+std::string rectification_text(const views::Rectification& rectification) {
   return wrapped("rectified   ",
                  fmt::format("{:.1f} % of the left picture and {:.1f} % of the right one are cut "
                              "off; {:.1f} and {:.1f} % of the rectified ones show nothing",
-                             100 * how.lost_left, 100 * how.lost_right, 100 * how.empty_left,
-                             100 * how.empty_right)) +
-         matrix_lines("H_left", how.left, "new pixel = H (x, y, 1)", six_digits) +
-         matrix_lines("H_right", how.right, "", six_digits) +
-         matrix_lines("K", how.intrinsic, "for both", six_digits) +
+                             100 * rectification.lost_left, 100 * rectification.lost_right,
+                             100 * rectification.empty_left, 100 * rectification.empty_right)) +
+         matrix_lines("H_left", rectification.left, "new pixel = H (x, y, 1)", six_digits) +
+         matrix_lines("H_right", rectification.right, "", six_digits) +
+         matrix_lines("K", rectification.intrinsic, "for both", six_digits) +
          fmt::format("  {:<8}{:13.6g}   along the rows: Z = {:.6g} * {:.6g}/disparity\n",
-                     "baseline", how.baseline, how.intrinsic(0, 0), how.baseline);
+                     "baseline", rectification.baseline, rectification.intrinsic(0, 0),
+                     rectification.baseline);
 }
 
-Json rectification_json(const views::Rectification& how) {
-  return {{"H_left", matrix_json(how.left)},
-          {"H_right", matrix_json(how.right)},
-          {"K", matrix_json(how.intrinsic)},
-          {"R", matrix_json(how.from_left)},
-          {"baseline", how.baseline},
-          {"lost_percent", {{"left", 100 * how.lost_left}, {"right", 100 * how.lost_right}}},
-          {"empty_percent", {{"left", 100 * how.empty_left}, {"right", 100 * how.empty_right}}}};
+Json rectification_json(const views::Rectification& rectification) {
+  return {{"H_left", matrix_json(rectification.left)},
+          {"H_right", matrix_json(rectification.right)},
+          {"K", matrix_json(rectification.intrinsic)},
+          {"R", matrix_json(rectification.from_left)},
+          {"baseline", rectification.baseline},
+          {"lost_percent",
+           {{"left", 100 * rectification.lost_left}, {"right", 100 * rectification.lost_right}}},
+          {"empty_percent",
+           {{"left", 100 * rectification.empty_left}, {"right", 100 * rectification.empty_right}}}};
 }
 
 Result<void> write_rectified(const std::pair<std::string, std::string>& names,

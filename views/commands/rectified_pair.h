@@ -14,7 +14,7 @@
 namespace glassbox::views {
 
 struct RectifiedPair {
-  views::Rectification how;
+  views::Rectification rectification;
   Image<Rgba8> left, right;  // transparent outside the original picture
 };
 
@@ -23,8 +23,8 @@ Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& righ
                               const views::StereoRig& rig);
 
 // Both matrices, and the parts of the pictures that were lost.
-std::string rectification_text(const views::Rectification& how);
-nlohmann::ordered_json rectification_json(const views::Rectification& how);
+std::string rectification_text(const views::Rectification& rectification);
+nlohmann::ordered_json rectification_json(const views::Rectification& rectification);
 
 Result<void> write_rectified(const std::pair<std::string, std::string>& names,
                              const RectifiedPair& pair);

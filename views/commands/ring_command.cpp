@@ -20,7 +20,7 @@
 #include "views/rings/ring.h"
 
 #include <glassbox/base/printable.h>
-#include <glassbox/render/engine/names.h>
+#include <glassbox/render/engine/setting_names.h>
 #include <glassbox/render/engine/settings.h>
 
 namespace glassbox::views {
@@ -147,7 +147,7 @@ int ViewsRingCommand::run() {
     if (const auto good = check_outputs({*json_output_}); !good) return refuse(good.error());
   }
   Progress progress;
-  const auto scene = load_asked_scene(scene_, progress);
+  const auto scene = load_scene_argument(scene_, progress);
   if (!scene) return refuse(scene.error());
   ring_.width = size_.width;
   ring_.height = size_.height;

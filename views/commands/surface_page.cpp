@@ -35,14 +35,14 @@ Result<SurfaceBytes> surface_bytes(const Scene& scene) {
     bytes.places.resize(36 * number, 0);
     bytes.colors.resize(3 * number, 0);
   };
-  for (const views::PlacedTriangle& triangle : views::placed_triangles(scene)) {
+  for (const views::WorldTriangle& triangle : views::world_triangles(scene)) {
     fill_up_to(triangle.number);
     for (const views::Vector3d& corner : triangle.corners) {
       for (int axis = 0; axis < 3; ++axis) add_float(bytes.places, float(corner[axis]));
     }
     for (const std::uint8_t channel : triangle.color) bytes.colors.push_back(channel);
   }
-  fill_up_to(views::numbers_of(scene));
+  fill_up_to(views::triangle_number_count(scene));
   constexpr std::size_t kMostTriangles = 400000;
   if (bytes.colors.size() / 3 > kMostTriangles) {
     return fail("--html",
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> seen_bytes(const SurfacePage& page, std::size_t triang
   for (std::size_t view = 0; view < views; ++view) {
     for (std::size_t i = 0; i < triangles; ++i) {
       const std::size_t bit = view * triangles + i;
-      if (page.textured->seen().sees(view, std::uint32_t(i)))
+      if (page.textured->visible_polygons().sees(view, std::uint32_t(i)))
         bytes[bit / 8] = std::uint8_t(bytes[bit / 8] | 1u << (bit % 8));
     }
   }
@@ -150,7 +150,7 @@ Result<std::string> make_surface_page(const SurfacePage& page) {
       {"views", &page.views},
       {"seen", &seen}};
   for (const auto& [id, bytes] : all) {
-    const auto text = packed_text(*bytes);
+    const auto text = compressed_base64(*bytes);
     if (!text) return tl::unexpected(text.error());
     blocks += data_block(id, *text);
   }

@@ -45,17 +45,18 @@ public:
   void add_to(CLI::App& views, int& exit_code);
 
 private:
-  struct Found;
+  struct TexturingResult;
   int run();
-  Result<void> check_asked() const;
+  Result<void> check_options() const;
   Result<void> check_outputs() const;
-  void tell_of_unused() const;
+  void print_unused_options() const;
   double bytes_for(const Scene& scene, const ChosenPictures& pictures) const;
-  Result<Found> find(const Scene& scene, const ChosenPictures& pictures, Progress& progress) const;
+  Result<TexturingResult> texture(const Scene& scene, const ChosenPictures& pictures,
+                                  Progress& progress) const;
   Result<void> write_outputs(const Scene& scene, const ChosenPictures& pictures,
-                             const Found& found) const;
-  std::string text(const ChosenPictures& pictures, const Found& found) const;
-  nlohmann::ordered_json json(const ChosenPictures& pictures, const Found& found) const;
+                             const TexturingResult& found) const;
+  std::string text(const ChosenPictures& pictures, const TexturingResult& found) const;
+  nlohmann::ordered_json json(const ChosenPictures& pictures, const TexturingResult& found) const;
   std::string command_line() const;
 
   std::string mesh_;
@@ -72,20 +73,20 @@ private:
   std::vector<const CLI::Option*> options_;
 };
 
-struct ViewsTextureCommand::Found {
-  explicit Found(views::TexturedSurface of) : surface(std::move(of)) {}
+struct ViewsTextureCommand::TexturingResult {
+  explicit TexturingResult(views::TexturedSurface textured) : surface(std::move(textured)) {}
 
   // One picture reconstructed from the others with one way of blending.
-  struct LeftOutAlone {
+  struct HeldOutPicture {
     std::string picture;
     Blend blend = Blend::kBarycentric;
     views::TextureErrors errors;
   };
   // The PSNR over all pictures as if they were one; NaN if no pixel is covered.
-  double psnr_of_all(Blend way) const {
+  double psnr_of_all(Blend blend) const {
     double squares = 0, pixels = 0;
-    for (const LeftOutAlone& one : each) {
-      if (one.blend != way) continue;
+    for (const HeldOutPicture& one : each) {
+      if (one.blend != blend) continue;
       const double covered = one.errors.covered * double(one.errors.pixels);
       if (covered > 0) squares += one.errors.rms * one.errors.rms * covered;
       pixels += covered;
@@ -99,7 +100,7 @@ struct ViewsTextureCommand::Found {
   std::size_t triangles = 0;  // of the sphere of view directions
   std::optional<views::TexturedPicture> drawn, left_out;
   std::optional<views::TextureErrors> errors;
-  std::vector<LeftOutAlone> each;
+  std::vector<HeldOutPicture> each;
   std::optional<Scene> fixed;
   std::vector<std::uint8_t> views;  // for each polygon: how many pictures see it
 };
@@ -182,7 +183,7 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
-Result<void> ViewsTextureCommand::check_asked() const {
+Result<void> ViewsTextureCommand::check_options() const {
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   if (each_ && choice_.leave_out)
@@ -200,15 +201,15 @@ Result<void> ViewsTextureCommand::check_outputs() const {
       .check();
 }
 
-void ViewsTextureCommand::tell_of_unused() const {
+void ViewsTextureCommand::print_unused_options() const {
   const bool no_picture = !output_;
-  tell_of_ignored(*command_,
-                  {{blend_ != Blend::kNeighbours && !each_,
-                    {"--neighbours"},
-                    "it is only for --blend " + std::string(views::name_of(Blend::kNeighbours))},
-                   {!fixed_, {"--texels"}, "it is only for --fixed"},
-                   {no_picture, camera_words_, "no picture is drawn without -o"},
-                   {no_picture, {"--size"}, "no picture is drawn without -o"}});
+  print_ignored_options(
+      *command_, {{blend_ != Blend::kNeighbours && !each_,
+                   {"--neighbours"},
+                   "it is only for --blend " + std::string(views::name_of(Blend::kNeighbours))},
+                  {!fixed_, {"--texels"}, "it is only for --fixed"},
+                  {no_picture, camera_words_, "no picture is drawn without -o"},
+                  {no_picture, {"--size"}, "no picture is drawn without -o"}});
 }
 
 // An upper bound of the memory in bytes for all outputs. All parts are counted as if they existed
@@ -225,34 +226,33 @@ double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& 
     bytes += views::bytes_of(*pictures.left_out);
     draw(double(pictures.left_out->color.pixels.size()));
   }
-  if (fixed_) bytes += views::static_texture_bytes(views::numbers_of(scene), texels_);
+  if (fixed_) bytes += views::static_texture_bytes(views::triangle_number_count(scene), texels_);
   // The pictures drawn for outputs are kept, with a colour and a number for each pixel.
   const double outputs = double(output_.has_value()) + double(pictures.left_out.has_value());
   return bytes + outputs * largest * (sizeof(Rgba8) + sizeof(std::uint32_t)) +
-         views::UnlitRenderer::bytes_for(double(views::numbers_of(scene)), largest);
+         views::UnlitRenderer::bytes_for(double(views::triangle_number_count(scene)), largest);
 }
 
-Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
-                                                             const ChosenPictures& pictures,
-                                                             Progress& progress) const {
+Result<ViewsTextureCommand::TexturingResult> ViewsTextureCommand::texture(
+    const Scene& scene, const ChosenPictures& pictures, Progress& progress) const {
   progress.phase("computing what each picture sees");
   const views::PictureSet& set = pictures.set;
   const double bytes = bytes_for(scene, pictures);
   const auto legal = check_memory("--max-mb", "the surface, and what each picture sees of it,",
                                   bytes, choice_.most_bytes());
   if (!legal) return tl::unexpected(legal.error());
-  auto made = views::TexturedSurface::of(scene, set, blend_, neighbours_);
+  auto made = views::TexturedSurface::create(scene, set, blend_, neighbours_);
   if (!made) return tl::unexpected(made.error());
-  Found found(std::move(*made));
+  TexturingResult found(std::move(*made));
   found.bytes = std::uint64_t(bytes);
   const views::TexturedSurface& surface = found.surface;
-  found.polygons = std::int64_t(surface.seen().polygons());
-  found.unseen = surface.seen().unseen();
+  found.polygons = std::int64_t(surface.visible_polygons().polygons());
+  found.unseen = surface.visible_polygons().unseen();
   found.triangles = surface.blend().sphere().triangles().size();
   for (std::uint32_t i = 0; i < found.polygons; ++i) {
     int seen = 0;
     for (std::size_t view = 0; view < set.pictures.size(); ++view)
-      seen += surface.seen().sees(view, i);
+      seen += surface.visible_polygons().sees(view, i);
     found.views.push_back(std::uint8_t(std::min(seen, 255)));
   }
   const Size size = size_.value_or(Size{set.pictures[0].color.width, set.pictures[0].color.height});
@@ -272,7 +272,7 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
     auto drawn =
         surface.draw(left_out->camera, left_out->color.width, left_out->color.height, background_);
     if (!drawn) return tl::unexpected(drawn.error());
-    found.errors = views::compare(*drawn, *left_out);
+    found.errors = views::textured_picture_errors(*drawn, *left_out);
     found.left_out = std::move(*drawn);
   }
   for (std::size_t i = 0; each_ && i < set.pictures.size(); ++i) {
@@ -280,10 +280,10 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
     const views::CalibratedPicture& picture = set.pictures[i];
     for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
       const auto drawn =
-          surface.blended_by(blend, neighbours_, i)
+          surface.with_blend(blend, neighbours_, i)
               .draw(picture.camera, picture.color.width, picture.color.height, background_);
       if (!drawn) return tl::unexpected(drawn.error());
-      found.each.push_back({picture.name, blend, views::compare(*drawn, picture)});
+      found.each.push_back({picture.name, blend, views::textured_picture_errors(*drawn, picture)});
     }
   }
   if (fixed_) {
@@ -295,7 +295,8 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
   return found;
 }
 
-std::string ViewsTextureCommand::text(const ChosenPictures& pictures, const Found& found) const {
+std::string ViewsTextureCommand::text(const ChosenPictures& pictures,
+                                      const TexturingResult& found) const {
   std::string text =
       fmt::format("{}: {} polygons, {} pictures whose directions make {} triangles\n",
                   printable(mesh_, kLongestMessage), found.polygons, pictures.set.pictures.size(),
@@ -327,7 +328,7 @@ std::string ViewsTextureCommand::text(const ChosenPictures& pictures, const Foun
 }
 
 nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
-                                                 const Found& found) const {
+                                                 const TexturingResult& found) const {
   nlohmann::ordered_json json{{"mesh", mesh_},
                               {"cameras", pictures.set.source},
                               {"pictures", pictures.set.pictures.size()},
@@ -340,7 +341,7 @@ nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
     json["drawn"] = {{"surface", found.drawn->surface},
                      {"without_view", found.drawn->without_view}};
   if (found.errors) json["left_out"] = left_out_json(pictures.left_out->name, *found.errors);
-  for (const Found::LeftOutAlone& one : found.each) {
+  for (const TexturingResult::HeldOutPicture& one : found.each) {
     nlohmann::ordered_json entry = left_out_json(one.picture, one.errors);
     entry["blend"] = views::name_of(one.blend);
     json["each"].push_back(entry);
@@ -355,11 +356,11 @@ nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
 std::string ViewsTextureCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "texture", mesh_, choice_.path}, words_of(options_), page});
+  return shell_line({{"views", "texture", mesh_, choice_.path}, option_words(options_), page});
 }
 
 Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
-                                                const Found& found) const {
+                                                const TexturingResult& found) const {
   // Everything is made before the first file is written.
   Result<std::string> made;
   if (page_) {
@@ -398,12 +399,12 @@ Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const Chosen
 }
 
 int ViewsTextureCommand::run() {
-  for (const auto& legal : {check_asked(), check_outputs()}) {
+  for (const auto& legal : {check_options(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
-  tell_of_unused();
+  print_unused_options();
   Progress progress;
-  const auto scene = load_asked_scene(mesh_, progress);
+  const auto scene = load_scene_argument(mesh_, progress);
   if (!scene) return refuse(scene.error());
   progress.phase("reading the pictures");
   const auto pictures = read_pictures(choice_);
@@ -411,7 +412,7 @@ int ViewsTextureCommand::run() {
   if (each_ && pictures->set.pictures.size() == 1)
     return refuse(
         fail("--each", "it is the only picture", "use a set of several pictures").value());
-  const auto found = find(*scene, *pictures, progress);
+  const auto found = texture(*scene, *pictures, progress);
   if (!found) return refuse(found.error());
   progress.phase("writing");
   if (const auto written = write_outputs(*scene, *pictures, *found); !written)

@@ -45,9 +45,9 @@ private:
   void add_coloring_options(CLI::App& command);
   void add_output_options(CLI::App& command);
   int run();
-  Result<void> check_asked() const;
+  Result<void> check_options() const;
   Result<void> check_outputs() const;
-  void tell_of_unused() const;
+  void print_unused_options() const;
   Result<VoxelsInput> read(Progress& progress) const;
   Result<void> complete_request(const views::PictureSet& set);
   Result<void> write_outputs(const VoxelsInput& input, const VoxelsReport& report) const;
@@ -55,7 +55,7 @@ private:
 
   PictureChoice choice_;
   std::optional<std::string> truth_;
-  AskedBox box_;
+  BoxOption box_;
   std::optional<double> voxel_size_, total_;
   std::optional<int> resolution_;
   bool against_full_ = false;
@@ -100,7 +100,8 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->type_name("N")
       ->group(group);
   add_choice(command, "--order", request_.order,
-             choices_of({views::Order::kAuto, views::Order::kSweep, views::Order::kCarve}),
+             choices_of({views::ColoringOrder::kAuto, views::ColoringOrder::kSweep,
+                         views::ColoringOrder::kCarve}),
              "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
       ->group(group);
   command
@@ -156,11 +157,11 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
              "which pixels a coloured voxel hides [box]")
       ->group(group);
   add_choice(command, "--update", settings.update,
-             choices_of({views::Update::kLayer, views::Update::kVoxel}),
+             choices_of({views::OcclusionUpdate::kLayer, views::OcclusionUpdate::kVoxel}),
              "when a coloured voxel hides pixels: after its layer or at once [layer]")
       ->group(group);
   add_choice(command, "--alone", settings.alone,
-             choices_of({views::Alone::kReject, views::Alone::kKeep}),
+             choices_of({views::SingleViewPolicy::kReject, views::SingleViewPolicy::kKeep}),
              "voxels that fewer than two pictures see [reject]")
       ->group(group);
 
@@ -218,7 +219,7 @@ void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
-Result<void> ViewsVoxelsCommand::check_asked() const {
+Result<void> ViewsVoxelsCommand::check_options() const {
   const views::ColoringSettings& settings = request_.settings;
   if (int(resolution_.has_value()) + int(voxel_size_.has_value()) + int(total_.has_value()) > 1)
     return fail("--voxel", "the size of voxels is given twice",
@@ -260,11 +261,11 @@ Result<void> ViewsVoxelsCommand::check_outputs() const {
       .check();
 }
 
-void ViewsVoxelsCommand::tell_of_unused() const {
+void ViewsVoxelsCommand::print_unused_options() const {
   const views::ColoringSettings& settings = request_.settings;
   const Consistency test = settings.consistency;
   const std::string another = "--test " + std::string(name_of(test)) + " does not use it";
-  tell_of_ignored(
+  print_ignored_options(
       *command_,
       {{test != Consistency::kDeviation, {"--threshold"}, another},
        {test != Consistency::kLikelihood, {"--noise", "--significance"}, another},
@@ -282,7 +283,7 @@ Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
   input.set = std::move(pictures->set);
   input.left_out = std::move(pictures->left_out);
   if (truth_) {
-    auto scene = load_asked_scene(*truth_, progress);
+    auto scene = load_scene_argument(*truth_, progress);
     if (!scene) return tl::unexpected(scene.error());
     input.truth = std::move(*scene);
   }
@@ -306,7 +307,7 @@ Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) 
 std::string ViewsVoxelsCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "voxels", choice_.path}, words_of(options_), page});
+  return shell_line({{"views", "voxels", choice_.path}, option_words(options_), page});
 }
 
 Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,
@@ -322,18 +323,18 @@ Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,
   const nlohmann::ordered_json json = voxels_json(input, request_, report);
   if (page_) {
     const auto written =
-        write_made(*page_, make_voxels_page(input, request_, report, json,
-                                            {"glassbox " GLASSBOX_VERSION, command_line()}));
+        write_text_result(*page_, make_voxels_page(input, request_, report, json,
+                                                   {"glassbox " GLASSBOX_VERSION, command_line()}));
     if (!written) return written;
   }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
 
 int ViewsVoxelsCommand::run() {
-  for (const auto& legal : {check_asked(), check_outputs()}) {
+  for (const auto& legal : {check_options(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
-  tell_of_unused();
+  print_unused_options();
   Progress progress;
   const Result<VoxelsInput> input = read(progress);
   if (!input) return refuse(input.error());

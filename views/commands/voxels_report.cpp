@@ -24,13 +24,13 @@ double box_sides(const views::VoxelGrid& grid) {
 
 // An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels. All
 // parts are counted as if they existed at the same time.
-double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& request,
-                    const VoxelsQuestion& question, const views::VoxelGrid& grid) {
+double extra_bytes(const VoxelsInput& input, const views::ColoringRequest& request,
+                   const VoxelsReportOptions& options, const views::VoxelGrid& grid) {
   const double coloured = box_sides(grid);
   double bytes = 0;
   // A verdict for each voxel, and a second copy for the page; for one picture at a time, the layers
   // that hide its pixels.
-  if (question.wants_verdicts) {
+  if (options.wants_verdicts) {
     constexpr double kPixel = sizeof(int) + 2, kVoxel = 10;
     bytes += 2 * double(grid.voxels()) + views::pixels_of(input.set) * kPixel + coloured * kVoxel;
   }
@@ -39,7 +39,7 @@ double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& requ
   }
   // The other colouring's voxels, and a hash set of their positions: a node with a number and a
   // pointer, and a bucket, for each.
-  if (question.against_full && request.levels > 0) {
+  if (options.against_full && request.levels > 0) {
     constexpr double kNode = 4 * sizeof(void*) + sizeof(void*);
     bytes += coloured * (sizeof(views::ColoredVoxel) + kNode);
   }
@@ -52,15 +52,15 @@ double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& requ
   return bytes;
 }
 
-Result<VoxelsReport::AgainstFull> compare_full(const VoxelsInput& input,
-                                               views::ColoringRequest request,
-                                               const views::Coloring& coarse) {
+Result<VoxelsReport::FullComparison> compare_full(const VoxelsInput& input,
+                                                  views::ColoringRequest request,
+                                                  const views::Coloring& coarse) {
   request.levels = 0;
   const auto full = views::color_voxels(input.set, request);
   if (!full) return tl::unexpected(full.error());
   std::unordered_set<std::uint64_t> all;
   for (const views::ColoredVoxel& voxel : full->voxels) all.insert(views::key_of(voxel.at));
-  VoxelsReport::AgainstFull against;
+  VoxelsReport::FullComparison against;
   against.full = std::int64_t(full->voxels.size());
   std::int64_t both = 0;
   for (const views::ColoredVoxel& voxel : coarse.voxels)
@@ -100,29 +100,30 @@ std::string test_text(const views::ColoringSettings& settings) {
 }
 
 // The direction of the layers in words; empty for space carving, which has none.
-std::string along_text(const views::Coloring& coloring) {
-  if (coloring.order == views::Order::kCarve) return "";
+std::string layer_direction_text(const views::Coloring& coloring) {
+  if (coloring.order == views::ColoringOrder::kCarve) return "";
   if (coloring.in_shells) return "shells";
   if (!coloring.grid.axes.isIdentity()) return "the oblique direction";
   return (coloring.direction[1] > 0 ? "" : "-") + std::string(1, char('x' + coloring.direction[0]));
 }
 
 std::string order_text(const views::Coloring& coloring) {
-  if (coloring.order == views::Order::kCarve)
+  if (coloring.order == views::ColoringOrder::kCarve)
     return fmt::format("carved in {} passes of six sweeps", coloring.passes);
   if (coloring.in_shells) return fmt::format("swept outwards in {} shells", coloring.layers);
-  return fmt::format("swept in {} layers along {}", coloring.layers, along_text(coloring));
+  return fmt::format("swept in {} layers along {}", coloring.layers,
+                     layer_direction_text(coloring));
 }
 
 }  // namespace
 
 Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::ColoringRequest& request,
-                                   const VoxelsQuestion& question, Progress& progress) {
+                                   const VoxelsReportOptions& options, Progress& progress) {
   VoxelsReport report;
   const auto plan = views::plan_coloring(input.set, request);
   if (!plan) return tl::unexpected(plan.error());
   const views::VoxelGrid* const grid = &plan->grid;
-  report.bytes = std::uint64_t(double(plan->bytes) + bytes_beside(input, request, question, *grid));
+  report.bytes = std::uint64_t(double(plan->bytes) + extra_bytes(input, request, options, *grid));
   const auto legal = check_memory(request.size_option,
                                   fmt::format("{} x {} x {} voxels and the requested outputs",
                                               grid->count[0], grid->count[1], grid->count[2]),
@@ -136,12 +137,11 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
     overlap.emplace(*truth);
   }
   views::LayerWatcher watch;
-  if (question.wants_verdicts)
-    report.verdicts.assign(std::size_t(grid->voxels()), Verdict::kHidden);
-  if (question.wants_verdicts || overlap) {
+  if (options.wants_verdicts) report.verdicts.assign(std::size_t(grid->voxels()), Verdict::kHidden);
+  if (options.wants_verdicts || overlap) {
     watch = [&](int, std::span<const views::VoxelRun> runs, std::span<const Verdict> verdicts) {
       if (overlap) overlap->add(runs, verdicts);
-      if (!question.wants_verdicts) return;
+      if (!options.wants_verdicts) return;
       std::size_t next = 0;
       for (const views::VoxelRun& run : runs) {
         for (int i = 0; i < run.count; ++i) {
@@ -157,12 +157,12 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
     progress.phase("measuring the surface");
     const auto distances = views::true_distances(*input.truth, input.set);
     if (!distances) return tl::unexpected(distances.error());
-    report.truth = VoxelsReport::AgainstTruth{
+    report.truth = VoxelsReport::TruthComparison{
         truth->voxels(), overlap->found(), overlap->iou(),
         views::surface_errors(report.coloring.voxels,
-                              views::seen_surface(input.set, *distances, *grid))};
+                              views::visible_surface(input.set, *distances, *grid))};
   }
-  if (question.against_full && request.levels > 0) {
+  if (options.against_full && request.levels > 0) {
     progress.phase("colouring all voxels");
     const auto against = compare_full(input, request, report.coloring);
     if (!against) return tl::unexpected(against.error());
@@ -172,7 +172,7 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
     const views::CalibratedPicture& picture = *input.left_out;
     report.drawn = views::draw_voxels(report.coloring.grid, report.coloring.voxels, picture.camera,
                                       picture.color.width, picture.color.height, {0, 0, 0, 255});
-    report.left_out = views::compare(*report.drawn, picture);
+    report.left_out = views::voxel_picture_errors(*report.drawn, picture);
   }
   return report;
 }
@@ -181,7 +181,7 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
                         const VoxelsReport& report) {
   const views::Coloring& coloring = report.coloring;
   const auto& [nx, ny, nz] = coloring.grid.count;
-  const bool is_carved = coloring.order == views::Order::kCarve;
+  const bool is_carved = coloring.order == views::ColoringOrder::kCarve;
   std::string text = fmt::format(
       "{}: {} pictures, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; footprint {}, hides "
       "{}, after each {}\n",
@@ -198,13 +198,13 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
                         coloring.counts[std::size_t(Verdict::kHidden)]);
   } else {
     text += fmt::format("{} voxels tested: {} background, {} hidden, {} inconsistent\n",
-                        coloring.judged, coloring.counts[std::size_t(Verdict::kBackground)],
+                        coloring.examined, coloring.counts[std::size_t(Verdict::kBackground)],
                         coloring.counts[std::size_t(Verdict::kHidden)],
                         coloring.counts[std::size_t(Verdict::kInconsistent)]);
   }
   if (request.levels > 0 && !is_carved) {
     text += fmt::format("coarse to fine: {} coarser levels first, with {} voxels tested\n",
-                        request.levels, coloring.judged_coarse);
+                        request.levels, coloring.examined_coarse);
   }
   text += fmt::format("{:.1f} ms on {}, {} MB\n", coloring.milliseconds,
                       name_of(request.settings.target), (report.bytes + (1u << 20) - 1) >> 20);
@@ -261,7 +261,7 @@ Json voxels_json(const VoxelsInput& input, const views::ColoringRequest& request
             {"pictures", input.set.pictures.size()},
             {"traversal", views::name_of(coloring.traversal)},
             {"order", views::name_of(coloring.order)},
-            {"along", along_text(coloring)},
+            {"along", layer_direction_text(coloring)},
             {"layers", coloring.layers},
             {"passes", coloring.passes},
             {"finished", coloring.is_finished},
@@ -275,8 +275,8 @@ Json voxels_json(const VoxelsInput& input, const views::ColoringRequest& request
             {"coloured", coloring.voxels.size()},
             {"mean_views", means.views},
             {"mean_sigma", means.deviation},
-            {"judged", coloring.judged},
-            {"judged_coarse", coloring.judged_coarse}};
+            {"judged", coloring.examined},
+            {"judged_coarse", coloring.examined_coarse}};
   for (int i = 0; i < views::kVerdicts; ++i)
     json["verdicts"][std::string(views::name_of(Verdict(i)))] = coloring.counts[std::size_t(i)];
   json["ms"] = coloring.milliseconds;

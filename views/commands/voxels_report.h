@@ -9,7 +9,7 @@
 #include "cli/report/progress.h"
 #include "views/rings/picture_set.h"
 #include "views/voxels/coloring.h"
-#include "views/voxels/draw.h"
+#include "views/voxels/draw_voxels.h"
 #include "views/voxels/truth.h"
 
 #include <glassbox/base/error.h>
@@ -28,32 +28,32 @@ struct VoxelsReport {
   std::uint64_t bytes = 0;  // expected memory for everything
   // The comparison of coarse-to-fine colouring with that of all voxels: the number of voxels that
   // only one of them has.
-  struct AgainstFull {
+  struct FullComparison {
     std::int64_t full = 0, lost = 0, added = 0;
     double milliseconds = 0;
     double iou() const { return double(full - lost) / double(full + added); }
   };
-  std::optional<AgainstFull> against_full;
+  std::optional<FullComparison> against_full;
   std::optional<views::VoxelPicture> drawn;  // drawn for the left-out picture's camera
   std::optional<views::PictureErrors> left_out;
   // The comparison with the true shape: voxels not proved empty against voxels that are inside, and
   // the errors of the surface.
-  struct AgainstTruth {
+  struct TruthComparison {
     std::int64_t inside = 0, not_empty = 0;
     double iou = 0;
     views::SurfaceErrors surface;
   };
-  std::optional<AgainstTruth> truth;
+  std::optional<TruthComparison> truth;
   std::vector<views::Verdict> verdicts;  // of all voxels, x varying fastest; only if asked for
 };
 
-struct VoxelsQuestion {
+struct VoxelsReportOptions {
   bool against_full = false;
   bool wants_verdicts = false;
 };
 
 Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::ColoringRequest& request,
-                                   const VoxelsQuestion& question, Progress& progress);
+                                   const VoxelsReportOptions& options, Progress& progress);
 
 std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& request,
                         const VoxelsReport& report);

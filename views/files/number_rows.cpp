@@ -13,12 +13,12 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr std::string_view kBetween = " \t,;";
+constexpr std::string_view kSeparators = " \t,;";
 
 // Removes the next word from the front of the line and returns it; empty at the line's end.
 std::string_view next_word(std::string_view& line) {
-  const std::size_t first = std::min(line.find_first_not_of(kBetween), line.size());
-  const std::size_t last = std::min(line.find_first_of(kBetween, first), line.size());
+  const std::size_t first = std::min(line.find_first_not_of(kSeparators), line.size());
+  const std::size_t last = std::min(line.find_first_of(kSeparators, first), line.size());
   const std::string_view word = line.substr(first, last - first);
   line.remove_prefix(last);
   return word;

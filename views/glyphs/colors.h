@@ -5,7 +5,7 @@
 
 #include <glassbox/images/image.h>
 
-#include "views/glyphs/code.h"
+#include "views/glyphs/glyph_code.h"
 
 namespace glassbox::views {
 

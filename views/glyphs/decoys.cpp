@@ -126,8 +126,8 @@ DecoyPicture draw_decoys() {
   return result;
 }
 
-int DecoyScore::all_taken() const {
-  return std::accumulate(taken.begin(), taken.end(), 0);
+int DecoyScore::all_accepted() const {
+  return std::accumulate(accepted.begin(), accepted.end(), 0);
 }
 
 DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& settings) {
@@ -140,7 +140,7 @@ DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& setting
           hypotenuse(region.ellipse.centre.x() - decoy.x, region.ellipse.centre.y() - decoy.y);
       if (region.broken || off > kCell / 4.0) continue;
       if (decoy.breaks)
-        ++score.taken[std::size_t(*decoy.breaks)];
+        ++score.accepted[std::size_t(*decoy.breaks)];
       else if (region.identity == decoy.identity)
         ++score.found;
     }

@@ -6,7 +6,7 @@
 
 #include <glassbox/images/image.h>
 
-#include "views/glyphs/find.h"
+#include "views/glyphs/find_glyphs.h"
 
 namespace glassbox::views {
 
@@ -28,9 +28,9 @@ DecoyPicture draw_decoys();
 // How many decoys are taken for glyphs, and how many glyphs are found with the right identity.
 struct DecoyScore {
   int glyphs = 0, found = 0;
-  std::array<int, kGlyphRules> taken{};  // by the rule that they break
+  std::array<int, kGlyphRules> accepted{};  // by the rule that they break
 
-  int all_taken() const;
+  int all_accepted() const;
 };
 DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& settings);
 

@@ -55,7 +55,7 @@ Eigen::Matrix<double, N + 1, N + 1> normaliser(
 // M = K R, where K is upper triangular with a positive diagonal: the rows of M are made
 // perpendicular, the last one first (Gram and Schmidt). M belongs to a camera and so is far from
 // singular.
-void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation) {
+void decompose_projection(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation) {
   intrinsic = Matrix3d::Zero();
   for (int row = 2; row >= 0; --row) {
     Vector3d rest = matrix.row(row).transpose();
@@ -74,59 +74,60 @@ void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation)
 
 // A camera near another one: the parameters are a rotation, a translation, and the unknown numbers
 // of the lens.
-PinholeCamera moved(const PinholeCamera& from, const Eigen::VectorXd& by, LensKnown known) {
+PinholeCamera moved(const PinholeCamera& from, const Eigen::VectorXd& by, KnownIntrinsics known) {
   PinholeCamera camera = from;
   camera.camera_from_world = turned_by(by.head<3>()) * from.camera_from_world;
   camera.centre += by.segment<3>(3);
-  if (known != LensKnown::kAll) {
+  if (known != KnownIntrinsics::kAll) {
     camera.intrinsic(0, 0) *= 1 + by[6];
     camera.intrinsic(1, 1) = camera.intrinsic(0, 0);
     camera.intrinsic(0, 1) = 0;
   }
-  if (known == LensKnown::kSquare) {
+  if (known == KnownIntrinsics::kSquare) {
     camera.intrinsic(0, 2) += by[7] * from.intrinsic(0, 0);
     camera.intrinsic(1, 2) += by[8] * from.intrinsic(0, 0);
   }
   return camera;
 }
 
-int unknowns_of(LensKnown known) {
-  return known == LensKnown::kAll ? 6 : known == LensKnown::kCentre ? 7 : 9;
+int unknowns_of(KnownIntrinsics known) {
+  return known == KnownIntrinsics::kAll ? 6 : known == KnownIntrinsics::kCentre ? 7 : 9;
 }
 
-PinholeCamera refined(const PinholeCamera& from, const std::vector<SeenPoint>& points,
-                      LensKnown known) {
-  const Eigen::VectorXd by = least_squares(unknowns_of(known), 2 * int(points.size()),
-                                           [&](const Eigen::VectorXd& at, Eigen::VectorXd& off) {
-                                             const PinholeCamera camera = moved(from, at, known);
-                                             for (std::size_t i = 0; i < points.size(); ++i)
-                                               off.segment<2>(Eigen::Index(2 * i)) =
-                                                   centre_seen(camera, points[i]) - points[i].pixel;
-                                           });
+PinholeCamera refined(const PinholeCamera& from, const std::vector<PointCorrespondence>& points,
+                      KnownIntrinsics known) {
+  const Eigen::VectorXd by = least_squares(
+      unknowns_of(known), 2 * int(points.size()),
+      [&](const Eigen::VectorXd& at, Eigen::VectorXd& off) {
+        const PinholeCamera camera = moved(from, at, known);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          off.segment<2>(Eigen::Index(2 * i)) = project_centre(camera, points[i]) - points[i].pixel;
+      });
   return by.allFinite() ? moved(from, by, known) : from;
 }
 
-double distance_of(const PinholeCamera& camera, const SeenPoint& point) {
+double distance_of(const PinholeCamera& camera, const PointCorrespondence& point) {
   if (!(project(camera, point.world).z() > 0)) return INFINITY;
-  const double distance = (centre_seen(camera, point) - point.pixel).norm();
+  const double distance = (project_centre(camera, point) - point.pixel).norm();
   return std::isnan(distance) ? INFINITY : distance;
 }
 
 // ---- random samples ----
 
 // Replaces entries of K that were estimated from six points by the known ones.
-PinholeCamera with_known(PinholeCamera camera, const PoseQuestion& question) {
+PinholeCamera with_known(PinholeCamera camera, const PoseRequest& request) {
   const double focal = std::sqrt(std::abs(camera.intrinsic(0, 0) * camera.intrinsic(1, 1)));
-  if (question.known == LensKnown::kAll) return camera;
-  const Vector2d centre = question.known == LensKnown::kCentre
-                              ? Vector2d(question.width / 2.0, question.height / 2.0)
+  if (request.known == KnownIntrinsics::kAll) return camera;
+  const Vector2d centre = request.known == KnownIntrinsics::kCentre
+                              ? Vector2d(request.width / 2.0, request.height / 2.0)
                               : Vector2d(camera.intrinsic(0, 2), camera.intrinsic(1, 2));
   camera.intrinsic << focal, 0, centre.x(), 0, focal, centre.y(), 0, 0, 1;
   return camera;
 }
 
-std::vector<SeenPoint> some(const std::vector<SeenPoint>& points, const std::vector<bool>& chosen) {
-  std::vector<SeenPoint> result;
+std::vector<PointCorrespondence> selected(const std::vector<PointCorrespondence>& points,
+                                          const std::vector<bool>& chosen) {
+  std::vector<PointCorrespondence> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (chosen[i]) result.push_back(points[i]);
   }
@@ -135,23 +136,23 @@ std::vector<SeenPoint> some(const std::vector<SeenPoint>& points, const std::vec
 
 class Search {
 public:
-  Search(const std::vector<SeenPoint>& points, const PoseQuestion& question)
-      : points_(points), question_(question) {}
+  Search(const std::vector<PointCorrespondence>& points, const PoseRequest& request)
+      : points_(points), request_(request) {}
 
   std::optional<FoundPose> run() {
     constexpr int kSamples = 300;
     // A camera from six noisy points is rough: its tolerance for agreement with the other points is
     // larger than that of the final camera.
-    const double coarse = question_.known == LensKnown::kAll ? 2 : 8;
+    const double coarse = request_.known == KnownIntrinsics::kAll ? 2 : 8;
     Random random(25);
-    const std::size_t size = question_.known == LensKnown::kAll ? 3 : 6;
+    const std::size_t size = request_.known == KnownIntrinsics::kAll ? 3 : 6;
     double least = INFINITY;
     for (int i = 0; i < kSamples; ++i) {
       // With an unknown lens, all points are tried first: if none of them is wrong, no sample gives
       // a better camera.
       const bool asks_all = i == 0 && size == 6;
       for (const PinholeCamera& camera : cameras_of(asks_all ? points_ : sample(random, size))) {
-        const double cost = cost_of(camera, coarse * question_.threshold);
+        const double cost = cost_of(camera, coarse * request_.threshold);
         if (!(cost < least)) continue;
         least = cost;
         best_ = camera;
@@ -160,46 +161,46 @@ public:
     if (!best_) return std::nullopt;
     // Replacing the principal point moves the images of all points, so the camera has to be turned
     // again. For that, use the points that agreed before the change.
-    const FoundPose rough = judged(*best_, coarse * question_.threshold);
+    const FoundPose rough = evaluated_pose(*best_, coarse * request_.threshold);
     PinholeCamera camera =
-        refined(with_known(*best_, question_), some(points_, rough.is_inlier), question_.known);
+        refined(with_known(*best_, request_), selected(points_, rough.is_inlier), request_.known);
     for (const double limit : {coarse, 2.0, 1.0, 1.0}) {
-      const FoundPose pose = judged(camera, limit * question_.threshold);
-      camera = refined(camera, some(points_, pose.is_inlier), question_.known);
+      const FoundPose pose = evaluated_pose(camera, limit * request_.threshold);
+      camera = refined(camera, selected(points_, pose.is_inlier), request_.known);
     }
-    return judged(camera, question_.threshold);
+    return evaluated_pose(camera, request_.threshold);
   }
 
 private:
-  std::vector<SeenPoint> sample(Random& random, std::size_t size) const {
+  std::vector<PointCorrespondence> sample(Random& random, std::size_t size) const {
     std::vector<std::size_t> chosen;
     while (chosen.size() < size) {
       const auto i = std::size_t(random.integer(0, std::int64_t(points_.size()) - 1));
       if (std::ranges::find(chosen, i) == chosen.end()) chosen.push_back(i);
     }
-    std::vector<SeenPoint> result;
+    std::vector<PointCorrespondence> result;
     for (const std::size_t i : chosen) result.push_back(points_[i]);
     return result;
   }
-  std::vector<PinholeCamera> cameras_of(const std::vector<SeenPoint>& sample) const {
-    if (question_.known == LensKnown::kAll)
-      return cameras_of_three(question_.intrinsic, {sample[0], sample[1], sample[2]});
+  std::vector<PinholeCamera> cameras_of(const std::vector<PointCorrespondence>& sample) const {
+    if (request_.known == KnownIntrinsics::kAll)
+      return cameras_from_three_points(request_.intrinsic, {sample[0], sample[1], sample[2]});
     const auto camera = camera_by_dlt(sample);
     if (!camera) return {};
     return {*camera};
   }
   double cost_of(const PinholeCamera& camera, double limit) const {
     double sum = 0;
-    for (const SeenPoint& point : points_) {
+    for (const PointCorrespondence& point : points_) {
       const double distance = std::min(distance_of(camera, point), limit);
       sum += distance * distance;
     }
     return sum;
   }
-  FoundPose judged(const PinholeCamera& camera, double limit) const {
+  FoundPose evaluated_pose(const PinholeCamera& camera, double limit) const {
     FoundPose pose{camera, {}, 0, 0};
     double squares = 0;
-    for (const SeenPoint& point : points_) {
+    for (const PointCorrespondence& point : points_) {
       const double distance = distance_of(camera, point);
       pose.is_inlier.push_back(distance <= limit);
       if (distance > limit) continue;
@@ -210,14 +211,14 @@ private:
     return pose;
   }
 
-  const std::vector<SeenPoint>& points_;
-  const PoseQuestion& question_;
+  const std::vector<PointCorrespondence>& points_;
+  const PoseRequest& request_;
   std::optional<PinholeCamera> best_;
 };
 
 // The smallest singular value of the points about their mean, divided by the largest: 0 for points
 // in a plane.
-double flatness(const std::vector<SeenPoint>& points) {
+double flatness(const std::vector<PointCorrespondence>& points) {
   Eigen::MatrixXd rows(Eigen::Index(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
     rows.row(Eigen::Index(i)) = points[i].world.transpose();
@@ -228,7 +229,7 @@ double flatness(const std::vector<SeenPoint>& points) {
 
 }  // namespace
 
-Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point) {
+Vector2d project_centre(const PinholeCamera& camera, const PointCorrespondence& point) {
   if (point.right.isZero() && point.down.isZero()) return project(camera, point.world).head<2>();
   Matrix3d h;
   h << point.right, point.down, point.world - camera.centre;
@@ -260,8 +261,8 @@ static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector
 
 // s1 to s3 are the distances to the points; u = s2/s1, v = s3/s1. Two of the three laws of cosines
 // give u as a quotient of polynomials in v, and the third then gives a quartic in v.
-std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
-                                            const std::array<SeenPoint, 3>& points) {
+std::vector<PinholeCamera> cameras_from_three_points(
+    const Matrix3d& intrinsic, const std::array<PointCorrespondence, 3>& points) {
   std::array<Vector3d, 3> world, ray;
   for (std::size_t i = 0; i < 3; ++i) {
     world[i] = points[i].world;
@@ -320,13 +321,13 @@ std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
   return cameras;
 }
 
-Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
+Result<PinholeCamera> camera_by_dlt(const std::vector<PointCorrespondence>& points) {
   if (points.size() < 6)
     return fail("the points", fmt::format("there are {}, but 6 are needed", points.size()),
                 "give more points");
   std::vector<Vector3d> world;
   std::vector<Vector2d> pixels;
-  for (const SeenPoint& point : points) {
+  for (const PointCorrespondence& point : points) {
     world.push_back(point.world);
     pixels.push_back(point.pixel);
   }
@@ -351,27 +352,28 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
   if (!(projection.leftCols<3>().determinant() > 0))
     return fail("the points", "no camera sees them in this way", "give points in general position");
   PinholeCamera camera;
-  take_apart(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
+  decompose_projection(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
   camera.centre = -projection.leftCols<3>().inverse() * projection.col(3);
   if (!camera.intrinsic.allFinite() || !camera.centre.allFinite())
     return fail("the points", "no camera sees them in this way", "give points in general position");
   return camera;
 }
 
-std::string_view name_of(LensKnown known) {
+std::string_view name_of(KnownIntrinsics known) {
   switch (known) {
-    case LensKnown::kAll:
+    case KnownIntrinsics::kAll:
       return "known";
-    case LensKnown::kCentre:
+    case KnownIntrinsics::kCentre:
       return "centre";
-    case LensKnown::kSquare:
+    case KnownIntrinsics::kSquare:
       return "square";
   }
   return "";
 }
 
-Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQuestion& question) {
-  const std::size_t least = question.known == LensKnown::kAll ? 4 : 6;
+Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
+                            const PoseRequest& request) {
+  const std::size_t least = request.known == KnownIntrinsics::kAll ? 4 : 6;
   if (points.size() < least) {
     return fail("the camera",
                 fmt::format("{} glyphs are seen, but {} are needed", points.size(), least),
@@ -379,12 +381,12 @@ Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQues
   }
   // Without this limit, noise of a thousandth of the wall's size would be taken for its depth.
   constexpr double kFlat = 0.02;
-  if (question.known != LensKnown::kAll && flatness(points) < kFlat) {
+  if (request.known != KnownIntrinsics::kAll && flatness(points) < kFlat) {
     return fail("the camera",
                 "all glyphs that are seen are in one plane, which does not determine the lens",
                 "give the lens (--fov), or take a picture of both panels");
   }
-  auto pose = Search(points, question).run();
+  auto pose = Search(points, request).run();
   const std::size_t enough = std::max(least, points.size() / 2);
   if (!pose || std::size_t(pose->inliers) < enough) {
     return fail(
@@ -406,7 +408,7 @@ GlyphPoints points_of(const FoundGlyphs& found, const Wall& wall) {
     const WallPanel& panel = wall.panels[std::size_t(glyph->panel)];
     result.points.push_back({glyph->centre, region.ellipse.centre, wall.radius() * panel.right,
                              wall.radius() * panel.down});
-    result.of.push_back(i);
+    result.regions.push_back(i);
   }
   return result;
 }

@@ -8,7 +8,7 @@
 
 #include <glassbox/base/error.h>
 
-#include "views/glyphs/find.h"
+#include "views/glyphs/find_glyphs.h"
 #include "views/glyphs/wall.h"
 #include "views/two_view/camera.h"
 
@@ -16,7 +16,7 @@ namespace glassbox::views {
 
 // A point of the world and its pixel. For a glyph, it is the disc around that point, whose image
 // does not have its centre at the image of the point.
-struct SeenPoint {
+struct PointCorrespondence {
   Vector3d world;
   Vector2d pixel;
   Vector3d right = Vector3d::Zero(),
@@ -26,26 +26,26 @@ struct SeenPoint {
 // The centre of the disc's image, which is an ellipse. With H = K R (r | d | c - C), it is the
 // polar line of the horizon with respect to the conic that is the image of the unit circle, H
 // diag(1, 1, -1) H^T. For a point it is the point's pixel.
-Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point);
+Vector2d project_centre(const PinholeCamera& camera, const PointCorrespondence& point);
 
 // The cameras with this K that see three points at these pixels: up to four (Grunert 1841, as in
 // Haralick, Lee, Ottenberg and Noelle, Review and Analysis of Solutions of the Three Point
 // Perspective Pose Estimation Problem, IJCV 13, 1994). None for three points on a line.
-std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
-                                            const std::array<SeenPoint, 3>& points);
+std::vector<PinholeCamera> cameras_from_three_points(
+    const Matrix3d& intrinsic, const std::array<PointCorrespondence, 3>& points);
 
 // The camera, including its lens, from six or more points that are not in one plane: solves the
 // linear system for the projection's twelve entries, with normalised points (Hartley and Zisserman,
 // Multiple View Geometry, chapter 7), and decomposes the result into K and R.
-Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points);
+Result<PinholeCamera> camera_by_dlt(const std::vector<PointCorrespondence>& points);
 
 // What is known of K: everything (kAll); that pixels are square and the principal point is in the
 // picture's middle (kCentre); that pixels are square (kSquare).
-enum class LensKnown { kAll, kCentre, kSquare };
-std::string_view name_of(LensKnown known);
+enum class KnownIntrinsics { kAll, kCentre, kSquare };
+std::string_view name_of(KnownIntrinsics known);
 
-struct PoseQuestion {
-  LensKnown known = LensKnown::kCentre;
+struct PoseRequest {
+  KnownIntrinsics known = KnownIntrinsics::kCentre;
   Matrix3d intrinsic = Matrix3d::Identity();  // used by kAll
   int width = 0, height = 0;                  // of the picture, px: used by kCentre
   double threshold = 2;                       // px: a point that is further off is an outlier
@@ -61,12 +61,13 @@ struct FoundPose {
 // Random samples with a fixed seed, then least squares over the inliers. Refused: fewer points than
 // determine the camera (four for a known lens; six for an unknown one, not all in one plane), and a
 // best camera that agrees with fewer points than that, or with less than half of all points.
-Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQuestion& question);
+Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
+                            const PoseRequest& request);
 
-// The found glyphs as points of the wall; `of` has the region of each.
+// The found glyphs as points of the wall; `regions` has the region of each.
 struct GlyphPoints {
-  std::vector<SeenPoint> points;
-  std::vector<std::size_t> of;
+  std::vector<PointCorrespondence> points;
+  std::vector<std::size_t> regions;
 };
 GlyphPoints points_of(const FoundGlyphs& found, const Wall& wall);
 

@@ -45,7 +45,7 @@ Lights through_lens(const Image<Rgba8>& picture, const Sensor& sensor) {
     for (int x = 0; x < picture.width; ++x) {
       const double off_x = x + 0.5 - half_x, off_y = y + 0.5 - half_y;
       const double squared = (off_x * off_x + off_y * off_y) / (half_y * half_y);
-      const double bent = 1 + sensor.bend * squared;
+      const double bent = 1 + sensor.distortion * squared;
       Rgb32f& light = lights.at(x, y);
       light = light_between(picture, half_x + bent * off_x, half_y + bent * off_y);
       const auto share = float(1 - sensor.falloff * squared / corner);
@@ -101,7 +101,7 @@ Lights without_mosaic(const Lights& lights) {
 
 }  // namespace
 
-Image<Rgba8> through_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed) {
+Image<Rgba8> apply_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed) {
   Lights lights = through_lens(picture, sensor);
   if (sensor.electrons > 0) add_noise(lights, sensor.electrons, seed);
   if (sensor.has_mosaic) lights = without_mosaic(lights);

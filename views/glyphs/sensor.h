@@ -10,8 +10,8 @@ namespace glassbox::views {
 
 struct Sensor {
   // Lens distortion: the image at the distance r from the middle, in halves of the picture's
-  // height, is the undistorted one at r (1 + bend r^2). Above 0 it is a barrel distortion.
-  double bend = 0;
+  // height, is the undistorted one at r (1 + distortion r^2). Above 0 it is a barrel distortion.
+  double distortion = 0;
   // The share of the light that is lost at the corners; the loss grows with the square of the
   // distance.
   double falloff = 0;
@@ -24,6 +24,6 @@ struct Sensor {
 };
 
 // Applies the effects in this order, and converts to 8 bits of sRGB.
-Image<Rgba8> through_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed);
+Image<Rgba8> apply_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed);
 
 }  // namespace glassbox::views

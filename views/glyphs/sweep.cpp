@@ -10,7 +10,7 @@
 #include <glassbox/base/trig.h>
 
 #include "views/glyphs/decoys.h"
-#include "views/glyphs/photograph.h"
+#include "views/glyphs/picture_effects.h"
 #include "views/glyphs/sensor.h"
 #include "views/rings/ring.h"
 
@@ -18,7 +18,7 @@ namespace glassbox::views {
 
 namespace {
 
-struct Shot {
+struct Photo {
   PinholeCamera camera;
   Image<Rgba8> picture;
   Image<std::uint8_t> covered;
@@ -33,11 +33,11 @@ Wall wall_of_panels(int panels) {
   return *make_wall(layout);
 }
 
-Shot shot_in(Studio& studio, double azimuth, int width) {
+Photo take_photo(WallPhotographer& photographer, double azimuth, int width) {
   const int height = width * 3 / 4;
-  Shot shot{camera_before(kDistance, azimuth, 5, width, height), {}, {}};
-  shot.picture = studio.photograph(shot.camera, width, height);
-  return shot;
+  Photo photo{camera_in_front(kDistance, azimuth, 5, width, height), {}, {}};
+  photo.picture = photographer.photograph(photo.camera, width, height);
+  return photo;
 }
 
 constexpr double kDpi = 50;
@@ -61,29 +61,29 @@ std::vector<std::pair<std::string, Sensor>> sensors() {
                      Sensor{.electrons = electrons});
   all.emplace_back("mosaic, 500 electrons", Sensor{.has_mosaic = true, .electrons = 500});
   for (const double bend : {0.002, 0.01, 0.05})
-    all.emplace_back(fmt::format("bent by {}", bend), Sensor{.bend = bend});
+    all.emplace_back(fmt::format("bent by {}", bend), Sensor{.distortion = bend});
   return all;
 }
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-void judge(SweepRow& row, const Wall& wall, const Shot& shot, const FindSettings& settings,
-           double least_across) {
-  const int width = shot.picture.width, height = shot.picture.height;
-  const FoundGlyphs found = find_glyphs(shot.picture, settings, wall.identities());
-  auto visible = visible_glyphs(wall, shot.camera, width, height, shot.covered);
+void add_result(SweepRow& row, const Wall& wall, const Photo& photo, const FindSettings& settings,
+                double least_across) {
+  const int width = photo.picture.width, height = photo.picture.height;
+  const FoundGlyphs found = find_glyphs(photo.picture, settings, wall.identities());
+  auto visible = visible_glyphs(wall, photo.camera, width, height, photo.covered);
   std::erase_if(visible, [&](const VisibleGlyph& glyph) { return glyph.shorter < least_across; });
-  const GlyphScore score = score_of(found, wall, shot.camera, visible);
+  const GlyphScore score = glyph_score(found, wall, photo.camera, visible);
   row.score.visible += score.visible;
   row.score.right += score.right;
   row.score.wrong += score.wrong;
   row.score.partly += score.partly;
-  PoseQuestion question;
-  question.known = LensKnown::kAll;
-  question.intrinsic = shot.camera.intrinsic;
-  const auto pose = find_pose(points_of(found, wall).points, question);
-  const PoseError error = pose ? pose_error(pose->camera, shot.camera) : PoseError{kNan, kNan};
-  // If one shot has no pose (nan), the worst error stays nan.
+  PoseRequest request;
+  request.known = KnownIntrinsics::kAll;
+  request.intrinsic = photo.camera.intrinsic;
+  const auto pose = find_pose(points_of(found, wall).points, request);
+  const PoseError error = pose ? pose_error(pose->camera, photo.camera) : PoseError{kNan, kNan};
+  // If one photo has no pose (nan), the worst error stays nan.
   const auto keep_worst = [](double& worst, double one) {
     if (!std::isnan(worst) && !(one <= worst)) worst = one;
   };
@@ -96,12 +96,12 @@ std::vector<SweepRow> without_rules(const FindSettings& settings) {
   std::vector<SweepRow> rows;
   const auto add = [&](const std::string& level, const FindSettings& asked) {
     const DecoyScore score = score_decoys(picture, asked);
-    rows.push_back({level, {score.glyphs, score.found, score.all_taken(), 0}, kNan, kNan});
+    rows.push_back({level, {score.glyphs, score.found, score.all_accepted(), 0}, kNan, kNan});
   };
   add("all", settings);
   for (int rule = 0; rule < kGlyphRules; ++rule) {
     FindSettings some = settings;
-    some.asks[std::size_t(rule)] = false;
+    some.enabled_rules[std::size_t(rule)] = false;
     add("without " + std::string(name_of(GlyphRule(rule))), some);
   }
   return rows;
@@ -109,32 +109,32 @@ std::vector<SweepRow> without_rules(const FindSettings& settings) {
 
 }  // namespace
 
-std::string_view name_of(SweepOf what) {
+std::string_view name_of(SweepVariable what) {
   switch (what) {
-    case SweepOf::kSize:
+    case SweepVariable::kSize:
       return "size";
-    case SweepOf::kBlur:
+    case SweepVariable::kBlur:
       return "blur";
-    case SweepOf::kOcclusion:
+    case SweepVariable::kOcclusion:
       return "occlusion";
-    case SweepOf::kTilt:
+    case SweepVariable::kTilt:
       return "tilt";
-    case SweepOf::kJpeg:
+    case SweepVariable::kJpeg:
       return "jpeg";
-    case SweepOf::kBalance:
+    case SweepVariable::kBalance:
       return "balance";
-    case SweepOf::kCamera:
+    case SweepVariable::kCamera:
       return "camera";
-    case SweepOf::kThreshold:
+    case SweepVariable::kThreshold:
       return "threshold";
-    case SweepOf::kRules:
+    case SweepVariable::kRules:
       return "rules";
   }
   return "";
 }
 
-PinholeCamera camera_before(double distance, double azimuth_degrees, double elevation_degrees,
-                            int width, int height) {
+PinholeCamera camera_in_front(double distance, double azimuth_degrees, double elevation_degrees,
+                              int width, int height) {
   const SinCos around = sin_cos_degrees(azimuth_degrees), up = sin_cos_degrees(elevation_degrees);
   PinholeCamera camera;
   const double focal = height / 2.0 / tan_half_degrees(40);
@@ -148,57 +148,61 @@ PinholeCamera camera_before(double distance, double azimuth_degrees, double elev
   return camera;
 }
 
-Studio::Studio(const Wall& wall)
+WallPhotographer::WallPhotographer(const Wall& wall)
     : scene_(wall_scene(wall, kDpi / kMetresOfInch)),
       settings_(unlit_on_grey()),
       renderer_(scene_, settings_.transfer) {}
 
-Image<Rgba8> Studio::photograph(const PinholeCamera& camera, int width, int height) {
+Image<Rgba8> WallPhotographer::photograph(const PinholeCamera& camera, int width, int height) {
   const auto view = view_of(camera, width, height, box_of(scene_));
   if (!view) return Image<Rgba8>(width, height, settings_.background);
   return renderer_.render(*view, settings_).buffers.color;
 }
 
-std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
-                                   const std::function<void(const std::string&)>& tell) {
-  if (what == SweepOf::kRules) return without_rules(settings);
+std::vector<SweepRow> sweep_glyphs(SweepVariable what, const FindSettings& settings,
+                                   const std::function<void(const std::string&)>& report_progress) {
+  if (what == SweepVariable::kRules) return without_rules(settings);
   constexpr int kWidth = 800;
   std::vector<SweepRow> rows;
-  const auto add = [&](const std::string& level, const Wall& wall, const std::vector<Shot>& shots,
+  const auto add = [&](const std::string& level, const Wall& wall, const std::vector<Photo>& photos,
                        const FindSettings& asked, double least_across = 0) {
-    if (tell) tell(level);
+    if (report_progress) report_progress(level);
     SweepRow row{level, {}, 0, 0};
-    for (const Shot& shot : shots) judge(row, wall, shot, asked, least_across);
+    for (const Photo& photo : photos) add_result(row, wall, photo, asked, least_across);
     rows.push_back(row);
   };
   const Wall corner = wall_of_panels(2);
-  Studio studio(what == SweepOf::kTilt ? wall_of_panels(1) : corner);
-  if (what == SweepOf::kSize) {
+  WallPhotographer photographer(what == SweepVariable::kTilt ? wall_of_panels(1) : corner);
+  if (what == SweepVariable::kSize) {
     // Glyphs have at most this diameter; those from 0.8 of it on are counted.
     for (const int size : {10, 12, 15, 20, 25, 30, 40}) {
       const int width = size * 24 / 4 * 4;
       add(fmt::format("{} px", size), corner,
-          {shot_in(studio, -5, width), shot_in(studio, 5, width)}, settings, 0.8 * size);
+          {take_photo(photographer, -5, width), take_photo(photographer, 5, width)}, settings,
+          0.8 * size);
     }
     return rows;
   }
-  if (what == SweepOf::kTilt) {
+  if (what == SweepVariable::kTilt) {
     const Wall flat = wall_of_panels(1);
     for (const int tilt : {0, 30, 45, 60, 70, 75})
       add(fmt::format("{} degrees", tilt), flat,
-          {shot_in(studio, tilt, kWidth), shot_in(studio, -tilt, kWidth)}, settings);
+          {take_photo(photographer, tilt, kWidth), take_photo(photographer, -tilt, kWidth)},
+          settings);
     return rows;
   }
-  const std::vector<Shot> shots{shot_in(studio, -5, kWidth), shot_in(studio, 5, kWidth)};
+  const std::vector<Photo> photos{take_photo(photographer, -5, kWidth),
+                                  take_photo(photographer, 5, kWidth)};
   const auto changed = [&](auto change) {
-    std::vector<Shot> result = shots;
-    for (Shot& shot : result) change(shot);
+    std::vector<Photo> result = photos;
+    for (Photo& photo : result) change(photo);
     return result;
   };
-  if (what == SweepOf::kBlur || what == SweepOf::kThreshold) {
+  if (what == SweepVariable::kBlur || what == SweepVariable::kThreshold) {
     for (const double blur : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
-      const auto blurry = changed([&](Shot& shot) { shot.picture = blurred(shot.picture, blur); });
-      if (what == SweepOf::kBlur) {
+      const auto blurry =
+          changed([&](Photo& photo) { photo.picture = blurred(photo.picture, blur); });
+      if (what == SweepVariable::kBlur) {
         add(fmt::format("{} px", blur), corner, blurry, settings);
         continue;
       }
@@ -210,42 +214,42 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
       }
     }
   }
-  if (what == SweepOf::kOcclusion) {
+  if (what == SweepVariable::kOcclusion) {
     for (const double share : {0.0, 0.1, 0.2, 0.3, 0.5}) {
-      const auto hidden = changed([&](Shot& shot) {
-        OccludedPicture made = occluded(shot.picture, share, 7);
-        shot.picture = std::move(made.picture);
-        shot.covered = std::move(made.covered);
+      const auto hidden = changed([&](Photo& photo) {
+        OccludedPicture made = occluded(photo.picture, share, 7);
+        photo.picture = std::move(made.picture);
+        photo.covered = std::move(made.covered);
       });
       add(fmt::format("{:.0f} %", 100 * share), corner, hidden, settings);
     }
   }
-  if (what == SweepOf::kJpeg) {
+  if (what == SweepVariable::kJpeg) {
     for (const int quality : {95, 75, 50, 30, 20, 10}) {
       add(fmt::format("quality {}", quality), corner,
-          changed([&](Shot& shot) { shot.picture = through_jpeg(shot.picture, quality); }),
+          changed([&](Photo& photo) { photo.picture = apply_jpeg(photo.picture, quality); }),
           settings);
     }
   }
-  if (what == SweepOf::kCamera) {
+  if (what == SweepVariable::kCamera) {
     for (const auto& [level, sensor] : sensors()) {
-      add(level, corner, changed([&, &by = sensor](Shot& shot) {
-            shot.picture = through_sensor(shot.picture, by, 11);
+      add(level, corner, changed([&, &by = sensor](Photo& photo) {
+            photo.picture = apply_sensor(photo.picture, by, 11);
           }),
           settings);
     }
-    add("soft, all but bent, JPEG 90", corner, changed([](Shot& shot) {
+    add("soft, all but bent, JPEG 90", corner, changed([](Photo& photo) {
           const Sensor usual{.falloff = 0.3, .has_mosaic = true, .electrons = 1000};
-          shot.picture = through_jpeg(through_sensor(blurred(shot.picture, 0.5), usual, 11), 90);
+          photo.picture = apply_jpeg(apply_sensor(blurred(photo.picture, 0.5), usual, 11), 90);
         }),
         settings);
   }
-  if (what == SweepOf::kBalance) {
+  if (what == SweepVariable::kBalance) {
     for (const double gain : {1.0, 0.8, 0.6, 0.4}) {
       for (const std::array<double, 3> gains :
            {std::array{1.0, gain, gain * gain}, std::array{gain * gain, gain, 1.0}}) {
         const auto tinted =
-            changed([&](Shot& shot) { shot.picture = with_gains(shot.picture, gains); });
+            changed([&](Photo& photo) { photo.picture = with_gains(photo.picture, gains); });
         for (const bool balances : {true, false}) {
           FindSettings asked = settings;
           asked.balances = balances;

@@ -10,13 +10,13 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/renderer.h>
 
-#include "views/glyphs/evaluate.h"
-#include "views/glyphs/find.h"
+#include "views/glyphs/find_glyphs.h"
+#include "views/glyphs/glyph_score.h"
 #include "views/glyphs/pose.h"
 
 namespace glassbox::views {
 
-enum class SweepOf {
+enum class SweepVariable {
   kSize,
   kBlur,
   kOcclusion,
@@ -27,7 +27,7 @@ enum class SweepOf {
   kThreshold,
   kRules
 };
-std::string_view name_of(SweepOf what);
+std::string_view name_of(SweepVariable what);
 
 struct SweepRow {
   std::string level;  // "20 px"
@@ -39,20 +39,21 @@ struct SweepRow {
 // Two pictures for each level, from a distance of 2 m. The tilt sweep uses a plane wall, the others
 // the default wall. Glyphs are about 40 px large, except in the size sweep. The rules sweep uses
 // the decoys (decoys.h), with a row for each rule that is switched off.
-std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
-                                   const std::function<void(const std::string&)>& tell);
+std::vector<SweepRow> sweep_glyphs(SweepVariable what, const FindSettings& settings,
+                                   const std::function<void(const std::string&)>& report_progress);
 
 // A camera `distance` metres in front of the middle of the wall, turned around it by these angles,
 // with a vertical angle of view of 40 degrees.
-PinholeCamera camera_before(double distance, double azimuth_degrees, double elevation_degrees,
-                            int width, int height);
+PinholeCamera camera_in_front(double distance, double azimuth_degrees, double elevation_degrees,
+                              int width, int height);
 
 // Photographs of a wall, which is textured only once: unlit, four samples a pixel, on grey.
-class Studio {
+class WallPhotographer {
 public:
-  explicit Studio(const Wall& wall);
-  Studio(const Studio&) = delete;  // the renderer keeps a reference to the scene
-  Studio& operator=(const Studio&) = delete;
+  explicit WallPhotographer(const Wall& wall);
+  WallPhotographer(const WallPhotographer&) =
+      delete;  // the renderer keeps a reference to the scene
+  WallPhotographer& operator=(const WallPhotographer&) = delete;
   Image<Rgba8> photograph(const PinholeCamera& camera, int width, int height);
 
 private:

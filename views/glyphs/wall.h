@@ -8,7 +8,7 @@
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
 
-#include "views/glyphs/code.h"
+#include "views/glyphs/glyph_code.h"
 #include "views/two_view/camera.h"
 
 namespace glassbox::views {

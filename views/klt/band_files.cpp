@@ -41,12 +41,12 @@ Result<std::string> cube_of(const std::string& header_path) {
 }
 
 // An opened file, and the size and number of bands from its header.
-struct Opened {
+struct OpenedFile {
   BandFiles::File file;
   int width = 0, height = 0, bands = 0;
 };
 
-Result<Opened> open_cube(const std::string& path) {
+Result<OpenedFile> open_cube(const std::string& path) {
   constexpr std::uint64_t kMostHeader = 1 << 20;
   const auto text = read_file(path, kMostHeader);
   if (!text) return tl::unexpected(text.error());
@@ -61,22 +61,22 @@ Result<Opened> open_cube(const std::string& path) {
     const auto enough = check_cube_size(*header, size);
     if (!enough) return in_file(*numbers, enough.error());
   }
-  return Opened{
+  return OpenedFile{
       {path, {}, *header, *numbers}, int(header->width), int(header->height), int(header->bands)};
 }
 
 // A picture within the limit is smaller than its bands are as doubles, except for text that the
 // file has beside the pixels (kMostText).
-Result<Opened> open_picture(const std::string& path, std::uint64_t most_bytes) {
+Result<OpenedFile> open_picture(const std::string& path, std::uint64_t most_bytes) {
   constexpr std::uint64_t kMostText = 1 << 20;
   auto bytes = read_file(path, most_bytes + kMostText);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto header = stored_header(*bytes);
   if (!header) return in_file(path, header.error());
-  return Opened{{path, std::move(*bytes), {}, {}},
-                header->width,
-                header->height,
-                colors_of(header->channels)};
+  return OpenedFile{{path, std::move(*bytes), {}, {}},
+                    header->width,
+                    header->height,
+                    colors_of(header->channels)};
 }
 
 Result<Bands> decode_picture(const BandFiles::File& file) {
@@ -101,7 +101,7 @@ Result<Bands> decode_picture(const BandFiles::File& file) {
 
 Result<Bands> decode_file(const BandFiles::File& file) {
   if (!file.cube) return decode_picture(file);
-  const auto bytes = read_file(file.numbers, file.cube->bytes() + kMostBeyondCube);
+  const auto bytes = read_file(file.numbers, file.cube->bytes() + kMostTrailingBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   auto bands = decode_cube(*file.cube, *bytes);
   if (!bands) return in_file(file.numbers, bands.error());

@@ -45,7 +45,7 @@ double fractal(std::uint64_t seed, const Direction& p, double frequency, int oct
   return sum / all;
 }
 
-double between(double low, double high, double value) {
+double fraction_between(double low, double high, double value) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
 }
 
@@ -55,11 +55,11 @@ struct Sky {
 
 Sky sky_at(const Direction& p) {
   Sky sky{};
-  sky.land = smooth(between(0.5, 0.53, fractal(100, p, 1.6, 6)));
-  sky.desert = smooth(between(0.4, 0.65, fractal(150, p, 2.5, 5)));
+  sky.land = smooth(fraction_between(0.5, 0.53, fractal(100, p, 1.6, 6)));
+  sky.desert = smooth(fraction_between(0.4, 0.65, fractal(150, p, 2.5, 5)));
   // Winds stretch clouds along circles of latitude.
   const Direction pulled{p.x, 2.2 * p.y, p.z};
-  const double thickness = 14 * between(0.5, 0.9, fractal(200, pulled, 2.4, 7));
+  const double thickness = 14 * fraction_between(0.5, 0.9, fractal(200, pulled, 2.4, 7));
   sky.opacity = thickness / (1 + thickness);
   sky.height = fractal(300, p, 2, 3);
   sky.moisture = fractal(400, p, 1.4, 4);
@@ -90,7 +90,7 @@ constexpr std::array<Channel, kCloudBands> kChannels{{{"visible 0.65 um", 0, 100
                                                       {"infrared 12 um", 180, 320, 0.5}}};
 
 Rgba8 ground_color(const Sky& sky, double grain) {
-  const double cold = between(0.35, 0.1, sky.warmth);
+  const double cold = fraction_between(0.35, 0.1, sky.warmth);
   const auto channel = [&](double sea, double land) {
     const double bare = sea + (land * (0.75 + 0.5 * grain) - sea) * sky.land;
     return std::uint8_t(bare + (235 - bare) * cold + 0.5);

@@ -224,7 +224,7 @@ std::vector<std::byte> cube_bytes(const Bands& bands) {
 }
 
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes) {
-  if (bytes >= header.bytes() && bytes - header.bytes() <= kMostBeyondCube) return {};
+  if (bytes >= header.bytes() && bytes - header.bytes() <= kMostTrailingBytes) return {};
   return fail("the cube",
               fmt::format("has {} bytes, but its header requires {}", bytes, header.bytes()),
               "give the complete file, or the header that belongs to it");

@@ -53,8 +53,8 @@ std::string cube_header_text(const Bands& bands);
 std::vector<std::byte> cube_bytes(const Bands& bands);
 
 // How many bytes may follow the numbers.
-inline constexpr std::uint64_t kMostBeyondCube = 1 << 20;
-// Refused: fewer bytes than the header demands, or more than kMostBeyondCube bytes too many.
+inline constexpr std::uint64_t kMostTrailingBytes = 1 << 20;
+// Refused: fewer bytes than the header demands, or more than kMostTrailingBytes bytes too many.
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes);
 // Refuses the same. Bands without a name are named "band 1", "band 2" ...
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kGlobeLevel = 48;
 
-std::uint32_t textured(Scene& scene, const std::string& name, const Image<Rgba8>& image) {
+std::uint32_t add_textured_material(Scene& scene, const std::string& name,
+                                    const Image<Rgba8>& image) {
   const std::uint32_t material = add_material(scene, name, {1, 1, 1, 1});
   const std::uint32_t texture = add_texture(scene, image);
   scene.materials[material].texture = texture;
@@ -46,13 +47,13 @@ Scene make_globe(const Image<Rgba8>& ground, const Image<Rgba8>& clouds) {
   Mesh ball = make_sphere(kGlobeLevel).meshes.front();
   Mesh shell = ball;
   ball.name = "ground";
-  ball.material = textured(scene, "ground", ground);
+  ball.material = add_textured_material(scene, "ground", ground);
   shell.name = "clouds";
-  shell.material = textured(scene, "clouds", clouds);
+  shell.material = add_textured_material(scene, "clouds", clouds);
   scene.materials[shell.material].alpha_mode = AlphaMode::kBlend;
   add_object(scene, std::move(ball));
   constexpr double kShell = 1.015;
-  add_object(scene, std::move(shell), place({0, 0, 0}, 0, {kShell, kShell, kShell}));
+  add_object(scene, std::move(shell), placement_transform({0, 0, 0}, 0, {kShell, kShell, kShell}));
   add_directional(scene, "sun", {-1, -0.5, -1}, 3);
   add_perspective(scene, "from space", 35, 0.1, look_at_pose({1.2, 1.2, 3.4}, {0, 0, 0}));
   return scene;

@@ -66,7 +66,7 @@ void make_positive(Eigen::Ref<Eigen::VectorXd> vector) {
 
 }  // namespace
 
-double Klt::dropped(int kept) const {
+double Klt::truncation_error(int kept) const {
   double sum = 0;
   for (Eigen::Index i = eigenvalues.size(); i-- > kept;) sum += eigenvalues[i];
   return sum;
@@ -164,11 +164,11 @@ double identity_bound(const Bands& bands, const Klt& klt, int kept) {
   }
   const double root = std::sqrt(double(bands.count()));
   const double added = unit_roundoff<double> * root * (1 + 2 * root) * largest;
-  return 1e-10 * klt.dropped(kept) + bands.count() * eigenvalue_bound(bands, klt) +
-         2 * std::sqrt(klt.dropped(kept)) * added + added * added;
+  return 1e-10 * klt.truncation_error(kept) + bands.count() * eigenvalue_bound(bands, klt) +
+         2 * std::sqrt(klt.truncation_error(kept)) * added + added * added;
 }
 
-std::vector<int> groups_of(const Eigen::VectorXd& eigenvalues, double resolution) {
+std::vector<int> eigenvalue_groups(const Eigen::VectorXd& eigenvalues, double resolution) {
   std::vector<int> groups;
   for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
     const bool joins = i > 0 && eigenvalues[i - 1] - eigenvalues[i] <= resolution;

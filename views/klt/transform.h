@@ -29,7 +29,7 @@ struct Klt {
   double trace() const { return eigenvalues.sum(); }
   // The sum of the eigenvalues from index `kept` on, the smallest first: the mean squared error
   // when only the first `kept` components are kept.
-  double dropped(int kept) const;
+  double truncation_error(int kept) const;
 };
 
 // The mean and the covariance in two passes: the second one sums products of differences to the
@@ -55,14 +55,14 @@ Bands reconstructed(const Bands& components, const Klt& klt, const Bands& named)
 // sum over the bands.
 double mean_squared_error(const Bands& a, const Bands& b);
 
-// An upper bound of the difference that rounding can make between a measured error and dropped().
-// It has three parts. First, 1e-10 of dropped(), as the requirement S1-14 allows. Second, the error
-// of the eigenvalues themselves, which matters if nearly all components are kept: by Weyl's
-// inequality each is off by at most |C' - C| <= (W + H + 3 B) u trace, with W + H roundings from
-// the sums and 3 B from the products with V, and there are B eigenvalues. Third, the reconstructed
-// pixels are rounded when the mean is added: for samples of at most M by r = u sqrt(B) (1 + 2
-// sqrt(B)) M together, as |m| <= M and |x - m| <= 2 sqrt(B) M; this changes the mean square by at
-// most 2 sqrt(dropped) r + r^2 (Cauchy and Schwarz).
+// An upper bound of the difference that rounding can make between a measured error and
+// truncation_error(). It has three parts. First, 1e-10 of truncation_error(), as the requirement
+// S1-14 allows. Second, the error of the eigenvalues themselves, which matters if nearly all
+// components are kept: by Weyl's inequality each is off by at most |C' - C| <= (W + H + 3 B) u
+// trace, with W + H roundings from the sums and 3 B from the products with V, and there are B
+// eigenvalues. Third, the reconstructed pixels are rounded when the mean is added: for samples of
+// at most M by r = u sqrt(B) (1 + 2 sqrt(B)) M together, as |m| <= M and |x - m| <= 2 sqrt(B) M;
+// this changes the mean square by at most 2 sqrt(dropped) r + r^2 (Cauchy and Schwarz).
 double identity_bound(const Bands& bands, const Klt& klt, int kept);
 
 // An upper bound of the rounding error of one eigenvalue, by the same inequality.
@@ -71,7 +71,7 @@ double eigenvalue_bound(const Bands& bands, const Klt& klt);
 // Groups neighbouring eigenvalues that are so close that rounding alone could exchange them: within
 // a group only the space that its vectors span is determined. Returns for each eigenvalue the first
 // index of its group.
-std::vector<int> groups_of(const Eigen::VectorXd& eigenvalues, double resolution);
+std::vector<int> eigenvalue_groups(const Eigen::VectorXd& eigenvalues, double resolution);
 
 // The largest principal angle in radians between the spaces that the orthonormal columns of a and b
 // span. It is the arcsine of the norm of the part of B that is perpendicular to A, and therefore

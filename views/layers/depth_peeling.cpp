@@ -11,7 +11,7 @@ bool is_empty(const Layer& layer) {
                              [](std::uint32_t code) { return code == kEmptyDepth; });
 }
 
-const Material* seen_through(const Scene& scene) {
+const Material* transparent_material(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[scene.meshes[instance.mesh].material];
     if (material.alpha_mode == AlphaMode::kBlend) return &material;

@@ -23,7 +23,7 @@ bool is_empty(const Layer& layer);  // whether the layer shows no surface
 
 // The material of a drawn surface that is transparent, if there is one. Such a surface hides
 // nothing and has no layer of its own.
-const Material* seen_through(const Scene& scene);
+const Material* transparent_material(const Scene& scene);
 
 // Peels a scene without transparent surfaces: each pass draws what is behind the surfaces of the
 // pass before (Everitt 2001). `layers` passes; fewer if a pass shows nothing.

@@ -68,7 +68,7 @@ private:
   // The range of samples of pixel (x, y); empty outside of the picture.
   std::pair<std::uint32_t, std::uint32_t> samples_at(int x, int y) const {
     if (x < 0 || y < 0 || x >= image.camera.width || y >= image.camera.height) return {0, 0};
-    const std::size_t place = image.place(x, y);
+    const std::size_t place = image.pixel_index(x, y);
     return {image.first[place], image.first[place + 1]};
   }
 
@@ -146,7 +146,7 @@ public:
   void for_each_block(int y, const Visit& visit) const {
     const LayeredImage& image = samples_.image;
     const int width = image.camera.width;
-    const std::size_t row = image.place(0, y);
+    const std::size_t row = image.pixel_index(0, y);
     for (int anchor = 0; anchor < width; anchor += kAnchorPixels) {
       const std::uint32_t
           begin = image.first[row + std::size_t(anchor)],
@@ -184,7 +184,7 @@ struct RowBoxes {
   std::vector<std::uint8_t> side;
 };
 
-SampleBoxes beyond(const SampleBoxes& boxes, std::size_t i) {
+SampleBoxes boxes_from(const SampleBoxes& boxes, std::size_t i) {
   return {boxes.left + i,   boxes.top + i,   boxes.right + i,
           boxes.bottom + i, boxes.depth + i, boxes.side + i};
 }
@@ -259,12 +259,12 @@ public:
     const Eigen::Vector4d epipole = image.camera.screen_from_world * eye_of(to_);
     const auto columns = visiting_order(epipole.x(), epipole.w(), image.camera.width);
     for (const int y : visiting_order(epipole.y(), epipole.w(), image.camera.height)) {
-      const std::size_t row = image.place(0, y);
+      const std::size_t row = image.pixel_index(0, y);
       const std::uint32_t begin = image.first[row];
       const std::size_t count = image.first[row + std::size_t(image.camera.width)] - begin;
       const SampleBoxes boxes = canvas.boxes.of(count);
       warp_.for_each_block(y, [&](std::uint32_t first, const WarpBlock& block) {
-        kernels_.boxes(block, sides_, to_.width, to_.height, beyond(boxes, first - begin),
+        kernels_.boxes(block, sides_, to_.width, to_.height, boxes_from(boxes, first - begin),
                        canvas.counts);
       });
       for (const int x : columns) {
@@ -339,15 +339,15 @@ WarpCounts sum_of(std::span<const Canvas> canvases, std::size_t samples) {
   WarpCounts sum;
   for (const Canvas& canvas : canvases) {
     sum.behind += canvas.counts.behind;
-    sum.beside += canvas.counts.beside;
-    sum.cut += canvas.counts.cut;
+    sum.outside += canvas.counts.outside;
+    sum.oversized += canvas.counts.oversized;
   }
-  sum.drawn = samples - sum.behind - sum.beside;
+  sum.drawn = samples - sum.behind - sum.outside;
   return sum;
 }
 
 template <class Pixel>
-void fit(Image<Pixel>& image, const LayerCamera& to) {
+void resize_to(Image<Pixel>& image, const LayerCamera& to) {
   if (image.width != to.width || image.height != to.height)
     image = Image<Pixel>(to.width, to.height);
 }
@@ -382,8 +382,8 @@ void LayerDrawer::draw(const LayerCamera& to, const LayerDrawing& drawing, Layer
   State& state = *state_;
   const Picture picture(state.samples, to, drawing);
   const LayerCamera& from = state.samples.image.camera;
-  fit(into.color, to);
-  fit(into.depth, to);
+  resize_to(into.color, to);
+  resize_to(into.depth, to);
   const int threads = threads_that_draw(from, to, drawing);
   state.canvases.resize(std::size_t(threads));
   if (threads == 1) {

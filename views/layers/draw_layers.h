@@ -45,8 +45,8 @@ struct WarpCounts {
   std::size_t drawn = 0;   // samples that were drawn, including those that nearer ones hide
   std::size_t behind = 0;  // not in front of the eye (C-83)
   // Outside the picture, nearer than the near plane, or beyond a parallel view's far plane.
-  std::size_t beside = 0;
-  std::size_t cut = 0;  // in front of the eye, and larger than kLargestSplat
+  std::size_t outside = 0;
+  std::size_t oversized = 0;  // in front of the eye, and larger than kLargestSplat
   friend bool operator==(const WarpCounts&, const WarpCounts&) = default;
 };
 

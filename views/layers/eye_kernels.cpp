@@ -74,7 +74,7 @@ private:
 };
 
 // One row that is being warped. The centre of pixel i moves to place[i].
-struct Carried {
+struct RowWarp {
   const float* place;
   const float* nearness;
   const Rgba8* color;
@@ -110,7 +110,7 @@ struct Carried {
   }
   // On one surface, a pixel between two warped centres gets a mixture of both colours; at the edge
   // of a surface its last pixel extends over half of its width.
-  void carry(int i) const {
+  void warp_pixel(int i) const {
     if (!is_there(i)) return;
     const float at = place[i];
     const float nearest = std::floor(at);
@@ -119,10 +119,10 @@ struct Carried {
       if (nearest + 0.5f >= at) put(nearest, i, color_of(i));
       return;
     }
-    carry_mixed(i, std::ceil(at - 0.5f));
+    warp_mixed_pixels(i, std::ceil(at - 0.5f));
   }
   // Puts mixtures into the pixels from x on whose centres are between those of i and i + 1.
-  void carry_mixed(int i, float x) const {
+  void warp_mixed_pixels(int i, float x) const {
     const float at = place[i], next = place[i + 1];
     for (; x + 0.5f < next; x += 1) {
       const float share = (x + 0.5f - at) / (next - at);
@@ -150,8 +150,8 @@ void fill_empty(const EyeTarget& target, int begin, int end, std::uint32_t color
   }
 }
 
-void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch,
-           const EyeTarget& target) {
+void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch,
+              const EyeTarget& target) {
   const EyeF f;
   const EyeI d;
   const EyeU u;
@@ -204,8 +204,8 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
     begin = begin + (end - begin + lanes - 1) / lanes * lanes;
   }
 
-  const Carried carried{place, nearness, row.color, row.width, row.is_first, target};
-  carried.carry(0);
+  const RowWarp row_warp{place, nearness, row.color, row.width, row.is_first, target};
+  row_warp.warp_pixel(0);
   int i = 1;
   const auto least = hn::Set(f, kLeastStep), most = hn::Set(f, kMostStep);
   HWY_ALIGN std::int32_t to[kMostEyeLanes];
@@ -237,14 +237,15 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       plain = hn::And(plain, hn::Gt(hn::LoadU(f, nearness + i - 1), zero));
     }
     if (!hn::AllTrue(f, plain)) {
-      for (int k = 0; k < lanes; ++k) carried.carry(i + k);
+      for (int k = 0; k < lanes; ++k) row_warp.warp_pixel(i + k);
       continue;
     }
     const auto shows = hn::Lt(center, next);
     // (No two neighbours of one surface cover the same centre, so their order does not matter.)
     const auto again = hn::Lt(hn::Add(center, one), next);
     if (!hn::AllFalse(f, again)) {
-      for (int k = i; k < i + lanes; ++k) carried.carry_mixed(k, std::ceil(place[k] - 0.5f) + 1);
+      for (int k = i; k < i + lanes; ++k)
+        row_warp.warp_mixed_pixels(k, std::ceil(place[k] - 0.5f) + 1);
     }
     const auto inside =
         hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, hn::Set(f, float(row.width)))), shows);
@@ -284,7 +285,7 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       target.color[to[k]] = color[k];
     }
   }
-  for (; i < row.width; ++i) carried.carry(i);
+  for (; i < row.width; ++i) row_warp.warp_pixel(i);
 }
 
 int fill(const EyeTarget& row, int width) {
@@ -312,7 +313,7 @@ int fill(const EyeTarget& row, int width) {
   return holes;
 }
 
-const EyeKernels kKernels{carry, fill};
+const EyeKernels kKernels{warp_row, fill};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -40,7 +40,7 @@ struct EyeTarget {
 struct EyeKernels {
   // Warps a row into the target. The nearer pixel stays; of equally near ones, the first. `scratch`
   // has room for 2 width + 256 numbers.
-  void (*carry)(const EyeShift& shift, const EyeRow& row, float* scratch, const EyeTarget& to);
+  void (*warp_row)(const EyeShift& shift, const EyeRow& row, float* scratch, const EyeTarget& to);
 
   // Fills holes from the pixel beside them, the farther one of both sides. A row to which nothing
   // was warped gets the colour that the caller has put into its pixel 0. Returns the number of

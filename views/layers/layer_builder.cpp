@@ -6,14 +6,15 @@
 
 namespace glassbox::views {
 
-LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon, const SampleWishes& wishes)
+LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon,
+                           const WantedAttributes& wanted)
     : camera_(camera),
       epsilon_(epsilon),
-      wishes_(wishes),
+      wanted_(wanted),
       last_added_(std::size_t(camera.width) * std::size_t(camera.height), kNone) {}
 
 void LayerBuilder::add(int x, int y, float depth, Rgba8 color, std::uint32_t rank,
-                       const SampleSource& source) {
+                       const SampleAttributes& source) {
   if (!(depth > 0) || !std::isfinite(depth)) return;
   const std::size_t place =
       std::size_t(camera_.height - 1 - y) * std::size_t(camera_.width) + std::size_t(x);
@@ -49,7 +50,7 @@ std::size_t LayerBuilder::add_pixels(const View& from, const Image<Rgba8>& color
 
 std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& color,
                                       const Image<float>& distance, std::uint32_t rank) {
-  return add_pixels(from, color, distance, rank, [](int, int) { return SampleSource(); });
+  return add_pixels(from, color, distance, rank, [](int, int) { return SampleAttributes(); });
 }
 
 std::size_t LayerBuilder::add_layer(const View& from, const Layer& layer,
@@ -57,7 +58,8 @@ std::size_t LayerBuilder::add_layer(const View& from, const Layer& layer,
   if (layer.id.pixels.empty()) return add_picture(from, layer.color, layer.distance, rank);
   return add_pixels(from, layer.color, layer.distance, rank, [&](int x, int y) {
     const std::uint32_t triangle = layer.id.at(x, y);
-    return SampleSource{triangle < normals.size() ? normals[triangle] : SampleNormal(), triangle};
+    return SampleAttributes{triangle < normals.size() ? normals[triangle] : SampleNormal(),
+                            triangle};
   });
 }
 
@@ -94,15 +96,15 @@ LayeredImage LayerBuilder::pack() const {
     for (std::size_t i = kept; i-- > 0;) {
       image.depth.push_back(here[i].depth);
       image.color.push_back(here[i].color);
-      if (wishes_.normals) image.normal.push_back(here[i].source.normal);
-      if (wishes_.triangles) image.triangle.push_back(here[i].source.triangle);
+      if (wanted_.normals) image.normal.push_back(here[i].source.normal);
+      if (wanted_.triangles) image.triangle.push_back(here[i].source.triangle);
     }
     image.first.push_back(std::uint32_t(image.depth.size()));
   }
   return image;
 }
 
-LayeredImage ends_of(const LayeredImage& image) {
+LayeredImage nearest_and_farthest(const LayeredImage& image) {
   LayeredImage ends;
   ends.camera = image.camera;
   ends.first.push_back(0);

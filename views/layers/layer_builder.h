@@ -15,11 +15,11 @@
 namespace glassbox::views {
 
 // What a sample may have besides a depth and a colour, and whether it is wanted.
-struct SampleSource {
+struct SampleAttributes {
   SampleNormal normal;
   std::uint32_t triangle = 0;
 };
-struct SampleWishes {
+struct WantedAttributes {
   bool normals = false, triangles = false;
 };
 
@@ -30,12 +30,12 @@ public:
   // merged. The one of the lowest rank stays; among those, the nearest. Groups are made from the
   // front: the nearest remaining sample merges all that are within epsilon of it, but not those
   // that are near only to one of the others (C-84).
-  LayerBuilder(const LayerCamera& camera, double epsilon, const SampleWishes& wishes = {});
+  LayerBuilder(const LayerCamera& camera, double epsilon, const WantedAttributes& wanted = {});
 
   // The pixel must be inside the picture. A depth that is not positive and finite is left out.
   // `rank` is 0 for samples that the camera itself sees.
   void add(int x, int y, float depth, Rgba8 color, std::uint32_t rank = 0,
-           const SampleSource& source = {});
+           const SampleAttributes& source = {});
 
   // Adds the pixels of a picture from any view, each where it is seen by this camera. `distance` is
   // along the direction of view (infinite: no surface). Returns how many samples are outside of the
@@ -56,9 +56,9 @@ private:
     Rgba8 color;
     std::uint32_t rank;
     std::uint32_t next;  // the pixel's next sample; kNone: it is the last
-    SampleSource source;
+    SampleAttributes source;
   };
-  // `source_of(x, y)` returns a SampleSource.
+  // `source_of(x, y)` returns a SampleAttributes.
   template <class SourceOf>
   std::size_t add_pixels(const View& from, const Image<Rgba8>& color, const Image<float>& distance,
                          std::uint32_t rank, const SourceOf& source_of);
@@ -66,14 +66,14 @@ private:
 
   LayerCamera camera_;
   double epsilon_;
-  SampleWishes wishes_;
+  WantedAttributes wanted_;
   std::vector<std::uint32_t> last_added_;  // by place in the packed order; kNone: no sample yet
   // A deque, because a vector of so many would be copied when it grows.
   std::deque<Sample> samples_;
 };
 
 // Keeps the nearest and the farthest sample of each pixel: parallax uncovers these first and most.
-LayeredImage ends_of(const LayeredImage& image);
+LayeredImage nearest_and_farthest(const LayeredImage& image);
 
 // Two pictures of one surface differ in depth by rounding, and by the slope of the surface over a
 // pixel; 1/1024 covers both except on grazing surfaces.

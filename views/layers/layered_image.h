@@ -27,8 +27,8 @@ struct SampleNormal {
 // right, samples of a pixel from back to front.
 struct LayeredImage {
   LayerCamera camera;
-  // width * height + 1 ascending offsets: the samples of a pixel begin at first[place(x, y)] and
-  // end where those of the next pixel begin.
+  // width * height + 1 ascending offsets: the samples of a pixel begin at first[pixel_index(x, y)]
+  // and end where those of the next pixel begin.
   std::vector<std::uint32_t> first;
   std::vector<float>
       depth;  // as in layer_camera.h: positive, greater in front; no two are equal in a pixel
@@ -39,7 +39,7 @@ struct LayeredImage {
   std::vector<std::uint32_t> triangle;
 
   // The index in `first` of pixel (x, y), y down.
-  std::size_t place(int x, int y) const {
+  std::size_t pixel_index(int x, int y) const {
     return std::size_t(camera.height - 1 - y) * std::size_t(camera.width) + std::size_t(x);
   }
   std::size_t samples() const { return depth.size(); }

@@ -49,7 +49,7 @@ ShearedRay::ShearedRay(const Ray& ray) : origin_(ray.origin.cast<double>()) {
   shear_z_ = 1 / ray.direction[z_];
 }
 
-std::optional<RayHit> ShearedRay::meet(const TriangleCorners& corners) const {
+std::optional<RayHit> ShearedRay::intersect(const TriangleCorners& corners) const {
   std::array<double, 3> x, y, z;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d from_origin = corners[k] - origin_;
@@ -206,7 +206,7 @@ RayCaster::BoxRay::BoxRay(const Ray& ray) {
   }
 }
 
-Eigen::Vector3d RayCaster::place(const RayHit& hit) const {
+Eigen::Vector3d RayCaster::hit_point(const RayHit& hit) const {
   const TriangleCorners& corners = triangles_[hit.triangle];
   return hit.weights[0] * corners[0] + hit.weights[1] * corners[1] + hit.weights[2] * corners[2];
 }

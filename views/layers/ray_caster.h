@@ -34,7 +34,7 @@ class ShearedRay {
 public:
   explicit ShearedRay(const Ray& ray);
   // The hit, if it is in front of the origin; edges count as inside.
-  std::optional<RayHit> meet(const TriangleCorners& corners) const;
+  std::optional<RayHit> intersect(const TriangleCorners& corners) const;
 
 private:
   Eigen::Vector3d origin_;
@@ -50,7 +50,7 @@ public:
   const TriangleCorners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
   // The point of the hit, as a mean of the triangle's corners: on the triangle to within 8 u of the
   // largest coordinate.
-  Eigen::Vector3d place(const RayHit& hit) const;
+  Eigen::Vector3d hit_point(const RayHit& hit) const;
 
   // The nearest hit for which `accepts(hit)` is true, at most at the distance `within`; of several
   // at one distance, the one on the triangle with the lowest number.
@@ -84,7 +84,7 @@ private:
   // The distance at which the ray enters the box, or infinity. A distance is a difference and a
   // product of floats, each with an error of 2^-24, and a reciprocal with the same error: 3 * 2^-24
   // in all. So both ends are widened by 2^-21 (Ize, "Robust BVH Ray Traversal", JCGT 2013).
-  static float enters(const Node& node, std::size_t side, const BoxRay& ray) {
+  static float entry_distance(const Node& node, std::size_t side, const BoxRay& ray) {
     constexpr float kWider = 1 + 0x1p-21f, kNarrower = 1 - 0x1p-21f;
     float from = 0, to = std::numeric_limits<float>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -123,7 +123,7 @@ std::optional<RayHit> RayCaster::cast(const Ray& ray, const Accepts& accepts, do
     if (double(visit.from) > nearest.distance) continue;
     if (visit.count > 0) {
       for (std::uint32_t i = visit.first; i < visit.first + visit.count; ++i) {
-        auto hit = sheared.meet(triangles_[order_[i]]);
+        auto hit = sheared.intersect(triangles_[order_[i]]);
         if (!hit || hit->distance > nearest.distance) continue;
         hit->triangle = order_[i];
         if (found && hit->distance == nearest.distance && hit->triangle > nearest.triangle)
@@ -135,7 +135,8 @@ std::optional<RayHit> RayCaster::cast(const Ray& ray, const Accepts& accepts, do
       continue;
     }
     const Node& node = nodes_[visit.first];
-    const std::array<float, 2> from{enters(node, 0, box_ray), enters(node, 1, box_ray)};
+    const std::array<float, 2> from{entry_distance(node, 0, box_ray),
+                                    entry_distance(node, 1, box_ray)};
     const std::size_t far = from[0] > from[1] ? 0 : 1;
     for (const std::size_t side : {far, 1 - far}) {  // the nearer one is visited first
       if (from[side] < std::numeric_limits<float>::infinity() &&

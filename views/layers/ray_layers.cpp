@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kPartsAtATime = 64;
 
-struct SeenHit {
+struct VisibleHit {
   std::uint16_t x, y;
   float depth;
   Rgba8 color;
@@ -30,7 +30,7 @@ struct SeenHit {
 };
 
 struct PartHits {
-  std::vector<SeenHit> seen;
+  std::vector<VisibleHit> seen;
   std::uint64_t followed = 0;
 };
 
@@ -50,9 +50,9 @@ public:
     into.followed = 0;
     for (std::uint64_t s = 0; s < part.strata; ++s) {
       const std::array<int, 4> stratum = stratum_of(part.stratum + s, n);
-      Random random = s == 0 ? part.random : random_of(stratum, n);
+      Random random = s == 0 ? part.random : stratum_random(stratum, n);
       for (int i = 0; i < part.rays; ++i)
-        cast(ray_of(numbers_in(stratum, n, random), sampling_.half_side), into);
+        cast(ray_of(stratified_numbers(stratum, n, random), sampling_.half_side), into);
     }
   }
 
@@ -85,9 +85,9 @@ private:
     if (last < 0) return;
     ++into.followed;
     const auto hit = surfaces_.caster().cast(
-        ray, [&](const RayHit& candidate) { return surfaces_.shows(candidate); }, last);
+        ray, [&](const RayHit& candidate) { return surfaces_.is_drawn_at(candidate); }, last);
     if (!hit) return;
-    const Eigen::Vector3d at = surfaces_.caster().place(*hit);
+    const Eigen::Vector3d at = surfaces_.caster().hit_point(*hit);
     const Eigen::Vector4d there = camera_.screen_from_world * at.homogeneous();
     const double x = there.x() / there.w(), y = there.y() / there.w();
     const bool in_picture = x >= 0 && x < camera_.width && y >= 0 && y < camera_.height;
@@ -118,13 +118,14 @@ Ray ray_of(const std::array<double, 4>& numbers, double half_side) {
           {radius * turn.cos, radius * turn.sin, -std::sqrt(1 - numbers[2])}};
 }
 
-std::array<double, 4> numbers_in(const std::array<int, 4>& stratum, int strata, Random& random) {
+std::array<double, 4> stratified_numbers(const std::array<int, 4>& stratum, int strata,
+                                         Random& random) {
   std::array<double, 4> numbers;
   for (std::size_t i = 0; i < 4; ++i) numbers[i] = (stratum[i] + random.unit()) / strata;
   return numbers;
 }
 
-Random random_of(const std::array<int, 4>& stratum, int strata) {
+Random stratum_random(const std::array<int, 4>& stratum, int strata) {
   std::uint64_t number = 0;
   for (const int i : stratum) number = number * std::uint64_t(strata) + std::uint64_t(i);
   return Random(Random(number).bits());
@@ -143,7 +144,7 @@ RayParts::RayParts(const RaySampling& sampling)
       random_(random_here()) {}
 
 Random RayParts::random_here() const {
-  return random_of(stratum_of(stratum_, sampling_.strata), sampling_.strata);
+  return stratum_random(stratum_of(stratum_, sampling_.strata), sampling_.strata);
 }
 
 std::optional<RayPart> RayParts::next() {
@@ -161,7 +162,7 @@ RayPart RayParts::whole_strata() {
 RayPart RayParts::some_of_a_stratum() {
   const RayPart part{stratum_, 1, std::min(kRaysOfPart, sampling_.rays - done_), random_};
   const std::array<int, 4> stratum = stratum_of(stratum_, sampling_.strata);
-  for (int i = 0; i < part.rays; ++i) numbers_in(stratum, sampling_.strata, random_);
+  for (int i = 0; i < part.rays; ++i) stratified_numbers(stratum, sampling_.strata, random_);
   done_ += part.rays;
   if (done_ == sampling_.rays) {
     done_ = 0;
@@ -173,12 +174,13 @@ RayPart RayParts::some_of_a_stratum() {
 
 LayeredImage build_layers_by_rays(const Scene& scene, const View& view,
                                   const RenderSettings& settings, const RaySampling& sampling,
-                                  double epsilon, RayCounts& counts, const SampleWishes& wishes) {
+                                  double epsilon, RayCounts& counts,
+                                  const WantedAttributes& wanted) {
   const RaySurfaces surfaces(scene, view, settings);
   const RayTask task(surfaces, view, sampling);
-  LayerBuilder builder(layer_camera(view), epsilon, wishes);
+  LayerBuilder builder(layer_camera(view), epsilon, wanted);
   const std::vector<SampleNormal> normals =
-      wishes.normals ? triangle_normals(scene) : std::vector<SampleNormal>();
+      wanted.normals ? triangle_normals(scene) : std::vector<SampleNormal>();
   allow_threads(sampling.threads);
   tbb::task_arena arena(sampling.threads);
   RayParts left(sampling);
@@ -200,7 +202,7 @@ LayeredImage build_layers_by_rays(const Scene& scene, const View& view,
       const PartHits& here = hits[i];
       counts.followed += here.followed;
       counts.hits += here.seen.size();
-      for (const SeenHit& hit : here.seen)
+      for (const VisibleHit& hit : here.seen)
         builder.add(
             hit.x, hit.y, hit.depth, hit.color, hit.from_centre,
             {hit.triangle < normals.size() ? normals[hit.triangle] : SampleNormal(), hit.triangle});

@@ -37,10 +37,11 @@ struct RaySampling {
 // The ray in eye space, towards -z; the density of its direction is the cosine of the angle to -z.
 Ray ray_of(const std::array<double, 4>& numbers, double half_side);
 
-// The numbers of a ray of a stratum. `random` was made for the stratum by random_of(), so that the
-// numbers depend on nothing else.
-std::array<double, 4> numbers_in(const std::array<int, 4>& stratum, int strata, Random& random);
-Random random_of(const std::array<int, 4>& stratum, int strata);
+// The numbers of a ray of a stratum. `random` was made for the stratum by stratum_random(), so that
+// the numbers depend on nothing else.
+std::array<double, 4> stratified_numbers(const std::array<int, 4>& stratum, int strata,
+                                         Random& random);
+Random stratum_random(const std::array<int, 4>& stratum, int strata);
 
 // The rays that one thread casts as one task: all rays of `strata` consecutive strata, or some rays
 // of one stratum.
@@ -81,7 +82,7 @@ struct RayCounts {
 LayeredImage build_layers_by_rays(const Scene& scene, const View& view,
                                   const RenderSettings& settings, const RaySampling& sampling,
                                   double epsilon, RayCounts& counts,
-                                  const SampleWishes& wishes = {});
+                                  const WantedAttributes& wanted = {});
 
 // The hits of one pixel are anywhere in it, unlike the samples of a peeled pixel. On a surface at
 // 75 degrees to the direction of view their distances differ by 3.7 times a pixel's width, and that

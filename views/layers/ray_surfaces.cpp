@@ -36,7 +36,7 @@ std::array<float, 2> texcoord_at(const RayHit& hit, const Draw& draw, const Tria
 }  // namespace
 
 std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
-                                                     std::vector<Place>& places) {
+                                                     std::vector<TriangleReference>& references) {
   std::vector<TriangleCorners> all;
   for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
     const Draw& draw = list.draws[d];
@@ -54,7 +54,7 @@ std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
       }
       if (!finite) continue;
       all.push_back(corners);
-      places.push_back({d, i});
+      references.push_back({d, i});
     }
   }
   return all;
@@ -63,9 +63,9 @@ std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
 RaySurfaces::RaySurfaces(const Scene& scene, const View& view, const RenderSettings& settings)
     : view_(view),
       settings_(settings),
-      prepared_(prepare(scene, settings.transfer)),
+      prepared_(prepare_scene(scene, settings.transfer)),
       list_(make_draw_list(scene, prepared_, view)),
-      caster_(corners_of(list_, places_)) {
+      caster_(corners_of(list_, triangle_references_)) {
   for (const Draw& draw : list_.draws) tables_.push_back(make_eye_space_tables(draw, settings_));
 }
 
@@ -77,7 +77,7 @@ float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const D
                              const Triangle& triangle) const {
   const TriangleCorners& corners = caster_.corners(hit.triangle);
   const Eigen::Vector3d a = corners[1] - corners[0], b = corners[2] - corners[0];
-  const Eigen::Vector3d normal = a.cross(b), at = caster_.place(hit);
+  const Eigen::Vector3d normal = a.cross(b), at = caster_.hit_point(hit);
   std::array<std::array<float, 2>, 3> uv;
   for (std::size_t k = 0; k < 3; ++k)
     uv[k] = texcoord_of(*draw.mesh, draw.mesh->corners[triangle.corners[k]]);
@@ -103,16 +103,17 @@ float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const D
 
 Rgba RaySurfaces::texel_at(const LazyMipChain& texture, const Sampler& sampler,
                            const RayHit& hit) const {
-  const Draw& draw = list_.draws[places_[hit.triangle].draw];
-  const Triangle& triangle = draw.triangulation->triangles[places_[hit.triangle].triangle];
+  const Draw& draw = list_.draws[triangle_references_[hit.triangle].draw];
+  const Triangle& triangle =
+      draw.triangulation->triangles[triangle_references_[hit.triangle].triangle];
   const MipChain& chain = texture.get();
   const float detail = samples_base_only(sampler) ? 0 : detail_at(chain, hit, draw, triangle);
-  return sample(chain, sampler, texcoord_at(hit, draw, triangle), detail);
+  return sample_mip_chain(chain, sampler, texcoord_at(hit, draw, triangle), detail);
 }
 
 // The normal in eye space, on the side from which the ray came.
 std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
-  const Place& place = places_[hit.triangle];
+  const TriangleReference& place = triangle_references_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];
   const EyeSpaceTables& tables = tables_[place.draw];
   const Triangle& triangle = draw.triangulation->triangles[place.triangle];
@@ -125,7 +126,7 @@ std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
 }
 
 // The fragment where a ray hits, with the members that formulas/surface.h needs.
-struct RaySurfaces::RayFragment : UnwatchedFragment {
+struct RaySurfaces::RayFragment : UnobservedFragment {
   using Float = float;
   static constexpr std::size_t kChannels = 3;
 
@@ -137,8 +138,8 @@ struct RaySurfaces::RayFragment : UnwatchedFragment {
   RayFragment(const RaySurfaces& of, const RayHit& at)
       : surfaces(of),
         hit(at),
-        draw(of.list_.draws[of.places_[at.triangle].draw]),
-        triangle(draw.triangulation->triangles[of.places_[at.triangle].triangle]) {}
+        draw(of.list_.draws[of.triangle_references_[at.triangle].draw]),
+        triangle(draw.triangulation->triangles[of.triangle_references_[at.triangle].triangle]) {}
 
   static constexpr std::size_t first_channel() { return 0; }
   template <class T>
@@ -167,7 +168,7 @@ struct RaySurfaces::RayFragment : UnwatchedFragment {
   static constexpr bool has_highlights() { return true; }
   std::array<float, 3> normal() const { return surfaces.normal_at(hit); }
   std::array<float, 3> position() const {
-    const Eigen::Vector3f at = surfaces.caster_.place(hit).cast<float>();
+    const Eigen::Vector3f at = surfaces.caster_.hit_point(hit).cast<float>();
     return {at.x(), at.y(), at.z()};
   }
   static constexpr bool is_lit_at_vertices() { return false; }
@@ -182,13 +183,13 @@ struct RaySurfaces::RayFragment : UnwatchedFragment {
 };
 
 std::uint32_t RaySurfaces::number(const RayHit& hit) const {
-  const Place& place = places_[hit.triangle];
+  const TriangleReference& place = triangle_references_[hit.triangle];
   const Draw& draw = list_.draws[place.draw];
   return 1 + draw.first_number + draw.triangulation->triangles[place.triangle].number;
 }
 
-bool RaySurfaces::shows(const RayHit& hit) const {
-  const Draw& draw = list_.draws[places_[hit.triangle].draw];
+bool RaySurfaces::is_drawn_at(const RayHit& hit) const {
+  const Draw& draw = list_.draws[triangle_references_[hit.triangle].draw];
   // A mirroring matrix reverses the winding, and exchanges inside and outside.
   if (is_culled(draw, settings_.cull, hit.front != draw.mirrored)) return false;
   const Material& material = *draw.material;
@@ -198,7 +199,7 @@ bool RaySurfaces::shows(const RayHit& hit) const {
 
 Rgba8 RaySurfaces::color(const RayHit& hit) const {
   const RayFragment at(*this, hit);
-  const auto [r, g, b] = shining(at, surface_color(at).color);
+  const auto [r, g, b] = shaded_color(at, surface_color(at).color);
   Rgba8 stored = settings_.background;
   write_masked(settings_.mask, encode(settings_.transfer, Rgba{r, g, b, 1}), stored);
   return stored;

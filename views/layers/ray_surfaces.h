@@ -30,18 +30,19 @@ public:
   std::uint32_t number(const RayHit& hit) const;
 
   // Whether the surface is neither culled nor a hole of its alpha mask there.
-  bool shows(const RayHit& hit) const;
+  bool is_drawn_at(const RayHit& hit) const;
 
   // The colour that the engines draw: light, highlights as the view's eye sees them, and textures
   // at the level that suits the view's pixels there.
   Rgba8 color(const RayHit& hit) const;
 
 private:
-  struct Place {
+  struct TriangleReference {
     std::uint32_t draw, triangle;  // in the draw's triangulation
   };
 
-  static std::vector<TriangleCorners> corners_of(const DrawList& list, std::vector<Place>& places);
+  static std::vector<TriangleCorners> corners_of(const DrawList& list,
+                                                 std::vector<TriangleReference>& references);
   struct RayFragment;
 
   float detail_at(const MipChain& texture, const RayHit& hit, const Draw& draw,
@@ -53,8 +54,8 @@ private:
   const RenderSettings settings_;
   PreparedScene prepared_;
   DrawList list_;
-  std::vector<EyeSpaceTables> tables_;  // by draw
-  std::vector<Place> places_;           // by number of the caster's triangle
+  std::vector<EyeSpaceTables> tables_;                  // by draw
+  std::vector<TriangleReference> triangle_references_;  // by number of the caster's triangle
   RayCaster caster_;
 };
 

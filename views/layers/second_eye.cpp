@@ -19,8 +19,8 @@
 #include <glassbox/render/engine/threads.h>
 
 #include "views/layers/depth_peeling.h"
+#include "views/layers/disocclusion.h"
 #include "views/layers/eye_kernels.h"
-#include "views/layers/seen_behind.h"
 
 namespace glassbox::views {
 
@@ -89,10 +89,10 @@ View widened(const View& view, int width) {
 }  // namespace
 
 struct SecondEye::State {
-  struct Memory {
+  struct RowBuffers {
     std::vector<float> scratch;
     Row row;
-    BehindMemory behind;
+    DisocclusionBuffers behind;
   };
 
   void begin(const Image<Rgba8>& first, const View& centre, const StereoPair& pair,
@@ -109,7 +109,7 @@ struct SecondEye::State {
     of_thread.resize(std::size_t(threads));
   }
 
-  // Calls work(y, memory) for all rows; returns the sum of the results.
+  // Calls work(y, buffers) for all rows; returns the sum of the results.
   template <class Work>
   std::size_t for_each_row(const Work& work) {
     std::vector<int> counts(std::size_t(height), 0);
@@ -129,12 +129,12 @@ struct SecondEye::State {
     return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
   }
 
-  void carry(const LayerView& layer, bool is_first, int y, Memory& memory,
-             const EyeTarget& to) const {
+  void warp_row(const LayerView& layer, bool is_first, int y, RowBuffers& buffers,
+                const EyeTarget& to) const {
     const int columns = layer.color.width;
-    memory.scratch.resize(2 * std::size_t(columns) + 256);
+    buffers.scratch.resize(2 * std::size_t(columns) + 256);
     const EyeRow row{&layer.color.at(0, y), &layer.depth.at(0, y), columns, is_first};
-    kernels->carry(shift, row, memory.scratch.data(), to);
+    kernels->warp_row(shift, row, buffers.scratch.data(), to);
   }
 
   int finish_row(const EyeTarget& row, int y, Image<Rgba8>& into) const {
@@ -153,11 +153,11 @@ struct SecondEye::State {
   }
 
   int width = 0, height = 0;
-  int beside = 0;  // columns that a second layer has beyond the first one's right edge
+  int extra_columns = 0;  // columns that a second layer has beyond the first one's right edge
   EyeShift shift{};
   const EyeKernels* kernels = nullptr;
   std::vector<Row> rows;  // of the other eye, if there is more than one layer
-  std::vector<Memory> of_thread;
+  std::vector<RowBuffers> of_thread;
   int threads = 0;
   std::unique_ptr<tbb::task_arena> arena;  // with `threads` threads
 };
@@ -170,31 +170,34 @@ void SecondEye::begin(const LayerView& first, const View& centre, const StereoPa
   State& s = *state_;
   s.begin(first.color, centre, pair, settings);
   if (s.rows.size() < std::size_t(s.height)) s.rows.resize(std::size_t(s.height));
-  s.for_each_row([&](int y, State::Memory& memory) {
-    s.carry(first, true, y, memory, s.rows[std::size_t(y)].cleared(s.width, first.color.at(0, y)));
+  s.for_each_row([&](int y, State::RowBuffers& buffers) {
+    s.warp_row(first, true, y, buffers,
+               s.rows[std::size_t(y)].cleared(s.width, first.color.at(0, y)));
     return 0;
   });
   // Surfaces that are nearer than those at the edge move farther, so twice the hole's width is an
   // estimate. (And one column more, because a pixel between two samples is a mixture of both.)
-  s.beside = 0;
+  s.extra_columns = 0;
   for (int y = 0; y < s.height; ++y) {
-    if (const int hole = s.hole_at_end(y); hole > 0) s.beside = std::max(s.beside, 2 * hole + 1);
+    if (const int hole = s.hole_at_end(y); hole > 0)
+      s.extra_columns = std::max(s.extra_columns, 2 * hole + 1);
   }
-  s.beside = std::min(s.beside, kMaxImageSide - s.width);
+  s.extra_columns = std::min(s.extra_columns, kMaxImageSide - s.width);
 }
 
-bool SecondEye::find_behind(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind) {
+bool SecondEye::find_disoccluded_depths(const Image<std::uint32_t>& last,
+                                        Image<std::uint32_t>& behind) {
   State& s = *state_;
-  const int columns = s.width + s.beside;
+  const int columns = s.width + s.extra_columns;
   if (behind.width != columns || behind.height != s.height)
     behind = Image<std::uint32_t>(columns, s.height);
   const bool is_second = last.width == s.width;
-  return s.for_each_row([&](int y, State::Memory& memory) {
+  return s.for_each_row([&](int y, State::RowBuffers& buffers) {
     std::uint32_t* const row = &behind.at(0, y);
-    const bool found = find_seen_behind(s.shift, &last.at(0, y), s.width,
-                                        s.rows[std::size_t(y)].target(), memory.behind, row);
+    const bool found = find_disocclusions(s.shift, &last.at(0, y), s.width,
+                                          s.rows[std::size_t(y)].target(), buffers.behind, row);
     const int hole = is_second ? s.hole_at_end(y) : 0;
-    const int wanted = hole > 0 ? std::min(2 * hole + 1, s.beside) : 0;
+    const int wanted = hole > 0 ? std::min(2 * hole + 1, s.extra_columns) : 0;
     std::fill_n(row + s.width, wanted, 0u);
     std::fill(row + s.width + wanted, row + columns, kEmptyDepth);
     return int(found || wanted > 0);
@@ -203,9 +206,9 @@ bool SecondEye::find_behind(const Image<std::uint32_t>& last, Image<std::uint32_
 
 void SecondEye::add(const LayerView& layer) {
   State& s = *state_;
-  s.for_each_row([&](int y, State::Memory& memory) {
-    const EyeTarget row = memory.row.cleared(layer.color.width, layer.color.at(0, y));
-    s.carry(layer, false, y, memory, row);
+  s.for_each_row([&](int y, State::RowBuffers& buffers) {
+    const EyeTarget row = buffers.row.cleared(layer.color.width, layer.color.at(0, y));
+    s.warp_row(layer, false, y, buffers, row);
     take_nearer(row, s.width, s.rows[std::size_t(y)].target());
     return 0;
   });
@@ -214,7 +217,7 @@ void SecondEye::add(const LayerView& layer) {
 std::size_t SecondEye::finish(Image<Rgba8>& into) {
   State& s = *state_;
   if (into.width != s.width || into.height != s.height) into = Image<Rgba8>(s.width, s.height);
-  return s.for_each_row([&](int y, State::Memory&) {
+  return s.for_each_row([&](int y, State::RowBuffers&) {
     return s.finish_row(s.rows[std::size_t(y)].target(), y, into);
   });
 }
@@ -224,9 +227,9 @@ std::size_t SecondEye::warp(const LayerView& layer, const View& centre, const St
   State& s = *state_;
   s.begin(layer.color, centre, pair, settings);
   if (into.width != s.width || into.height != s.height) into = Image<Rgba8>(s.width, s.height);
-  return s.for_each_row([&](int y, State::Memory& memory) {
-    const EyeTarget row = memory.row.cleared(s.width, layer.color.at(0, y));
-    s.carry(layer, true, y, memory, row);
+  return s.for_each_row([&](int y, State::RowBuffers& buffers) {
+    const EyeTarget row = buffers.row.cleared(s.width, layer.color.at(0, y));
+    s.warp_row(layer, true, y, buffers, row);
     return s.finish_row(row, y, into);
   });
 }
@@ -240,19 +243,19 @@ Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings
   if (settings.samples > 1)
     return fail(option, "a sample of a layer has only one depth",
                 "leave --samples out, or use warp:1");
-  if (const Material* glass = seen_through(scene))
+  if (const Material* glass = transparent_material(scene))
     return fail(option, "material \"" + printable(glass->name) + "\" is transparent",
                 "use warp:1, which warps it together with the surface behind it");
   return {};
 }
 
 void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPair& pair,
-                         const RenderSettings& settings, const SecondEyeSettings& by,
-                         SecondEye& second, PairByWarp& into) {
+                         const RenderSettings& settings, const SecondEyeSettings& warp_settings,
+                         SecondEye& second, WarpedPair& into) {
   StereoRendering& both = into.rendering;
   RenderSettings with_depth = settings;
   with_depth.want_depth = true;
-  SecondEyeSettings how = by;
+  SecondEyeSettings how = warp_settings;
   how.format = settings.depth;
   const View left_view = eye_view(centre, pair, Side::kLeft);
   const Clock::time_point start = Clock::now();
@@ -275,15 +278,15 @@ void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPai
     work();
     into.warp_ms += elapsed_ms(began);
   };
-  if (by.layers == 1) {
+  if (warp_settings.layers == 1) {
     warping([&] { into.holes = second.warp(first, centre, pair, how, both.right.color); });
   } else {
     warping([&] { second.begin(first, centre, pair, how); });
     const Image<std::uint32_t>* last = &both.left.depth;
     with_depth.want_distance = false;
-    for (int i = 1; i < by.layers; ++i) {
+    for (int i = 1; i < warp_settings.layers; ++i) {
       bool any = false;
-      warping([&] { any = second.find_behind(*last, into.behind); });
+      warping([&] { any = second.find_disoccluded_depths(*last, into.behind); });
       if (!any) break;
       const Clock::time_point peeling = Clock::now();
       renderer.render(widened(left_view, into.behind.width), with_depth, into.layer, &into.behind);

@@ -49,9 +49,9 @@ public:
   // To be called before another layer is added: finds which surfaces the picture would show that
   // none of the layers has. `last` has the depth codes of the last layer. `behind` gets for each
   // pixel the code behind which the next layer's surface has to be, in the form of
-  // EyePicture::behind (seen_behind.h). Layers after the first have more columns at the right, as
-  // many as are missing there. Returns whether any pixel has such a code.
-  bool find_behind(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind);
+  // EyePicture::behind_depth (disocclusion.h). Layers after the first have more columns at the
+  // right, as many as are missing there. Returns whether any pixel has such a code.
+  bool find_disoccluded_depths(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind);
 
 private:
   struct State;
@@ -65,7 +65,7 @@ Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings
 // A pair like that of Renderer::render_pair, with a right picture that is warped: colours only,
 // and, if the settings ask for distances, the left picture's. The memory of the right picture is
 // reused.
-struct PairByWarp {
+struct WarpedPair {
   StereoRendering rendering;
   std::size_t holes = 0;
   // The left eye's picture, the layer behind it, and the depths that the layer had to be behind:
@@ -75,7 +75,7 @@ struct PairByWarp {
   double left_ms = 0, layers_ms = 0, warp_ms = 0;
 };
 void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPair& pair,
-                         const RenderSettings& settings, const SecondEyeSettings& by,
-                         SecondEye& second, PairByWarp& into);
+                         const RenderSettings& settings, const SecondEyeSettings& warp_settings,
+                         SecondEye& second, WarpedPair& into);
 
 }  // namespace glassbox::views

@@ -56,19 +56,20 @@ EyeError eye_error(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
 }
 
 SecondEyeError second_eye_error(Renderer& renderer, const View& centre, const StereoPair& pair,
-                                const RenderSettings& settings, const SecondEyeSettings& by) {
+                                const RenderSettings& settings,
+                                const SecondEyeSettings& warp_settings) {
   const View left = eye_view(centre, pair, Side::kLeft),
              right = eye_view(centre, pair, Side::kRight);
   const Image<Rgba8> truth = renderer.render(right, settings).buffers.color;
   SecondEye second;
-  PairByWarp warped;
+  WarpedPair warped;
   const auto by_warp = [&] {
-    render_pair_by_warp(renderer, centre, pair, settings, by, second, warped);
+    render_pair_by_warp(renderer, centre, pair, settings, warp_settings, second, warped);
   };
   by_warp();
   const StereoRendering& both = warped.rendering;
   SecondEyeError error;
-  error.layers = by.layers;
+  error.layers = warp_settings.layers;
   error.pixels = truth.pixels.size();
   error.holes = warped.holes;
   error.warped = eye_error(both.right.color, truth);

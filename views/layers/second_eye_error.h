@@ -28,6 +28,7 @@ struct SecondEyeError {
 
 // The pair and the settings must have been checked before.
 SecondEyeError second_eye_error(Renderer& renderer, const View& centre, const StereoPair& pair,
-                                const RenderSettings& settings, const SecondEyeSettings& by);
+                                const RenderSettings& settings,
+                                const SecondEyeSettings& warp_settings);
 
 }  // namespace glassbox::views

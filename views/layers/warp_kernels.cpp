@@ -24,7 +24,7 @@ using Floats = hn::Vec<F>;
 constexpr int kMostLanes = 16;
 
 // Samples i .. i + lanes - 1, divided by w.
-struct Places {
+struct ScreenPoints {
   Floats x, y, z, inverse_w;
   hn::Mask<F> before;  // in front of the eye, and inside the block
 };
@@ -35,7 +35,7 @@ HWY_INLINE Floats along(float start, float right, float depth_step, Floats steps
   return hn::Add(at, hn::Mul(depth, hn::Set(f, depth_step)));
 }
 
-HWY_INLINE Places places_of(const WarpBlock& block, int i) {
+HWY_INLINE ScreenPoints screen_points(const WarpBlock& block, int i) {
   const F f;
   const I d;
   const hn::Rebind<std::uint16_t, I> shorts;
@@ -63,7 +63,7 @@ HWY_INLINE void count(const WarpBlock& block, int i, hn::Mask<F> before, hn::Mas
   const auto here = std::uint64_t(std::min(int(hn::Lanes(f)), block.count - i));
   const std::uint64_t in_front = hn::CountTrue(f, before);
   counts.behind += here - in_front;
-  counts.beside += in_front - hn::CountTrue(f, drawn);
+  counts.outside += in_front - hn::CountTrue(f, drawn);
 }
 
 void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCounts& counts) {
@@ -74,11 +74,11 @@ void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCo
   const auto past_x = hn::Set(f, float(canvas.width + margin)),
              past_y = hn::Set(f, float(canvas.height + margin));
   const auto stride = hn::Set(d, canvas.stride()), origin = hn::Set(d, canvas.stride() + 1);
-  const auto nowhere = hn::Set(d, canvas.nowhere());  // avoids a branch
+  const auto discarded = hn::Set(d, canvas.discard_index());  // avoids a branch
   HWY_ALIGN std::int32_t place[kMostLanes];
   HWY_ALIGN std::uint32_t depth[kMostLanes];
   for (int i = 0; i < block.count; i += lanes) {
-    const Places at = places_of(block, i);
+    const ScreenPoints at = screen_points(block, i);
     const auto column = hn::Floor(at.x), row = hn::Floor(at.y);
     const auto in_x = hn::And(hn::Ge(column, least), hn::Lt(column, past_x)),
                in_y = hn::And(hn::Ge(row, least), hn::Lt(row, past_y));
@@ -87,7 +87,7 @@ void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCo
     const auto x = hn::ConvertTo(d, hn::IfThenElseZero(drawn, column)),
                y = hn::ConvertTo(d, hn::IfThenElseZero(drawn, row));
     const auto pixel_place = hn::Add(hn::Mul(y, stride), hn::Add(x, origin));
-    hn::Store(hn::IfThenElse(hn::RebindMask(d, drawn), pixel_place, nowhere), d, place);
+    hn::Store(hn::IfThenElse(hn::RebindMask(d, drawn), pixel_place, discarded), d, place);
     hn::Store(hn::BitCast(U(), hn::IfThenElseZero(drawn, at.z)), U(), depth);
     const int here = std::min(lanes, block.count - i);
     for (int k = 0; k < here; ++k) {
@@ -107,7 +107,7 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
   const auto half_pixel = hn::Set(f, 0.5f), zero = hn::Zero(f);
   const auto past_x = hn::Set(f, float(width)), past_y = hn::Set(f, float(height));
   for (int i = 0; i < block.count; i += lanes) {
-    const Places at = places_of(block, i);
+    const ScreenPoints at = screen_points(block, i);
     // One pixel's step along the sample's surface in the first picture, seen in the second picture:
     // the derivative of X / W is (X' - X / W * W') / W.
     const auto slope_x = hn::LoadU(f, block.slope_x + i), slope_y = hn::LoadU(f, block.slope_y + i);
@@ -141,7 +141,8 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
                in_y = hn::And(hn::Lt(top, past_y), hn::Gt(bottom, zero));
     const auto drawn = hn::And(hn::And(in_x, in_y), hn::And(at.before, is_in_depth(at.z)));
     count(block, i, at.before, drawn, counts);
-    counts.cut += hn::CountTrue(f, hn::And(at.before, hn::Gt(asked, hn::Set(f, sides.cut_above))));
+    counts.oversized +=
+        hn::CountTrue(f, hn::And(at.before, hn::Gt(asked, hn::Set(f, sides.oversized_above))));
     const auto pixels = [&](Floats edge, Floats past) {
       return hn::ConvertTo(d, hn::IfThenElseZero(drawn, hn::Min(hn::Max(edge, zero), past)));
     };

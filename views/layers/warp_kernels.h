@@ -45,7 +45,7 @@ struct KeyCanvas {
   int width, height;  // of the picture
   int stride() const { return width + 2; }
   // The index behind the last pixel: samples that are not drawn are written there.
-  int nowhere() const { return stride() * (height + 2); }
+  int discard_index() const { return stride() * (height + 2); }
 };
 
 // Boxes of pixels [left, right) x [top, bottom); empty for a sample that is not drawn.
@@ -57,14 +57,15 @@ struct SampleBoxes {
 };
 
 // A sample's splat is the box around the projection of its own pixel, or one pixel if factor is 0.
-// Its sides are clamped to [least, most], px, and splats with a side above `cut_above` are counted.
+// Its sides are clamped to [least, most], px, and splats with a side above `oversized_above` are
+// counted.
 struct SplatSides {
-  float factor, least, most, cut_above;
+  float factor, least, most, oversized_above;
   WarpedPoint down;  // like WarpBlock::right, for a pixel down
 };
 
 struct BlockCounts {
-  std::uint64_t behind = 0, beside = 0, cut = 0;
+  std::uint64_t behind = 0, outside = 0, oversized = 0;
 };
 
 struct WarpKernels {

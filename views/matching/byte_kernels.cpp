@@ -105,8 +105,8 @@ void darker(const CensusRows& grey, int width, const CensusPointers<std::uint8_t
   }
 }
 
-void alike(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
-           int width, const CensusPointers<std::uint8_t>& out) {
+void similar(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
+             int width, const CensusPointers<std::uint8_t>& out) {
   const Bytes d;
   const auto most = hn::Set(d, limit);
   for (int x = 0; x < width; x += int(hn::Lanes(d))) {
@@ -142,8 +142,8 @@ void color_costs(const ColorRow& row) {
       for (std::size_t k = 0; k < kCensusBytes; ++k) {
         const auto differ =
             hn::Xor(hn::Set(d, row.left[k][x]), hn::LoadU(d, row.right[k] + place + i));
-        const auto both =
-            hn::And(hn::Set(d, row.left_alike[k][x]), hn::LoadU(d, row.right_alike[k] + place + i));
+        const auto both = hn::And(hn::Set(d, row.left_similar[k][x]),
+                                  hn::LoadU(d, row.right_similar[k] + place + i));
         bits = hn::Add(bits, bits_of(hn::And(differ, both)));
       }
       for (std::size_t k = 0; k < 3; ++k) {
@@ -180,7 +180,7 @@ void sweep_right(const ByteRow& row) {
     std::uint8_t* above = row.above + std::ptrdiff_t(x) * row.cell;
     // The values that the last block read before they were overwritten.
     auto less_along = hn::LoadU(d, along - 1), less_above = hn::LoadU(d, above - 1);
-    least_along = hn::Set(d, kBeside);
+    least_along = hn::Set(d, kNoMatchCost);
     auto least_above = least_along;
     for (int i = 0; i < row.stride; i += lanes) {
       const auto bits_of_block = [&](int byte, ByteVector own) HWY_ATTR {
@@ -189,7 +189,7 @@ void sweep_right(const ByteRow& row) {
       const auto bits = hn::Add(hn::Add(bits_of_block(0, a), bits_of_block(1, b)),
                                 hn::Add(bits_of_block(2, c), bits_of_block(3, e)));
       const auto no_match =
-          hn::Or(hn::LoadU(d, row.beside + place + i), hn::LoadU(d, row.beyond + i));
+          hn::Or(hn::LoadU(d, row.outside + place + i), hn::LoadU(d, row.past_range + i));
       const auto cost = hn::Or(hn::Min(bits, most), no_match);
       hn::StoreU(cost, d, row.costs + at + i);
 
@@ -224,7 +224,7 @@ void sweep_left(const ByteRow& row) {
     const int beside = row.grey[std::min(x + 1, row.width - 1)];
     const Step from_right = step_of(p1, least, row.jumps[std::abs(int(row.grey[x]) - beside)]);
     auto less = hn::LoadU(d, along - 1);
-    least = hn::Set(d, kBeside);
+    least = hn::Set(d, kNoMatchCost);
     for (int i = 0; i < row.stride; i += lanes) {
       const auto value = step(from_right, hn::LoadU(d, row.costs + at + i), less,
                               hn::LoadU(d, along + i), hn::LoadU(d, along + i + 1));
@@ -245,7 +245,7 @@ void winners(const ByteRow& row, const ByteWinners& out) {
   for (int x = 0; x < row.width; ++x) {
     const std::uint8_t* sums = row.sums + std::ptrdiff_t(x) * row.stride;
     const auto place = std::ptrdiff_t(row.width - 1 - x);
-    auto least = hn::Set(d, kBeside);
+    auto least = hn::Set(d, kNoMatchCost);
     for (int i = 0; i < row.stride; i += lanes) {
       const auto sum = hn::LoadU(d, sums + i);
       least = hn::Min(least, sum);
@@ -268,10 +268,10 @@ void winners(const ByteRow& row, const ByteWinners& out) {
       best = i + int(found);
       break;
     }
-    auto second = hn::Set(d, kBeside);
-    const std::uint8_t* apart = out.apart + row.stride + 1 - best;
+    auto second = hn::Set(d, kNoMatchCost);
+    const std::uint8_t* best_mask = out.best_mask + row.stride + 1 - best;
     for (int i = 0; i < row.stride; i += lanes) {
-      second = hn::Min(second, hn::Or(hn::LoadU(d, sums + i), hn::LoadU(d, apart + i)));
+      second = hn::Min(second, hn::Or(hn::LoadU(d, sums + i), hn::LoadU(d, best_mask + i)));
     }
     out.best[x] = std::uint16_t(best);
     out.least[x] = hn::GetLane(least);
@@ -279,7 +279,7 @@ void winners(const ByteRow& row, const ByteWinners& out) {
   }
 }
 
-const ByteKernels kKernels{darker, alike, color_costs, sweep_right, sweep_left, winners};
+const ByteKernels kKernels{darker, similar, color_costs, sweep_right, sweep_left, winners};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

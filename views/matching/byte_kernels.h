@@ -17,7 +17,7 @@ template <class Byte>
 using CensusPointers = std::array<Byte*, kCensusBytes>;
 
 // Cost and sum of a disparity without a match: every other sum is less.
-inline constexpr std::uint8_t kBeside = 255;
+inline constexpr std::uint8_t kNoMatchCost = 255;
 
 // One row of a picture. The numbers of a pixel and its disparities begin at pixel * stride. Arrays
 // of the right picture's pixels are reversed: those of pixel x begin at width - 1 - x, because
@@ -25,9 +25,10 @@ inline constexpr std::uint8_t kBeside = 255;
 struct ByteRow {
   int width, stride;  // pixels; disparities of a pixel, padded to whole vectors
   CensusPointers<const std::uint8_t> left, right;
-  // kBeside where the right pixel would be outside of the picture, else 0.
-  const std::uint8_t* beside;
-  const std::uint8_t* beyond;  // for one pixel: kBeside where there is no such disparity, else 0
+  // kNoMatchCost where the right pixel would be outside of the picture, else 0.
+  const std::uint8_t* outside;
+  const std::uint8_t*
+      past_range;  // for one pixel: kNoMatchCost where there is no such disparity, else 0
   const std::uint8_t *grey, *grey_above;
   const std::uint8_t* jumps;  // [256], penalties by the change of grey
   std::uint8_t p1, most_bits;
@@ -43,12 +44,12 @@ struct ByteRow {
 
 // The results of the search for a row's winners, and one of its inputs.
 struct ByteWinners {
-  // `stride` zeros, then 3 times kBeside, then `stride` zeros: a mask for the best and its
+  // `stride` zeros, then 3 times kNoMatchCost, then `stride` zeros: a mask for the best and its
   // neighbours.
-  const std::uint8_t* apart;
+  const std::uint8_t* best_mask;
   std::uint16_t* best;           // [width]: number of the disparity with the least sum
   std::uint8_t *least, *second;  // [width]; the second does not count the best and its neighbours
-  std::uint8_t* right_least;     // for the right picture's pixels; kBeside where there is none
+  std::uint8_t* right_least;     // for the right picture's pixels; kNoMatchCost where there is none
   std::uint8_t *right_low, *right_high;  // the two bytes of its disparity's number
 };
 
@@ -58,7 +59,7 @@ struct ByteWinners {
 // reversed order, too.
 struct ColorRow {
   int width, stride;
-  CensusPointers<const std::uint8_t> left, left_alike, right, right_alike;
+  CensusPointers<const std::uint8_t> left, left_similar, right, right_similar;
   std::array<const std::uint8_t*, 3> left_color, right_color;
   std::uint8_t census_weight, most_bits, color_weight, most_color;
   std::uint16_t* costs;
@@ -72,8 +73,8 @@ struct ByteKernels {
   void (*darker)(const CensusRows& grey, int width, const CensusPointers<std::uint8_t>& out);
   // For each neighbour, whether all channels differ from the centre's by at most `limit`. If fewer
   // than `least` neighbours do, all of them count as such.
-  void (*alike)(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
-                int width, const CensusPointers<std::uint8_t>& out);
+  void (*similar)(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
+                  int width, const CensusPointers<std::uint8_t>& out);
   void (*color_costs)(const ColorRow& row);
   // Computes the costs, the paths from the left and from above, and the sum of both.
   void (*sweep_right)(const ByteRow& row);

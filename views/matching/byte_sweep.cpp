@@ -21,16 +21,16 @@ constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;
 static_assert(kDisparityLanes % kByteLanes == 0);
-static_assert(kPaths * (kMostBits + kPenalties.p2) < kBeside);
+static_assert(kPaths * (kMostBits + kPenalties.p2) < kNoMatchCost);
 
 constexpr int kLanes = kByteLanes;
 
-using Line = LineVector<std::uint8_t>;
+using Line = CacheAlignedVector<std::uint8_t>;
 
 // The memory for sweeping a band of rows, one row after the other.
 class Band {
 public:
-  Band(const Planes& left, const CensusPlanes& left_words, const CensusPlanes& right_words,
+  Band(const ColorPlanes& left, const CensusPlanes& left_words, const CensusPlanes& right_words,
        const MatchSettings& settings)
       : picture_(left),
         left_words_(left_words),
@@ -44,22 +44,23 @@ public:
     const auto stride = std::size_t(stride_);
     const auto reversed = width_ + std::size_t(std::abs(settings.range.first)) + stride;
     for (Line& bytes : right_) bytes.resize(reversed);
-    for (Line* line : {&beside_, &right_least_, &right_low_, &right_high_})
-      line->resize(reversed, kBeside);
-    std::fill_n(beside_.begin() + (origin_ - settings.range.first), width_, std::uint8_t(0));
-    beyond_.resize(stride);
-    std::fill(beyond_.begin() + settings.range.count(), beyond_.end(), kBeside);
-    apart_.resize(2 * stride + 3);
-    std::fill_n(apart_.begin() + stride_, 3, kBeside);
+    for (Line* line : {&outside_, &right_least_, &right_low_, &right_high_})
+      line->resize(reversed, kNoMatchCost);
+    std::fill_n(outside_.begin() + (origin_ - settings.range.first), width_, std::uint8_t(0));
+    past_range_.resize(stride);
+    std::fill(past_range_.begin() + settings.range.count(), past_range_.end(), kNoMatchCost);
+    best_mask_.resize(2 * stride + 3);
+    std::fill_n(best_mask_.begin() + stride_, 3, kNoMatchCost);
     costs_.resize(width_ * stride);
     sums_.resize(width_ * stride);
-    // A path begins as if it came from zeros; outside of the range of disparities it has kBeside.
-    above_.resize(kLanes + width_ * cell(), kBeside);
+    // A path begins as if it came from zeros; outside of the range of disparities it has
+    // kNoMatchCost.
+    above_.resize(kLanes + width_ * cell(), kNoMatchCost);
     for (std::size_t x = 0; x < width_; ++x) {
       std::fill_n(above_.begin() + std::ptrdiff_t(kLanes + x * cell()), stride, std::uint8_t(0));
     }
     least_above_.resize(width_);
-    along_.resize(stride + 2 * kLanes, kBeside);
+    along_.resize(stride + 2 * kLanes, kNoMatchCost);
     best_.resize(width_);
     least_.resize(width_);
     second_.resize(width_);
@@ -76,27 +77,27 @@ public:
   }
 
   void find_winners(int y, Winners& winners) {
-    std::ranges::fill(right_least_, kBeside);
-    kernels_.winners(row_of(y, true), {apart_.data(), best_.data(), least_.data(), second_.data(),
-                                       right_least_.data() + origin_, right_low_.data() + origin_,
-                                       right_high_.data() + origin_});
+    std::ranges::fill(right_least_, kNoMatchCost);
+    kernels_.winners(row_of(y, true), {best_mask_.data(), best_.data(), least_.data(),
+                                       second_.data(), right_least_.data() + origin_,
+                                       right_low_.data() + origin_, right_high_.data() + origin_});
     const std::size_t end = std::size_t(origin_ - settings_.range.first) + width_;
     for (std::size_t i = 0; i < width_; ++i) {
       const int x = int(i);
       const std::size_t at = end - 1 - i;
-      if (right_least_[at] != kBeside) {
+      if (right_least_[at] != kNoMatchCost) {
         const int high = stride_ > 256 ? right_high_[at] : 0;
         winners.right.at(x, y) = float(settings_.range.first + (high << 8) + right_low_[at]);
       }
-      if (least_[i] == kBeside) continue;
+      if (least_[i] == kNoMatchCost) continue;
       const int best = best_[i], least = least_[i], second = second_[i];
-      if (second != kBeside && second != 0) {
+      if (second != kNoMatchCost && second != 0) {
         winners.confidence.at(x, y) = float(second - least) / float(second);
       }
       const std::uint8_t* sums = sums_.data() + i * std::size_t(stride_) + best;
-      // The sum of a match is never kBeside.
+      // The sum of a match is never kNoMatchCost.
       const bool inside = settings_.subpixel && best > 0 && best + 1 < settings_.range.count() &&
-                          sums[-1] != kBeside && sums[1] != kBeside;
+                          sums[-1] != kNoMatchCost && sums[1] != kNoMatchCost;
       const float part = inside ? corner(sums[-1], least, sums[1]) : 0.0f;
       winners.left.at(x, y) = float(settings_.range.first + best) + part;
     }
@@ -120,8 +121,8 @@ private:
                 .stride = stride_,
                 .left = left_words_.row(y),
                 .right = {},
-                .beside = beside_.data() + origin_,
-                .beyond = beyond_.data(),
+                .outside = outside_.data() + origin_,
+                .past_range = past_range_.data(),
                 .grey = grey,
                 .grey_above = begins ? grey : grey - width_,
                 .jumps = jumps_.data(),
@@ -139,7 +140,7 @@ private:
     return row;
   }
 
-  const Planes& picture_;
+  const ColorPlanes& picture_;
   const CensusPlanes &left_words_, &right_words_;
   const MatchSettings& settings_;
   const ByteKernels& kernels_;
@@ -148,8 +149,8 @@ private:
   std::ptrdiff_t origin_;
   std::array<std::uint8_t, 256> jumps_;
   std::array<Line, kCensusBytes> right_;
-  Line beside_, beyond_, apart_, costs_, sums_, above_, least_above_, along_;
-  LineVector<std::uint16_t> best_;
+  Line outside_, past_range_, best_mask_, costs_, sums_, above_, least_above_, along_;
+  CacheAlignedVector<std::uint16_t> best_;
   Line least_, second_, right_least_, right_low_, right_high_;
 };
 
@@ -165,8 +166,8 @@ std::uint64_t bytes_of_byte_band(int width, int stride) {
   return std::uint64_t(width) * std::uint64_t(3 * std::int64_t(stride) + kLanes);
 }
 
-Winners sweep_in_bytes(const Planes& left, const Planes& right, const MatchSettings& settings,
-                       CostVolume* kept) {
+Winners sweep_in_bytes(const ColorPlanes& left, const ColorPlanes& right,
+                       const MatchSettings& settings, CostVolume* kept) {
   const CensusPlanes left_words = darker_neighbours(left, settings.target),
                      right_words = darker_neighbours(right, settings.target);
   Winners winners = no_winners(left.width, left.height);

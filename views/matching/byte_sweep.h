@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "views/matching/pictures.h"
+#include "views/matching/color_planes.h"
 #include "views/matching/settings.h"
 #include "views/matching/winner.h"
 
@@ -15,7 +15,7 @@ bool fits_bytes(const MatchSettings& settings);
 // Bytes of memory for one band of rows.
 std::uint64_t bytes_of_byte_band(int width, int stride);
 // Like sweep_once. `kept`, of the pictures' size, receives the sums.
-Winners sweep_in_bytes(const Planes& left, const Planes& right, const MatchSettings& settings,
-                       CostVolume* kept = nullptr);
+Winners sweep_in_bytes(const ColorPlanes& left, const ColorPlanes& right,
+                       const MatchSettings& settings, CostVolume* kept = nullptr);
 
 }  // namespace glassbox::views

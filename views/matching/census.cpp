@@ -13,7 +13,7 @@ constexpr int kAcross = 3, kDown = 2;  // px, half the size of the window
 // One plane of a picture, with its edge columns repeated outwards.
 class PaddedPlane {
 public:
-  PaddedPlane(const LineVector<std::uint8_t>& plane, int width, int height)
+  PaddedPlane(const CacheAlignedVector<std::uint8_t>& plane, int width, int height)
       : height_(height),
         padded_(std::size_t(width) + 2 * kAcross + kByteLanes),
         bytes_(padded_ * std::size_t(height)) {
@@ -38,12 +38,12 @@ public:
 private:
   int height_;
   std::size_t padded_;
-  LineVector<std::uint8_t> bytes_;
+  CacheAlignedVector<std::uint8_t> bytes_;
 };
 
 // Calls one(y, pointers to its bytes) for each row.
 template <class One>
-CensusPlanes planes_of_rows(const Planes& picture, const One& one) {
+CensusPlanes planes_of_rows(const ColorPlanes& picture, const One& one) {
   CensusPlanes planes;
   planes.pitch = (std::size_t(picture.width) + kByteLanes - 1) / kByteLanes * kByteLanes;
   for (auto& bytes : planes.bytes) bytes.resize(planes.pitch * std::size_t(picture.height));
@@ -66,7 +66,7 @@ CensusPointers<const std::uint8_t> CensusPlanes::row(int y) const {
   return result;
 }
 
-CensusPlanes darker_neighbours(const Planes& picture, Target target) {
+CensusPlanes darker_neighbours(const ColorPlanes& picture, Target target) {
   const ByteKernels& kernels = byte_kernels(target);
   const PaddedPlane grey(picture.grey, picture.width, picture.height);
   return planes_of_rows(picture, [&](int y, const CensusPointers<std::uint8_t>& out) {
@@ -74,12 +74,13 @@ CensusPlanes darker_neighbours(const Planes& picture, Target target) {
   });
 }
 
-CensusPlanes alike_neighbours(const Planes& picture, Target target) {
+CensusPlanes similar_neighbours(const ColorPlanes& picture, Target target) {
   const ByteKernels& kernels = byte_kernels(target);
   const PaddedPlane r(picture.r, picture.width, picture.height),
       g(picture.g, picture.width, picture.height), b(picture.b, picture.width, picture.height);
   return planes_of_rows(picture, [&](int y, const CensusPointers<std::uint8_t>& out) {
-    kernels.alike({r.around(y), g.around(y), b.around(y)}, kAlike, kLeastAlike, picture.width, out);
+    kernels.similar({r.around(y), g.around(y), b.around(y)}, kSimilarColor, kLeastSimilar,
+                    picture.width, out);
   });
 }
 

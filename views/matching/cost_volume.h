@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <glassbox/base/line_memory.h>
+#include <glassbox/base/cache_aligned_vector.h>
 
 namespace glassbox::views {
 
@@ -23,7 +23,7 @@ inline constexpr int kDisparityLanes = 32;  // 16-bit lanes of the widest instru
 
 // An allocator that does not initialise its memory: pages that were never touched cost nothing yet.
 template <class T>
-struct UnwrittenAllocator : LineAllocator<T> {
+struct UnwrittenAllocator : CacheLineAllocator<T> {
   UnwrittenAllocator() = default;
   template <class U>
   UnwrittenAllocator(const UnwrittenAllocator<U>&) {}

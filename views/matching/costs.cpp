@@ -39,8 +39,8 @@ void for_matches(const CostVolume& volume, const One& one) {
   }
 }
 
-LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int height) {
-  LineVector<std::uint32_t> words(std::size_t(width) * std::size_t(height));
+CacheAlignedVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int height) {
+  CacheAlignedVector<std::uint32_t> words(std::size_t(width) * std::size_t(height));
   tbb::parallel_for(0, height, [&](int y) {
     const auto bytes = planes.row(y);
     std::uint32_t* out = words.data() + std::size_t(y) * std::size_t(width);
@@ -55,8 +55,9 @@ LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int he
 // Calls one(left pixel, right pixels by growing disparity, their number, their costs) for each
 // pixel of a row that has a right one.
 template <class Value, class One>
-void for_rows_of_costs(const LineVector<Value>& left, const LineVector<Value>& right, int y,
-                       CostVolume& volume, int to_row, const One& one) {
+void for_rows_of_costs(const CacheAlignedVector<Value>& left,
+                       const CacheAlignedVector<Value>& right, int y, CostVolume& volume,
+                       int to_row, const One& one) {
   const auto width = std::ptrdiff_t(volume.width), start = y * width;
   std::vector<Value> others(right.begin() + start, right.begin() + start + width);
   std::ranges::reverse(others);
@@ -67,16 +68,16 @@ void for_rows_of_costs(const LineVector<Value>& left, const LineVector<Value>& r
 }
 
 // Costs outside of the picture are computed, too, and overwritten afterwards.
-void color_row(const Planes& left, const Planes& right, const CensusPlanes& left_bytes,
-               const CensusPlanes& left_alike, const CensusPlanes& right_bytes,
-               const CensusPlanes& right_alike, const MatchSettings& settings, int y,
+void color_row(const ColorPlanes& left, const ColorPlanes& right, const CensusPlanes& left_bytes,
+               const CensusPlanes& left_similar, const CensusPlanes& right_bytes,
+               const CensusPlanes& right_similar, const MatchSettings& settings, int y,
                CostVolume& volume, int to_row) {
   const int first = settings.range.first;
   const auto width = std::size_t(left.width), start = std::size_t(y) * width;
   const auto before = std::size_t(std::max(0, -first));
   const auto length = width + std::size_t(std::abs(first)) + std::size_t(volume.stride);
   constexpr std::size_t kChannels = 3;
-  thread_local LineVector<std::uint8_t> lines;
+  thread_local CacheAlignedVector<std::uint8_t> lines;
   lines.assign((2 * kCensusBytes + kChannels) * length, 0);
   std::size_t used = 0;
   const auto reversed = [&](const std::uint8_t* from) {
@@ -87,9 +88,9 @@ void color_row(const Planes& left, const Planes& right, const CensusPlanes& left
   ColorRow row{.width = left.width,
                .stride = volume.stride,
                .left = left_bytes.row(y),
-               .left_alike = left_alike.row(y),
+               .left_similar = left_similar.row(y),
                .right = {},
-               .right_alike = {},
+               .right_similar = {},
                .left_color = {left.r.data() + start, left.g.data() + start, left.b.data() + start},
                .right_color = {reversed(right.r.data() + start), reversed(right.g.data() + start),
                                reversed(right.b.data() + start)},
@@ -100,13 +101,14 @@ void color_row(const Planes& left, const Planes& right, const CensusPlanes& left
                .costs = volume.at(0, to_row)};
   for (std::size_t k = 0; k < kCensusBytes; ++k) {
     row.right[k] = reversed(right_bytes.row(y)[k]);
-    row.right_alike[k] = reversed(right_alike.row(y)[k]);
+    row.right_similar[k] = reversed(right_similar.row(y)[k]);
   }
   byte_kernels(settings.target).color_costs(row);
 }
 
 // Squares of grey differences are at most 65025; divided by 32 they are below kHighestCost.
-void squared_row(const Planes& left, const Planes& right, int y, CostVolume& volume, int to_row) {
+void squared_row(const ColorPlanes& left, const ColorPlanes& right, int y, CostVolume& volume,
+                 int to_row) {
   const auto start = std::size_t(y) * std::size_t(left.width);
   for_matches(volume, [&](int x, int from, int to, int first_right) {
     for (int i = from; i < to; ++i) {
@@ -141,8 +143,8 @@ std::uint16_t correlation_cost(const Sums& sums, bool centred) {
 
 // Both windows are cut off at the edge of either picture. A column's sums are shared by the windows
 // that contain it.
-void correlation_row(const Planes& left, const Planes& right, const MatchSettings& settings, int y,
-                     CostVolume& volume, int to_row) {
+void correlation_row(const ColorPlanes& left, const ColorPlanes& right,
+                     const MatchSettings& settings, int y, CostVolume& volume, int to_row) {
   const int radius = settings.window / 2, width = left.width;
   const int top = std::max(0, y - radius), bottom = std::min(left.height - 1, y + radius);
   std::vector<Sums> columns(static_cast<std::size_t>(width));
@@ -181,10 +183,11 @@ void correlation_row(const Planes& left, const Planes& right, const MatchSetting
 
 }  // namespace
 
-PixelCosts::PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings)
+PixelCosts::PixelCosts(const ColorPlanes& left, const ColorPlanes& right,
+                       const MatchSettings& settings)
     : left_(left), right_(right), settings_(settings) {
   if (settings.cost == MatchingCost::kCensus) {
-    const auto words = [&](const Planes& picture) {
+    const auto words = [&](const ColorPlanes& picture) {
       return words_of(darker_neighbours(picture, settings.target), picture.width, picture.height);
     };
     left_words_ = words(left), right_words_ = words(right);
@@ -192,8 +195,8 @@ PixelCosts::PixelCosts(const Planes& left, const Planes& right, const MatchSetti
   if (settings.cost == MatchingCost::kAdCensus) {
     left_bytes_ = darker_neighbours(left, settings.target);
     right_bytes_ = darker_neighbours(right, settings.target);
-    left_alike_ = alike_neighbours(left, settings.target);
-    right_alike_ = alike_neighbours(right, settings.target);
+    left_similar_ = similar_neighbours(left, settings.target);
+    right_similar_ = similar_neighbours(right, settings.target);
   }
 }
 
@@ -203,7 +206,7 @@ CostVolume PixelCosts::volume_of(int rows) const {
 
 void PixelCosts::row(int y, CostVolume& volume, int to_row) const {
   if (settings_.cost == MatchingCost::kAdCensus) {
-    color_row(left_, right_, left_bytes_, left_alike_, right_bytes_, right_alike_, settings_, y,
+    color_row(left_, right_, left_bytes_, left_similar_, right_bytes_, right_similar_, settings_, y,
               volume, to_row);
   }
   fill_row(volume, to_row);
@@ -226,7 +229,8 @@ void PixelCosts::row(int y, CostVolume& volume, int to_row) const {
   }
 }
 
-CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings) {
+CostVolume pixel_costs(const ColorPlanes& left, const ColorPlanes& right,
+                       const MatchSettings& settings) {
   const PixelCosts costs(left, right, settings);
   CostVolume volume = costs.volume_of(left.height);
   tbb::parallel_for(0, left.height, [&](int y) { costs.row(y, volume, y); });

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "views/matching/census.h"
+#include "views/matching/color_planes.h"
 #include "views/matching/cost_volume.h"
-#include "views/matching/pictures.h"
 #include "views/matching/settings.h"
 
 namespace glassbox::views {
@@ -14,18 +14,19 @@ namespace glassbox::views {
 // the disparity is not considered as winner. The pictures must outlive the object.
 class PixelCosts {
 public:
-  PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings);
+  PixelCosts(const ColorPlanes& left, const ColorPlanes& right, const MatchSettings& settings);
   CostVolume volume_of(int rows) const;
   // Writes the costs of the pictures' row y into row `to_row` of a volume.
   void row(int y, CostVolume& volume, int to_row) const;
 
 private:
-  const Planes &left_, &right_;
+  const ColorPlanes &left_, &right_;
   const MatchSettings& settings_;
-  LineVector<std::uint32_t> left_words_, right_words_;                // for census costs
-  CensusPlanes left_bytes_, right_bytes_, left_alike_, right_alike_;  // for census and colour
+  CacheAlignedVector<std::uint32_t> left_words_, right_words_;            // for census costs
+  CensusPlanes left_bytes_, right_bytes_, left_similar_, right_similar_;  // for census and colour
 };
 
-CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings);
+CostVolume pixel_costs(const ColorPlanes& left, const ColorPlanes& right,
+                       const MatchSettings& settings);
 
 }  // namespace glassbox::views

@@ -23,8 +23,8 @@ int nearest_column(int x, float disparity) {
 
 // Whether the pixel is occluded or mismatched: mismatched if the disparity of some right pixel of
 // the row points to x.
-Doubt kind_of(const std::vector<std::uint8_t>& is_claimed, int x) {
-  return is_claimed[std::size_t(x)] ? Doubt::kMismatched : Doubt::kOccluded;
+InvalidReason failed_check_of(const std::vector<std::uint8_t>& is_claimed, int x) {
+  return is_claimed[std::size_t(x)] ? InvalidReason::kMismatched : InvalidReason::kOccluded;
 }
 
 // The median of the finite values in the 3 x 3 neighbourhood.
@@ -81,8 +81,9 @@ void inner_medians(const Image<float>& disparity, int y, Image<float>& result) {
 
 }  // namespace
 
-Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance) {
-  Image<Doubt> doubts(left.width, left.height, Doubt::kNone);
+Image<InvalidReason> left_right_check(const Image<float>& left, const Image<float>& right,
+                                      int tolerance) {
+  Image<InvalidReason> invalid_reasons(left.width, left.height, InvalidReason::kNone);
   tbb::parallel_for(0, left.height, [&](int y) {
     std::vector<std::uint8_t> is_claimed(static_cast<std::size_t>(left.width));
     for (int x = 0; x < right.width; ++x) {
@@ -93,20 +94,20 @@ Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& rig
     for (int x = 0; x < left.width; ++x) {
       const float disparity = left.at(x, y);
       if (!std::isfinite(disparity)) {
-        doubts.at(x, y) = Doubt::kOutside;
+        invalid_reasons.at(x, y) = InvalidReason::kOutside;
         continue;
       }
       const int column = nearest_column(x, disparity);
       const bool agrees = column >= 0 && column < right.width &&
                           std::abs(right.at(column, y) - disparity) <= float(tolerance) + 0.5f;
-      if (!agrees) doubts.at(x, y) = kind_of(is_claimed, x);
+      if (!agrees) invalid_reasons.at(x, y) = failed_check_of(is_claimed, x);
     }
   });
-  return doubts;
+  return invalid_reasons;
 }
 
-void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
-                 Image<Doubt>& doubts) {
+void invalidate_empty(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                      const Image<float>& disparity, Image<InvalidReason>& invalid_reasons) {
   const auto has_empty = [](const Image<Rgba8>& picture) {
     return std::ranges::any_of(picture.pixels, [](const Rgba8& pixel) { return pixel.a == 0; });
   };
@@ -116,16 +117,18 @@ void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Imag
       if (!std::isfinite(disparity.at(x, y))) continue;
       // A fraction of a pixel can lead at most to the edge.
       const int column = std::clamp(nearest_column(x, disparity.at(x, y)), 0, right.width - 1);
-      if (left.at(x, y).a == 0 || right.at(column, y).a == 0) doubts.at(x, y) = Doubt::kOutside;
+      if (left.at(x, y).a == 0 || right.at(column, y).a == 0)
+        invalid_reasons.at(x, y) = InvalidReason::kOutside;
     }
   });
 }
 
-void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts) {
+void invalidate_speckles(const Image<float>& disparity, int least,
+                         Image<InvalidReason>& invalid_reasons) {
   std::vector<std::uint8_t> is_seen(disparity.pixels.size());
   std::vector<std::size_t> piece;
   const auto belongs = [&](std::size_t i) {
-    return doubts.pixels[i] == Doubt::kNone && std::isfinite(disparity.pixels[i]);
+    return invalid_reasons.pixels[i] == InvalidReason::kNone && std::isfinite(disparity.pixels[i]);
   };
   const auto width = std::size_t(disparity.width);
   for (std::size_t start = 0; start < disparity.pixels.size(); ++start) {
@@ -146,7 +149,7 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
       visit(at + width < disparity.pixels.size(), at + width);
     }
     if (piece.size() >= std::size_t(least)) continue;
-    for (const std::size_t at : piece) doubts.pixels[at] = Doubt::kSpeckle;
+    for (const std::size_t at : piece) invalid_reasons.pixels[at] = InvalidReason::kSpeckle;
   }
 }
 

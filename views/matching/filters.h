@@ -1,4 +1,4 @@
-// Makes a disparity map from the winners: doubtful pixels are removed, and the rest is smoothed.
+// Makes a disparity map from the winners: invalid pixels are removed, and the rest is smoothed.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace glassbox::views {
 
 // The reason why a pixel has no disparity.
-enum class Doubt : std::uint8_t {
+enum class InvalidReason : std::uint8_t {
   kNone,
   kOccluded,    // no right pixel's disparity leads to this left pixel
   kMismatched,  // a right pixel's disparity leads to it, but the two disparities differ
@@ -19,16 +19,18 @@ enum class Doubt : std::uint8_t {
 };
 
 // Marks left pixels whose right pixel has a disparity that differs by more than `tolerance` (px).
-Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance);
+Image<InvalidReason> left_right_check(const Image<float>& left, const Image<float>& right,
+                                      int tolerance);
 
 // Marks pixels of alpha 0, which show nothing (as in a rectified picture): they have no colour, and
 // neither they nor the pixels matched with them get a disparity.
-void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
-                 Image<Doubt>& doubts);
+void invalidate_empty(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                      const Image<float>& disparity, Image<InvalidReason>& invalid_reasons);
 
 // Marks the pixels of connected pieces of fewer than `least` pixels. Neighbours are connected if
-// their disparities differ by at most one; pixels that are already in doubt belong to no piece.
-void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts);
+// their disparities differ by at most one; pixels that are already invalid belong to no piece.
+void invalidate_speckles(const Image<float>& disparity, int least,
+                         Image<InvalidReason>& invalid_reasons);
 
 // The median of the finite values in each pixel's 3 x 3 neighbourhood; for an even number of them,
 // the smaller middle one. Pixels without disparity remain without.

@@ -12,11 +12,11 @@
 #include <glassbox/render/engine/threads.h>
 
 #include "views/matching/byte_sweep.h"
+#include "views/matching/cost_aggregation.h"
 #include "views/matching/costs.h"
-#include "views/matching/fill.h"
+#include "views/matching/fill_holes.h"
 #include "views/matching/paths.h"
-#include "views/matching/planes.h"
-#include "views/matching/support.h"
+#include "views/matching/plane_fitting.h"
 #include "views/matching/winner.h"
 
 namespace glassbox::views {
@@ -40,16 +40,18 @@ private:
 void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& settings) {
   if (settings.window > 1 && !is_correlation(settings.cost)) {
     average_costs(costs, square_arms(costs.width, costs.height, settings.window / 2),
-                  FirstAlong::kRows, settings.target);
+                  AggregationOrder::kRows, settings.target);
   }
   for (int round = 0; round < settings.adaptive; ++round) {
-    average_costs(costs, arms, round % 2 == 0 ? FirstAlong::kRows : FirstAlong::kColumns,
+    average_costs(costs, arms,
+                  round % 2 == 0 ? AggregationOrder::kRows : AggregationOrder::kColumns,
                   settings.target);
   }
 }
 
-Winners winners_of_volume(const Planes& left, const Planes& right, const Image<Arms>& arms,
-                          const MatchSettings& settings, Clock& clock, DenseMatch& match) {
+Winners winners_of_volume(const ColorPlanes& left, const ColorPlanes& right,
+                          const Image<Arms>& arms, const MatchSettings& settings, Clock& clock,
+                          DenseMatch& match) {
   CostVolume costs = pixel_costs(left, right, settings);
   clock.done("costs");
   average(costs, arms, settings);
@@ -72,21 +74,23 @@ Winners winners_of_volume(const Planes& left, const Planes& right, const Image<A
   return winners;
 }
 
-Image<Doubt> doubts_of(const Image<Rgba8>& left, const Image<Rgba8>& right, const Winners& winners,
-                       const MatchSettings& settings) {
-  Image<Doubt> doubts(winners.left.width, winners.left.height, Doubt::kNone);
+Image<InvalidReason> find_invalid(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                  const Winners& winners, const MatchSettings& settings) {
+  Image<InvalidReason> invalid_reasons(winners.left.width, winners.left.height,
+                                       InvalidReason::kNone);
   if (settings.left_right) {
-    doubts = left_right_doubts(winners.left, winners.right, *settings.left_right);
+    invalid_reasons = left_right_check(winners.left, winners.right, *settings.left_right);
   }
-  for (std::size_t i = 0; i < doubts.pixels.size(); ++i) {
-    if (!std::isfinite(winners.left.pixels[i])) doubts.pixels[i] = Doubt::kOutside;
-    if (doubts.pixels[i] == Doubt::kNone && winners.confidence.pixels[i] < settings.confidence) {
-      doubts.pixels[i] = Doubt::kUnsure;
+  for (std::size_t i = 0; i < invalid_reasons.pixels.size(); ++i) {
+    if (!std::isfinite(winners.left.pixels[i])) invalid_reasons.pixels[i] = InvalidReason::kOutside;
+    if (invalid_reasons.pixels[i] == InvalidReason::kNone &&
+        winners.confidence.pixels[i] < settings.confidence) {
+      invalid_reasons.pixels[i] = InvalidReason::kUnsure;
     }
   }
-  doubt_empty(left, right, winners.left, doubts);
-  if (settings.speckle > 0) doubt_speckles(winners.left, settings.speckle, doubts);
-  return doubts;
+  invalidate_empty(left, right, winners.left, invalid_reasons);
+  if (settings.speckle > 0) invalidate_speckles(winners.left, settings.speckle, invalid_reasons);
+  return invalid_reasons;
 }
 
 void leave_empty(const Image<Rgba8>& left, Image<float>& disparity) {
@@ -98,7 +102,7 @@ void leave_empty(const Image<Rgba8>& left, Image<float>& disparity) {
 void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSettings& settings,
          DenseMatch& match) {
   Clock clock(match.steps);
-  const Planes left_planes = planes_of(left), right_planes = planes_of(right);
+  const ColorPlanes left_planes = color_planes(left), right_planes = color_planes(right);
   const bool votes = settings.fill && settings.vote;
   Image<Arms> arms;
   if (settings.adaptive > 0 || votes) {
@@ -122,21 +126,24 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
   } else {
     winners = winners_of_volume(left_planes, right_planes, arms, settings, clock, match);
   }
-  match.doubts = doubts_of(left, right, winners, settings);
+  match.invalid_reasons = find_invalid(left, right, winners, settings);
   match.disparity = winners.left;
   match.confidence = winners.confidence;
   clock.done("checks");
   if (settings.planes > 0) {
-    fit_planes(left_planes, right_planes, match.doubts, settings.planes, match.disparity);
+    fit_planes(left_planes, right_planes, match.invalid_reasons, settings.planes, match.disparity);
     clock.done("planes");
   }
-  Image<Doubt> doubts = match.doubts;
+  Image<InvalidReason> invalid_reasons = match.invalid_reasons;
   if (settings.fill) {
-    if (votes) vote(arms, settings.range.first, settings.range.count(), 2, match.disparity, doubts);
-    fill_holes(left_planes, match.disparity, doubts);
+    if (votes)
+      fill_by_vote(arms, settings.range.first, settings.range.count(), 2, match.disparity,
+                   invalid_reasons);
+    fill_holes(left_planes, match.disparity, invalid_reasons);
   } else {
-    for (std::size_t i = 0; i < doubts.pixels.size(); ++i) {
-      if (doubts.pixels[i] != Doubt::kNone) match.disparity.pixels[i] = kNoDisparity;
+    for (std::size_t i = 0; i < invalid_reasons.pixels.size(); ++i) {
+      if (invalid_reasons.pixels[i] != InvalidReason::kNone)
+        match.disparity.pixels[i] = kNoDisparity;
     }
   }
   leave_empty(left, match.disparity);

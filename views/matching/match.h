@@ -23,7 +23,7 @@ struct MatchStep {
 struct DenseMatch {
   Image<float> disparity;   // px, for the left picture; kNoDisparity where there is none
   Image<float> confidence;  // peak ratio, [0, 1]
-  Image<Doubt> doubts;      // as they were before holes were filled
+  Image<InvalidReason> invalid_reasons;  // as they were before holes were filled
   // The sums that the winners were selected from, if the settings ask to keep them.
   CostVolume sums;
   std::vector<MatchStep> steps;

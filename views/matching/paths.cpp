@@ -43,11 +43,11 @@ private:
   }
 
   std::size_t width_, cell_;
-  LineVector<std::uint16_t> values_, least_;
+  CacheAlignedVector<std::uint16_t> values_, least_;
 };
 
 struct Sweep {
-  const Planes& picture;
+  const ColorPlanes& picture;
   std::span<const Step> steps;  // from the pixel before to this one
   const std::array<std::uint16_t, 256>& jumps;
   std::uint16_t p1;
@@ -97,7 +97,7 @@ private:
   Sweep sweep_;
   int stride_;
   // A path's first pixel has the cost alone, as if zeros came before it.
-  LineVector<std::uint16_t> zeros_;
+  CacheAlignedVector<std::uint16_t> zeros_;
   std::vector<PathRows> rows_;
 };
 
@@ -130,7 +130,7 @@ std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties) {
   return jumps;
 }
 
-PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
+PathSums sum_paths(const CostVolume& costs, const ColorPlanes& picture, int paths,
                    const Penalties& penalties, Target target) {
   const auto jumps = jump_penalties(penalties);
   const auto steps = std::span(kSteps).first(std::size_t(paths / 2));
@@ -154,8 +154,8 @@ BandRows band_rows(int band, int height) {
   return {std::max(0, begin - kWarmUp), begin, std::min(height, begin + kBandRows)};
 }
 
-Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
-                   const Penalties& penalties, CostVolume* kept) {
+Winners sweep_once(const PixelCosts& costs, const ColorPlanes& picture,
+                   const MatchSettings& settings, const Penalties& penalties, CostVolume* kept) {
   const auto jumps = jump_penalties(penalties);
   std::vector<Step> steps(kSteps.begin(), kSteps.begin() + settings.paths / 2);
   steps.push_back({-1, 0});

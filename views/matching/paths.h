@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "views/matching/color_planes.h"
 #include "views/matching/cost_volume.h"
 #include "views/matching/costs.h"
-#include "views/matching/pictures.h"
 #include "views/matching/settings.h"
 #include "views/matching/winner.h"
 
@@ -28,7 +28,7 @@ std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties);
 struct PathSums {
   CostVolume down, up;
 };
-PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
+PathSums sum_paths(const CostVolume& costs, const ColorPlanes& picture, int paths,
                    const Penalties& penalties, Target target);
 
 // Finds the winners with only those paths that do not come from below: 2, 3, 5 or 9 of 2, 4, 8 or
@@ -42,7 +42,8 @@ struct BandRows {
   int warm_up, begin, end;
 };
 BandRows band_rows(int band, int height);
-Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
-                   const Penalties& penalties, CostVolume* kept = nullptr);
+Winners sweep_once(const PixelCosts& costs, const ColorPlanes& picture,
+                   const MatchSettings& settings, const Penalties& penalties,
+                   CostVolume* kept = nullptr);
 
 }  // namespace glassbox::views

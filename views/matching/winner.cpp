@@ -11,9 +11,9 @@ namespace glassbox::views {
 namespace {
 
 struct Row {
-  LineVector<std::uint16_t> costs;  // for one pixel
+  CacheAlignedVector<std::uint16_t> costs;  // for one pixel
   // For the right row in reversed order: the least cost, and the number of its disparity.
-  LineVector<std::uint16_t> right, number;
+  CacheAlignedVector<std::uint16_t> right, number;
 };
 
 void left_winner(const CostVolume& volume, const std::uint16_t* costs, int x, int y, bool subpixel,

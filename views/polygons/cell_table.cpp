@@ -64,16 +64,16 @@ using Triangles = std::vector<CellTriangle>;
 
 // Triangles for the part of a loop from corner i to corner j, cut by diagonals that never have both
 // ends on one face of the cell; none if this is impossible.
-std::optional<Triangles> cut(const Loop& loop, std::size_t i, std::size_t j) {
+std::optional<Triangles> triangulate_loop(const Loop& loop, std::size_t i, std::size_t j) {
   if (j - i < 2) return Triangles();
   for (std::size_t k = i + 1; k < j; ++k) {
     const auto is_allowed = [&](std::size_t a, std::size_t b) {
       return b - a == 1 || !share_a_face(loop[a], loop[b]);
     };
     if (!is_allowed(i, k) || !is_allowed(k, j)) continue;
-    auto first = cut(loop, i, k);
+    auto first = triangulate_loop(loop, i, k);
     if (!first) continue;
-    const auto second = cut(loop, k, j);
+    const auto second = triangulate_loop(loop, k, j);
     if (!second) continue;
     first->insert(first->end(), second->begin(), second->end());
     first->push_back({std::uint8_t(loop[i]), std::uint8_t(loop[k]), std::uint8_t(loop[j])});
@@ -92,7 +92,7 @@ Triangles fan_around_middle(const Loop& loop) {
   return triangles;
 }
 
-CellTable made_table(unsigned (*joined_of)(unsigned inside)) {
+CellTable make_table(unsigned (*joined_of)(unsigned inside)) {
   CellTable table;
   for (unsigned inside = 0; inside < table.size(); ++inside)
     table[inside] = cell_surface(inside, joined_of(inside));
@@ -104,7 +104,7 @@ CellTable made_table(unsigned (*joined_of)(unsigned inside)) {
 CellSurface cell_surface(unsigned inside, unsigned joined) {
   CellSurface surface;
   for (const Loop& loop : loops_of(next_edges(inside, joined))) {
-    std::optional<Triangles> triangles = cut(loop, 0, loop.size() - 1);
+    std::optional<Triangles> triangles = triangulate_loop(loop, 0, loop.size() - 1);
     if (!triangles) triangles = fan_around_middle(loop);
     surface.triangles.insert(surface.triangles.end(), triangles->begin(), triangles->end());
   }
@@ -112,13 +112,13 @@ CellSurface cell_surface(unsigned inside, unsigned joined) {
 }
 
 const CellTable& consistent_table() {
-  static const CellTable table = made_table([](unsigned) { return 0u; });
+  static const CellTable table = make_table([](unsigned) { return 0u; });
   return table;
 }
 
 const CellTable& naive_table() {
   static const CellTable table =
-      made_table([](unsigned inside) { return std::popcount(inside) > 4 ? 63u : 0u; });
+      make_table([](unsigned inside) { return std::popcount(inside) > 4 ? 63u : 0u; });
   return table;
 }
 

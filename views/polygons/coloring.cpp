@@ -18,7 +18,7 @@ namespace glassbox::views {
 
 namespace {
 
-Rgba8 mean_of(const PolygonSeen& seen) {
+Rgba8 mean_of(const PolygonObservation& seen) {
   const auto mean = [&](std::size_t c) {
     return std::uint8_t((2 * seen.sums[c] + seen.pixels) / (2 * seen.pixels));
   };
@@ -27,13 +27,14 @@ Rgba8 mean_of(const PolygonSeen& seen) {
 
 // The full corner of a polygon's cell that is nearest to the polygon's middle; of equally near ones
 // the first.
-VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
-  const CellAt cell = surface.cell_of(polygon.id);
+VoxelPosition voxel_behind(const EditableSurface& surface, const WorldPolygon& polygon) {
+  const CellPosition cell = surface.cell_of(polygon.id);
   const Vector3d middle = (polygon.corners[0] + polygon.corners[1] + polygon.corners[2]) / 3;
-  VoxelAt nearest;
+  VoxelPosition nearest;
   double least = INFINITY;
   for (int corner = 0; corner < 8; ++corner) {
-    const VoxelAt voxel{cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2)};
+    const VoxelPosition voxel{cell.x + (corner & 1), cell.y + (corner >> 1 & 1),
+                              cell.z + (corner >> 2)};
     if (!surface.occupancy().has(voxel)) continue;
     const double distance = (surface.occupancy().grid().centre(voxel) - middle).squaredNorm();
     if (!(distance < least)) continue;
@@ -44,7 +45,7 @@ VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
 }
 
 // Whether any picture has background at the pixel of a place.
-bool is_beside_object(const PictureSet& set, const Vector3d& world) {
+bool is_outside_object(const PictureSet& set, const Vector3d& world) {
   return std::ranges::any_of(set.pictures, [&](const CalibratedPicture& picture) {
     if (picture.matte.pixels.empty()) return false;
     const Vector3d at = project(picture.camera, world);
@@ -56,9 +57,9 @@ bool is_beside_object(const PictureSet& set, const Vector3d& world) {
 }
 
 // The part of the pixels' colours that a set of polygons does not explain.
-struct Unexplained {
-  // Levels^2: squared distances from each polygon's mean, and kMismatch for a pixel that shows a
-  // polygon but has background, or the other way round.
+struct Residual {
+  // Levels^2: squared distances from each polygon's mean, and kMismatchPenalty for a pixel that
+  // shows a polygon but has background, or the other way round.
   double squares = 0;
   std::int64_t polygons = 0;  // that are seen
   std::int64_t pixels = 0;
@@ -73,50 +74,50 @@ struct Unexplained {
 };
 // The expected squared distance of two random colours between 0 and 255: 2 * 255^2 / 12 for each of
 // three channels.
-constexpr double kMismatch = 3 * 255.0 * 255.0 / 6;
+constexpr double kMismatchPenalty = 3 * 255.0 * 255.0 / 6;
 
 // Tests whether the pictures are explained better without a voxel: by the polygons that replace its
 // own, and those behind it.
-class Trial {
+class TrialCarving {
 public:
-  Trial(const PictureSet& set, LiveSurface& surface, double threshold)
+  TrialCarving(const PictureSet& set, EditableSurface& surface, double threshold)
       : set_(set), surface_(surface), variance_(threshold * threshold) {}
 
   // Removes the voxel and returns the polygons that have changed; or leaves the surface as it is,
   // and returns nothing.
-  std::vector<PolygonId> carve(const VoxelAt& voxel) {
+  std::vector<PolygonId> carve(const VoxelPosition& voxel) {
     const std::vector<WorldPolygon> own = around(voxel);
-    std::vector<PolygonId> changed = surface_.edit(voxel, false), asked = changed;
+    std::vector<PolygonId> changed = surface_.set_voxel(voxel, false), asked = changed;
     for (const WorldPolygon& polygon : own) asked.push_back(polygon.id);
     std::ranges::sort(asked);
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-    Unexplained without = by(asked);
-    without.squares += kMismatch * double(uncovered_by(own));
-    surface_.edit(voxel, true);
-    const Unexplained with = by(asked);
+    Residual without = residual_of(asked);
+    without.squares += kMismatchPenalty * double(uncovered_by(own));
+    surface_.set_voxel(voxel, true);
+    const Residual with = residual_of(asked);
     // Both surfaces explain the same pixels, except for some at edges that two polygons have or
     // none.
     const std::int64_t pixels = std::max({with.pixels, without.pixels, std::int64_t(1)});
     if (!(without.with_cost(pixels, variance_) < with.with_cost(pixels, variance_))) return {};
-    return surface_.edit(voxel, false);
+    return surface_.set_voxel(voxel, false);
   }
 
 private:
-  std::vector<WorldPolygon> around(const VoxelAt& voxel) const {
+  std::vector<WorldPolygon> around(const VoxelPosition& voxel) const {
     std::vector<WorldPolygon> all;
-    for (const CellAt& cell : surface_.cells_around(voxel)) {
+    for (const CellPosition& cell : surface_.cells_around(voxel)) {
       const auto here = surface_.polygons_of(cell);
       all.insert(all.end(), here.begin(), here.end());
     }
     return all;
   }
 
-  Unexplained by(const std::vector<PolygonId>& ids) const {
-    Unexplained sum;
+  Residual residual_of(const std::vector<PolygonId>& ids) const {
+    Residual sum;
     for (const PolygonId id : ids) {
       if (!surface_.has(id)) continue;
-      const PolygonSeen seen = seen_of(set_, surface_, surface_.polygon(id));
-      sum.squares += seen.unexplained() + kMismatch * double(seen.background);
+      const PolygonObservation seen = observe_polygon(set_, surface_, surface_.polygon(id));
+      sum.squares += seen.residual() + kMismatchPenalty * double(seen.background);
       sum.polygons += seen.pixels > 0;
       sum.pixels += seen.pixels + seen.background;
     }
@@ -140,13 +141,13 @@ private:
   }
 
   const PictureSet& set_;
-  LiveSurface& surface_;
+  EditableSurface& surface_;
   double variance_;
 };
 
 class Carving {
 public:
-  Carving(const PictureSet& set, LiveSurface& surface, const PolygonColoringSettings& settings)
+  Carving(const PictureSet& set, EditableSurface& surface, const PolygonColoringSettings& settings)
       : set_(set),
         surface_(surface),
         settings_(settings),
@@ -161,19 +162,19 @@ public:
       waiting_.pop_front();
       is_waiting_.erase(id);
       if (!surface_.has(id)) continue;
-      ++result.judged;
+      ++result.examined;
       const WorldPolygon polygon = surface_.polygon(id);
-      const PolygonSeen seen = seen_of(set_, surface_, polygon);
-      const VoxelAt behind = voxel_behind(surface_, polygon);
+      const PolygonObservation seen = observe_polygon(set_, surface_, polygon);
+      const VoxelPosition behind = voxel_behind(surface_, polygon);
       // A polygon is half a voxel in front of the middle of the voxel behind it. That it is outside
       // of the object's outline does not yet mean that the voxel is.
-      const bool is_beside =
-          seen.background > 0 && is_beside_object(set_, surface_.occupancy().grid().centre(behind));
+      const bool is_beside = seen.background > 0 &&
+                             is_outside_object(set_, surface_.occupancy().grid().centre(behind));
       // One picture alone cannot show that colours are inconsistent.
       const bool is_inconsistent = seen.views > 1 && seen.deviation() > settings_.threshold;
       if (!is_beside && !is_inconsistent) continue;
       const std::vector<PolygonId> changed =
-          is_beside ? surface_.edit(behind, false) : trial_.carve(behind);
+          is_beside ? surface_.set_voxel(behind, false) : trial_.carve(behind);
       if (changed.empty()) {
         ++result.kept;
         continue;
@@ -190,9 +191,9 @@ private:
   }
 
   const PictureSet& set_;
-  LiveSurface& surface_;
+  EditableSurface& surface_;
   const PolygonColoringSettings& settings_;
-  Trial trial_;
+  TrialCarving trial_;
   std::deque<PolygonId> waiting_;
   std::unordered_set<PolygonId> is_waiting_;
 };
@@ -261,7 +262,7 @@ double polygon_bytes(const VoxelGrid& grid, double polygons) {
   // A closed surface has half as many corners as polygons. Both grow while they are found, to at
   // most twice the memory. Then there are the colours, and three sides for two polygons, each in a
   // node of a hash table with a bucket that points to it (color_unseen). The queue of polygons to
-  // be judged is gone by then, and was smaller.
+  // be examined is gone by then, and was smaller.
   constexpr double kMesh =
       2 * (sizeof(Vector3d) / 2.0 + sizeof(PolygonCorners)) + sizeof(PolygonColor);
   constexpr double kSides = 1.5 * (32 + 2 * sizeof(void*));
@@ -275,7 +276,7 @@ double layer_bytes(const PictureSet& set) {
   return bytes;
 }
 
-double PolygonSeen::unexplained() const {
+double PolygonObservation::residual() const {
   if (pixels < 2) return 0;
   double sum = 0;
   for (std::size_t c = 0; c < 3; ++c)
@@ -283,13 +284,13 @@ double PolygonSeen::unexplained() const {
   return std::max(0.0, sum);
 }
 
-double PolygonSeen::deviation() const {
-  return pixels < 2 ? 0 : std::sqrt(unexplained() / (3 * double(pixels - 1)));
+double PolygonObservation::deviation() const {
+  return pixels < 2 ? 0 : std::sqrt(residual() / (3 * double(pixels - 1)));
 }
 
-PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface,
-                    const WorldPolygon& polygon) {
-  PolygonSeen seen;
+PolygonObservation observe_polygon(const PictureSet& set, const EditableSurface& surface,
+                                   const WorldPolygon& polygon) {
+  PolygonObservation seen;
   for (std::size_t i = 0; i < set.pictures.size(); ++i) {
     const CalibratedPicture& picture = set.pictures[i];
     std::int64_t object = 0, background = 0;
@@ -319,7 +320,7 @@ PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface,
 
 Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& occupancy,
                                        const PolygonColoringSettings& settings) {
-  if (LiveSurface::is_too_large(occupancy.grid())) {
+  if (EditableSurface::is_too_large(occupancy.grid())) {
     return fail("--resolution",
                 fmt::format("{} voxels have more cells than there are numbers for polygons",
                             occupancy.grid().voxels()),
@@ -329,7 +330,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
     return fail("the voxels", "none of them is coloured, so there is no surface",
                 "raise --threshold, or see with `glassbox views voxels` which voxels are coloured");
   }
-  const std::int64_t polygons = LiveSurface::count_polygons(occupancy);
+  const std::int64_t polygons = EditableSurface::count_polygons(occupancy);
   const double bytes = polygon_bytes(occupancy.grid(), double(polygons));
   const auto refused = [&](const std::string& what) {
     return fail("--max-mb",
@@ -342,7 +343,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   result.grid = occupancy.grid();
   result.full_before = occupancy.full();
   const double for_layers = settings.most_bytes - bytes;
-  LiveSurface surface(set, occupancy, settings.threads, for_layers);
+  EditableSurface surface(set, occupancy, settings.threads, for_layers);
   const bool fits = surface.layer_bytes() <= for_layers &&
                     (!settings.carves || Carving(set, surface, settings).run(result, for_layers));
   if (!fits) return refused(" and their layered images");
@@ -354,7 +355,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
                            Polygoniser::kConsistent);
   result.colors.reserve(result.mesh.polygons.size());
   for (const PolygonId id : surface.polygons()) {
-    const PolygonSeen seen = seen_of(set, surface, surface.polygon(id));
+    const PolygonObservation seen = observe_polygon(set, surface, surface.polygon(id));
     PolygonColor color{{128, 128, 128, 255}, std::uint16_t(seen.views), float(seen.deviation())};
     if (seen.views > 0) color.color = mean_of(seen);
     result.unseen += seen.views == 0;

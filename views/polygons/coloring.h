@@ -8,24 +8,25 @@
 #include <limits>
 #include <vector>
 
-#include "views/polygons/live_surface.h"
+#include "views/polygons/editable_surface.h"
 #include "views/polygons/polygonise.h"
 
 namespace glassbox::views {
 
 // The pixels of the pictures that show a polygon.
-struct PolygonSeen {
+struct PolygonObservation {
   std::int64_t pixels = 0;      // that belong to the object
   std::int64_t background = 0;  // that are background
   int views = 0;                // pictures with at least one pixel of the object
   std::array<std::int64_t, 3> sums{}, squares{};
 
   // Sum of the squared distances of the pixels from their mean, levels^2.
-  double unexplained() const;
+  double residual() const;
   double deviation() const;  // pooled over the channels, levels; 0 for fewer than two pixels
 };
 
-PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface, const WorldPolygon& polygon);
+PolygonObservation observe_polygon(const PictureSet& set, const EditableSurface& surface,
+                                   const WorldPolygon& polygon);
 
 struct PolygonColoringSettings {
   // If the deviation is larger, the voxel behind the polygon is carved if the pictures are
@@ -61,9 +62,9 @@ struct PolygonColoring {
   std::int64_t carved_by_color = 0, carved_by_background = 0;
   // How often a voxel was kept because the colours were not explained better without it.
   std::int64_t kept = 0;
-  std::int64_t judged = 0;   // polygons that were examined, with repetitions
-  std::int64_t samples = 0;  // of the layered images at the end
-  std::int64_t unseen = 0;   // polygons that no picture shows at a pixel's centre
+  std::int64_t examined = 0;  // polygons that were examined, with repetitions
+  std::int64_t samples = 0;   // of the layered images at the end
+  std::int64_t unseen = 0;    // polygons that no picture shows at a pixel's centre
   double milliseconds = 0;
 };
 

@@ -81,8 +81,8 @@ MeshCheck check_mesh(const PolygonMesh& mesh) {
     const std::size_t count = end - i;
     ++check.edges;
     check.holes += count == 1;
-    check.crowded += count > 2;
-    check.turned += count == 2 && forward != 1;
+    check.non_manifold_edges += count > 2;
+    check.misoriented_edges += count == 2 && forward != 1;
     i = end;
   }
   check.corners = std::ranges::count(used, true);

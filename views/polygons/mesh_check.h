@@ -9,10 +9,11 @@
 namespace glassbox::views {
 
 struct MeshCheck {
-  std::int64_t edges = 0;    // sides of triangles, each counted once
-  std::int64_t holes = 0;    // edges with only one triangle
-  std::int64_t crowded = 0;  // edges with more than two triangles
-  std::int64_t turned = 0;   // edges with two triangles that run along them in the same direction
+  std::int64_t edges = 0;               // sides of triangles, each counted once
+  std::int64_t holes = 0;               // edges with only one triangle
+  std::int64_t non_manifold_edges = 0;  // edges with more than two triangles
+  std::int64_t misoriented_edges =
+      0;  // edges with two triangles that run along them in the same direction
   // Triangles whose corners are on a line: those for which all coordinates of the normal are 0.
   std::int64_t degenerate = 0;
   std::int64_t duplicates = 0;  // corners at the same place as another one
@@ -22,7 +23,7 @@ struct MeshCheck {
   std::int64_t euler = 0;
   double volume = 0;  // enclosed by the closed surface, in cubic lattice units
 
-  bool is_closed() const { return holes == 0 && crowded == 0 && turned == 0; }
+  bool is_closed() const { return holes == 0 && non_manifold_edges == 0 && misoriented_edges == 0; }
 };
 
 // Everything except the volume is exact for surfaces that polygonise() makes of lattices of up to

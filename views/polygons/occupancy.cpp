@@ -8,7 +8,7 @@ namespace glassbox::views {
 Occupancy::Occupancy(const VoxelGrid& grid)
     : grid_(grid), bits_(std::size_t(grid.voxels() + 63) / 64, 0) {}
 
-void Occupancy::set(const VoxelAt& at, bool full) {
+void Occupancy::set(const VoxelPosition& at, bool full) {
   const std::size_t i = index(at);
   const std::uint64_t bit = std::uint64_t(1) << (i % 64);
   bits_[i / 64] = full ? bits_[i / 64] | bit : bits_[i / 64] & ~bit;

@@ -16,12 +16,12 @@ public:
 
   const VoxelGrid& grid() const { return grid_; }
   // Voxels outside of the grid are empty.
-  bool has(const VoxelAt& at) const {
+  bool has(const VoxelPosition& at) const {
     if (!is_within(at)) return false;
     const std::size_t i = index(at);
     return (bits_[i / 64] >> (i % 64) & 1) != 0;
   }
-  void set(const VoxelAt& at, bool full);
+  void set(const VoxelPosition& at, bool full);
   void fill(const VoxelRun& run);
   // Fills those voxels of a layer that a sweep did not prove to be empty: the coloured ones, and
   // those hidden behind them.
@@ -37,11 +37,11 @@ public:
   static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) / 8; }
 
 private:
-  bool is_within(const VoxelAt& at) const {
+  bool is_within(const VoxelPosition& at) const {
     return at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < grid_.count[0] && at.y < grid_.count[1] &&
            at.z < grid_.count[2];
   }
-  std::size_t index(const VoxelAt& at) const {
+  std::size_t index(const VoxelPosition& at) const {
     return (std::size_t(at.z) * std::size_t(grid_.count[1]) + std::size_t(at.y)) *
                std::size_t(grid_.count[0]) +
            std::size_t(at.x);

@@ -31,11 +31,11 @@ private:
   std::vector<std::vector<std::uint32_t>> layers_;
 };
 
-class Walk {
+class LatticeWalk {
 public:
   // Without a table, `polygoniser` decides.
-  Walk(const ScalarField& field, double level, Polygoniser polygoniser,
-       const CellTable* table = nullptr)
+  LatticeWalk(const ScalarField& field, double level, Polygoniser polygoniser,
+              const CellTable* table = nullptr)
       : field_(field),
         level_(level),
         polygoniser_(polygoniser),
@@ -220,11 +220,11 @@ double crossing(double from, double to, double level) {
 }
 
 PolygonMesh polygonise(const ScalarField& field, double level, Polygoniser polygoniser) {
-  return Walk(field, level, polygoniser).run();
+  return LatticeWalk(field, level, polygoniser).run();
 }
 
-PolygonMesh polygonise_by(const CellTable& table, const ScalarField& field, double level) {
-  return Walk(field, level, Polygoniser::kConsistent, &table).run();
+PolygonMesh polygonise_with(const CellTable& table, const ScalarField& field, double level) {
+  return LatticeWalk(field, level, Polygoniser::kConsistent, &table).run();
 }
 
 }  // namespace glassbox::views

@@ -44,7 +44,7 @@ struct PolygonMesh {
 PolygonMesh polygonise(const ScalarField& field, double level, Polygoniser polygoniser);
 
 // The same with any table, to try out other tables.
-PolygonMesh polygonise_by(const CellTable& table, const ScalarField& field, double level);
+PolygonMesh polygonise_with(const CellTable& table, const ScalarField& field, double level);
 
 // The position of the surface on an edge, as a share of the edge from the end with the value
 // `from`: one of the values is at least the level.

@@ -9,12 +9,12 @@ namespace glassbox::views {
 Result<void> draw_each(const Scene& scene, const std::vector<RingView>& ring,
                        RenderSettings settings, Matte matte,
                        const std::function<Result<void>(CalibratedPicture)>& take,
-                       const std::function<void(const std::string&)>& tell) {
+                       const std::function<void(const std::string&)>& report_progress) {
   settings.want_distance = matte == Matte::kDepth;
   if (matte == Matte::kAlpha) settings.background.a = 0;
   Renderer renderer(scene, settings.transfer);
   for (const RingView& one : ring) {
-    if (tell) tell(one.named.picture);
+    if (report_progress) report_progress(one.named.picture);
     Framebuffer buffers = renderer.render(one.view, settings).buffers;
     CalibratedPicture picture{one.named.picture, one.named.camera, std::move(buffers.color), {}};
     const auto& pixels = picture.color.pixels;

@@ -18,12 +18,12 @@ namespace glassbox::views {
 enum class Matte { kDepth, kAlpha, kNone };
 
 // Draws one picture after the other and passes each to `take`; an error from `take` ends the
-// drawing. The pictures are opaque. `tell` is called with the name of each picture before it is
-// drawn.
+// drawing. The pictures are opaque. `report_progress` is called with the name of each picture
+// before it is drawn.
 Result<void> draw_each(const Scene& scene, const std::vector<RingView>& ring,
                        RenderSettings settings, Matte matte,
                        const std::function<Result<void>(CalibratedPicture)>& take,
-                       const std::function<void(const std::string&)>& tell = {});
+                       const std::function<void(const std::string&)>& report_progress = {});
 
 // All pictures of the ring, together with the scene's box.
 PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring,

@@ -74,8 +74,9 @@ Result<std::vector<NamedCamera>> cameras_of(const fs::path& file) {
   return with_file(parse_colmap(*cameras, *images), file.parent_path().string());
 }
 
-Result<std::vector<NamedCamera>> choose(std::vector<NamedCamera> all, const std::string& file,
-                                        const std::vector<std::size_t>& chosen) {
+Result<std::vector<NamedCamera>> select_cameras(std::vector<NamedCamera> all,
+                                                const std::string& file,
+                                                const std::vector<std::size_t>& chosen) {
   if (chosen.empty()) return all;
   std::vector<NamedCamera> some;
   for (const std::size_t index : chosen) {
@@ -256,7 +257,7 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
   }
   auto all = cameras_of(file);
   if (!all) return tl::unexpected(all.error());
-  const auto cameras = choose(std::move(*all), file.string(), options.chosen);
+  const auto cameras = select_cameras(std::move(*all), file.string(), options.chosen);
   if (!cameras) return tl::unexpected(cameras.error());
   if (cameras->empty() || cameras->size() > std::size_t(kMostRingViews)) {
     return tl::unexpected(Error{

@@ -49,7 +49,7 @@ Result<void> check_options(const RingOptions& options) {
 
 // Two directions perpendicular to the axis and to each other. The first is made from the axis of
 // the world that is least parallel to it.
-std::pair<Vector3d, Vector3d> plane_of(const Vector3d& axis) {
+std::pair<Vector3d, Vector3d> perpendicular_directions(const Vector3d& axis) {
   // With y up, the ring begins at +z and goes towards +x; the automatic camera's azimuth has the
   // same origin and direction.
   Vector3d beside = Vector3d::UnitZ();
@@ -68,13 +68,13 @@ double framing_distance(const RingOptions& options, double radius) {
   return kMargin * radius * std::sqrt(1 + 1 / (narrow * narrow));
 }
 
-struct Planes {
+struct ClipPlanes {
   double near, far;
 };
 
 // Near and far planes that enclose a box, with a margin of 1/64. For a camera inside the box the
 // near plane is at 1/1024 of the box's size.
-Planes planes_of(const WorldBox& box, const Vector3d& centre, const Vector3d& gaze) {
+ClipPlanes clip_planes_of(const WorldBox& box, const Vector3d& centre, const Vector3d& gaze) {
   double near = INFINITY, far = -INFINITY;
   for (const Vector3d& p : corners_of(box)) {
     const double along = gaze.dot(p - centre);
@@ -129,7 +129,8 @@ Result<View> view_of(const PinholeCamera& camera, int width, int height, double 
 }
 
 Result<View> view_of(const PinholeCamera& camera, int width, int height, const WorldBox& box) {
-  const Planes planes = planes_of(box, camera.centre, camera.camera_from_world.row(2).transpose());
+  const ClipPlanes planes =
+      clip_planes_of(box, camera.centre, camera.camera_from_world.row(2).transpose());
   return view_of(camera, width, height, planes.near, planes.far);
 }
 
@@ -145,7 +146,7 @@ Result<std::vector<RingView>> ring_views(const Scene& scene, const RingOptions& 
     return fail("the scene", "it has nothing visible that a ring could go around",
                 "use another scene");
   const Vector3d axis = options.up.normalized();
-  const auto [first, second] = plane_of(axis);
+  const auto [first, second] = perpendicular_directions(axis);
   const double distance = options.distance.value_or(
       framing_distance(options, radius + options.pair_separation.value_or(0) / 2));
   const double half_height = options.height / 2.0;

@@ -54,7 +54,7 @@ double static_texture_bytes(std::size_t triangles, int texels) {
 
 Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& surface, int texels,
                                   double most_bytes) {
-  const std::vector<PlacedTriangle> triangles = placed_triangles(scene);
+  const std::vector<WorldTriangle> triangles = world_triangles(scene);
   const Atlas atlas(triangles.size(), texels);
   constexpr int kMostSide = 16384;
   const auto refused = [&](const std::string& cause, const char* remedy) {
@@ -71,10 +71,10 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
                    "ask for fewer texels, or allow more with --max-mb");
   Image<Rgba8> image(atlas.width(), atlas.height(), Rgba8{128, 128, 128, 255});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const PlacedTriangle& triangle = triangles[i];
+    const WorldTriangle& triangle = triangles[i];
     const auto& c = triangle.corners;
     const Vector3d normal = triangle.normal();
-    TexturedSurface::From from(
+    TexturedSurface::ColorsFromDirection from(
         surface, normal.norm() > 0 ? Vector3d(normal.normalized()) : Vector3d(0, 0, 1));
     const auto [left, top] = atlas.corner(i);
     const bool is_first = i % 2 == 0;

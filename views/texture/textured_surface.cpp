@@ -15,7 +15,7 @@ std::uint8_t level(double value) {
   return std::uint8_t(std::floor(std::clamp(value, 0.0, 255.0) + 0.5));
 }
 
-std::vector<std::size_t> all_but(std::size_t count, std::optional<std::size_t> left_out) {
+std::vector<std::size_t> indices_without(std::size_t count, std::optional<std::size_t> left_out) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < count; ++i) {
     if (i != left_out) all.push_back(i);
@@ -36,26 +36,26 @@ std::vector<Vector3d> directions_of(const PictureSet& set, const std::vector<std
 TexturedSurface::TexturedSurface(std::shared_ptr<const Surface> surface, Blend blend,
                                  int neighbours, std::optional<std::size_t> left_out)
     : surface_(std::move(surface)),
-      pictures_(all_but(surface_->set.pictures.size(), left_out)),
+      pictures_(indices_without(surface_->set.pictures.size(), left_out)),
       blend_(blend, directions_of(surface_->set, pictures_, surface_->middle), neighbours) {}
 
 double TexturedSurface::bytes_for(const Scene& scene, const PictureSet& set) {
-  return bytes_of(scene) + SeenPolygons::bytes_for(scene, set) +
-         2 * double(numbers_of(scene)) * sizeof(PlacedTriangle);
+  return bytes_of(scene) + VisiblePolygons::bytes_for(scene, set) +
+         2 * double(triangle_number_count(scene)) * sizeof(WorldTriangle);
 }
 
-Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet& set, Blend blend,
-                                            int neighbours) {
-  if (numbers_of(scene) == 0)
+Result<TexturedSurface> TexturedSurface::create(const Scene& scene, const PictureSet& set,
+                                                Blend blend, int neighbours) {
+  if (triangle_number_count(scene) == 0)
     return fail("the mesh", "it has no polygons",
                 "give a mesh with faces, such as `glassbox views polygons` writes");
   auto renderer = std::make_unique<UnlitRenderer>(scene);
-  auto seen = SeenPolygons::of(scene, set, *renderer);
+  auto seen = VisiblePolygons::find(scene, set, *renderer);
   if (!seen) return tl::unexpected(seen.error());
   // Indexed by polygon number. Numbers that no triangle has stay without corners; no pixel shows
   // them.
-  std::vector<PlacedTriangle> triangles(seen->polygons());
-  for (const PlacedTriangle& placed : placed_triangles(scene)) triangles[placed.number] = placed;
+  std::vector<WorldTriangle> triangles(seen->polygons());
+  for (const WorldTriangle& placed : world_triangles(scene)) triangles[placed.number] = placed;
   const WorldBox box = box_of(scene);
   auto surface =
       std::make_shared<const Surface>(Surface{scene, set, std::move(renderer), std::move(*seen),
@@ -63,25 +63,27 @@ Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet
   return TexturedSurface(std::move(surface), blend, neighbours, {});
 }
 
-TexturedSurface TexturedSurface::blended_by(Blend blend, int neighbours,
+TexturedSurface TexturedSurface::with_blend(Blend blend, int neighbours,
                                             std::optional<std::size_t> left_out) const {
   return {surface_, blend, neighbours, left_out};
 }
 
-TexturedSurface::From::From(const TexturedSurface& surface, const Vector3d& direction)
-    : surface_(surface), from_(surface.blend_.from(direction)) {}
+TexturedSurface::ColorsFromDirection::ColorsFromDirection(const TexturedSurface& surface,
+                                                          const Vector3d& direction)
+    : surface_(surface), from_(surface.blend_.from_direction(direction)) {}
 
-std::optional<Vector3d> TexturedSurface::From::sample(std::size_t view,
-                                                      const PlacedTriangle& polygon,
-                                                      const Vector3d& world) const {
+std::optional<Vector3d> TexturedSurface::ColorsFromDirection::sample(std::size_t view,
+                                                                     const WorldTriangle& polygon,
+                                                                     const Vector3d& world) const {
   const std::size_t picture = surface_.pictures_[view];
-  return surface_.seen().sample(picture, surface_.surface_->set.pictures[picture], polygon, world);
+  return surface_.visible_polygons().sample(picture, surface_.surface_->set.pictures[picture],
+                                            polygon, world);
 }
 
-std::optional<Vector3d> TexturedSurface::From::color_of(const PlacedTriangle& polygon,
-                                                        const Vector3d& world) {
+std::optional<Vector3d> TexturedSurface::ColorsFromDirection::color_of(const WorldTriangle& polygon,
+                                                                       const Vector3d& world) {
   const auto sees_polygon = [&](std::size_t view) {
-    return surface_.seen().sees(surface_.pictures_[view], polygon.number);
+    return surface_.visible_polygons().sees(surface_.pictures_[view], polygon.number);
   };
   if (last_ != polygon.number) {
     weights_ = from_.weights(sees_polygon);
@@ -108,7 +110,7 @@ Result<TexturedPicture> TexturedSurface::draw(const PinholeCamera& camera, int w
   if (!buffers) return tl::unexpected(buffers.error());
   TexturedPicture picture{std::move(buffers->color), std::move(buffers->id)};
   const Vector3d out = camera.centre - middle();
-  From from(*this, out.norm() > 0 ? Vector3d(out.normalized()) : Vector3d(0, 0, 1));
+  ColorsFromDirection from(*this, out.norm() > 0 ? Vector3d(out.normalized()) : Vector3d(0, 0, 1));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::uint32_t id = picture.id.at(x, y);
@@ -128,7 +130,8 @@ Result<TexturedPicture> TexturedSurface::draw(const PinholeCamera& camera, int w
   return picture;
 }
 
-TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& picture) {
+TextureErrors textured_picture_errors(const TexturedPicture& drawn,
+                                      const CalibratedPicture& picture) {
   TextureErrors errors;
   double squares = 0;
   std::int64_t covered = 0;

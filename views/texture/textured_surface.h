@@ -10,8 +10,8 @@
 #include <glassbox/mesh/scene.h>
 
 #include "views/rings/picture_set.h"
-#include "views/texture/seen_polygons.h"
 #include "views/texture/view_blend.h"
+#include "views/texture/visible_polygons.h"
 
 namespace glassbox::views {
 
@@ -30,23 +30,23 @@ public:
   static double bytes_for(const Scene& scene, const PictureSet& set);
 
   // The scene and the pictures must outlive the surface. A scene without polygons is refused.
-  static Result<TexturedSurface> of(const Scene& scene, const PictureSet& set, Blend blend,
-                                    int neighbours = 4);
+  static Result<TexturedSurface> create(const Scene& scene, const PictureSet& set, Blend blend,
+                                        int neighbours = 4);
 
   // The same surface with another blend, and optionally without one of its pictures. What each
   // picture sees is not computed again.
-  TexturedSurface blended_by(Blend blend, int neighbours = 4,
+  TexturedSurface with_blend(Blend blend, int neighbours = 4,
                              std::optional<std::size_t> left_out = {}) const;
 
-  const SeenPolygons& seen() const { return surface_->seen; }
+  const VisiblePolygons& visible_polygons() const { return surface_->visible_polygons; }
   const ViewBlend& blend() const { return blend_; }
   // The point from which the directions to the views are measured.
   const Vector3d& middle() const { return surface_->middle; }
-  const std::vector<PlacedTriangle>& triangles() const { return surface_->triangles; }
+  const std::vector<WorldTriangle>& triangles() const { return surface_->triangles; }
 
   // Seen from a picture's own camera, the result equals that picture byte for byte in all pixels of
   // the object that show a polygon. Only one thread may draw at a time, counting all surfaces that
-  // blended_by() made from this one.
+  // with_blend() made from this one.
   Result<TexturedPicture> draw(const PinholeCamera& camera, int width, int height,
                                Rgba8 background) const;
 
@@ -54,29 +54,29 @@ public:
   // that do not see the polygon have no weight (S1-40). If something hides the place itself from
   // some of the others, the weights are computed again without them. None where no view sees the
   // place.
-  class From {
+  class ColorsFromDirection {
   public:
-    From(const TexturedSurface& surface, const Vector3d& direction);
-    std::optional<Vector3d> color_of(const PlacedTriangle& polygon, const Vector3d& world);
+    ColorsFromDirection(const TexturedSurface& surface, const Vector3d& direction);
+    std::optional<Vector3d> color_of(const WorldTriangle& polygon, const Vector3d& world);
 
   private:
-    std::optional<Vector3d> sample(std::size_t view, const PlacedTriangle& polygon,
+    std::optional<Vector3d> sample(std::size_t view, const WorldTriangle& polygon,
                                    const Vector3d& world) const;
 
     const TexturedSurface& surface_;
-    ViewBlend::From from_;
+    ViewBlend::FromDirection from_;
     std::optional<std::uint32_t> last_;  // the polygon whose weights these are
     ViewWeights weights_;
   };
 
 private:
-  // The data that all surfaces made by blended_by() share.
+  // The data that all surfaces made by with_blend() share.
   struct Surface {
     const Scene& scene;
     const PictureSet& set;
     std::unique_ptr<UnlitRenderer> renderer;  // has prepared the scene, for all pictures of it
-    SeenPolygons seen;
-    std::vector<PlacedTriangle> triangles;
+    VisiblePolygons visible_polygons;
+    std::vector<WorldTriangle> triangles;
     Vector3d middle;
   };
 
@@ -95,6 +95,7 @@ struct TextureErrors {
   double covered = 0;       // share of the object's pixels that show a polygon
   std::int64_t pixels = 0;  // the object's
 };
-TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& picture);
+TextureErrors textured_picture_errors(const TexturedPicture& drawn,
+                                      const CalibratedPicture& picture);
 
 }  // namespace glassbox::views

@@ -56,14 +56,15 @@ ViewBlend::ViewBlend(Blend blend, std::vector<Vector3d> directions, int neighbou
       sphere_(directions_),
       neighbours_(std::size_t(neighbours)) {}
 
-ViewBlend::From::From(const ViewBlend& blend, const Vector3d& direction)
+ViewBlend::FromDirection::FromDirection(const ViewBlend& blend, const Vector3d& direction)
     : blend_(blend), around_(blend.sphere_.weights(direction)), nearest_(blend.views()) {
   for (const Vector3d& each : blend.directions_) angles_.push_back(angle_between(each, direction));
   std::iota(nearest_.begin(), nearest_.end(), std::size_t(0));
   std::ranges::stable_sort(nearest_, {}, [&](std::size_t view) { return angles_[view]; });
 }
 
-ViewWeights ViewBlend::From::weights(const std::function<bool(std::size_t view)>& sees) const {
+ViewWeights ViewBlend::FromDirection::weights(
+    const std::function<bool(std::size_t view)>& sees) const {
   if (blend_.blend_ == Blend::kBarycentric) {
     ViewWeights weights;
     for (const ViewWeight& each : around_) {

@@ -33,9 +33,9 @@ public:
   // They are positive and sum to 1; there are none if no view sees the polygon. From the
   // barycentric weights, those of views that do not see it are removed, and the rest is divided by
   // its sum; if that is 0, the nearest view that sees it has all the weight.
-  class From {
+  class FromDirection {
   public:
-    From(const ViewBlend& blend, const Vector3d& direction);
+    FromDirection(const ViewBlend& blend, const Vector3d& direction);
     ViewWeights weights(const std::function<bool(std::size_t view)>& sees) const;
 
   private:
@@ -45,7 +45,7 @@ public:
     std::vector<std::size_t> nearest_;
     std::vector<double> angles_;  // radians, by view
   };
-  From from(const Vector3d& direction) const { return {*this, direction}; }
+  FromDirection from_direction(const Vector3d& direction) const { return {*this, direction}; }
 
 private:
   Blend blend_;

@@ -15,50 +15,53 @@ namespace glassbox::views {
 namespace {
 
 __extension__ using Wide = __int128;
-using Place = std::array<std::int64_t, 3>;
+using IntegerPoint = std::array<std::int64_t, 3>;
 
 // Directions as whole numbers, each moved by up to 2^-18 in its own way, so that no four are in one
 // plane. This decides which of the possible triangulations of four views on a circle is taken.
 // Differences have 26 bits, the determinant 81.
-Place place_of(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
+IntegerPoint integer_point(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
   std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u + round * 0xbf58476d1ce4e5b9u;
   hash ^= hash >> 29;
   hash *= 0x94d049bb133111ebu;
   hash ^= hash >> 32;
-  Place place{};
+  IntegerPoint point{};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    place[axis] = std::llround(direction[Eigen::Index(axis)] * 0x1p24) +
+    point[axis] = std::llround(direction[Eigen::Index(axis)] * 0x1p24) +
                   std::int64_t(hash >> (6 * axis) & 63) - 32;
-  return place;
+  return point;
 }
 
 // The sign of the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the
 // side where d is not.
-int side_of(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const auto less = [&](const Place& p) { return Place{p[0] - d[0], p[1] - d[1], p[2] - d[2]}; };
-  const Place u = less(a), v = less(b), w = less(c);
+int side_of(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c,
+            const IntegerPoint& d) {
+  const auto less = [&](const IntegerPoint& p) {
+    return IntegerPoint{p[0] - d[0], p[1] - d[1], p[2] - d[2]};
+  };
+  const IntegerPoint u = less(a), v = less(b), w = less(c);
   const Wide volume = Wide(u[0]) * (v[1] * w[2] - v[2] * w[1]) +
                       Wide(u[1]) * (v[2] * w[0] - v[0] * w[2]) +
                       Wide(u[2]) * (v[0] * w[1] - v[1] * w[0]);
   return volume > 0 ? 1 : volume < 0 ? -1 : 0;
 }
 
-using Face = std::array<std::size_t, 3>;
+using SphereFace = std::array<std::size_t, 3>;
 
-// Faces of the convex hull, counter-clockwise seen from outside; none if four relevant places are
+// Faces of the convex hull, counter-clockwise seen from outside; none if four relevant points are
 // in one plane.
-std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
-  std::vector<Face> faces;
-  const int first = side_of(places[0], places[1], places[2], places[3]);
+std::optional<std::vector<SphereFace>> hull_of(const std::vector<IntegerPoint>& points) {
+  std::vector<SphereFace> faces;
+  const int first = side_of(points[0], points[1], points[2], points[3]);
   if (first == 0) return std::nullopt;
-  Face base{0, 1, 2};
+  SphereFace base{0, 1, 2};
   if (first < 0) std::swap(base[1], base[2]);
   faces = {base, {base[1], base[0], 3}, {base[2], base[1], 3}, {base[0], base[2], 3}};
-  for (std::size_t next = 4; next < places.size(); ++next) {
-    std::vector<Face> kept;
+  for (std::size_t next = 4; next < points.size(); ++next) {
+    std::vector<SphereFace> kept;
     std::set<std::array<std::size_t, 2>> sides;  // sides of the faces that see the next place
-    for (const Face& f : faces) {
-      const int side = side_of(places[f[0]], places[f[1]], places[f[2]], places[next]);
+    for (const SphereFace& f : faces) {
+      const int side = side_of(points[f[0]], points[f[1]], points[f[2]], points[next]);
       if (side == 0) return std::nullopt;
       if (side > 0) {
         kept.push_back(f);
@@ -74,18 +77,18 @@ std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
   return faces;
 }
 
-std::vector<Face> hull_of_directions(const std::vector<Vector3d>& directions) {
-  // If four places are in one plane, the round is repeated with other displacements.
+std::vector<SphereFace> hull_of_directions(const std::vector<Vector3d>& directions) {
+  // If four points are in one plane, the round is repeated with other displacements.
   for (std::uint64_t round = 0;; ++round) {
-    std::vector<Place> places;
+    std::vector<IntegerPoint> points;
     for (std::size_t i = 0; i < directions.size(); ++i)
-      places.push_back(place_of(directions[i], i, round));
-    if (const auto faces = hull_of(places)) return *faces;
+      points.push_back(integer_point(directions[i], i, round));
+    if (const auto faces = hull_of(points)) return *faces;
   }
 }
 
 // Positive if the middle is on the inner side of a face.
-double outwards(const std::vector<Vector3d>& d, const Face& f) {
+double outwards(const std::vector<Vector3d>& d, const SphereFace& f) {
   return d[f[0]].dot(d[f[1]].cross(d[f[2]]));
 }
 
@@ -116,27 +119,27 @@ bool is_circle(const std::vector<Vector3d>& directions) {
 ViewSphere::ViewSphere(std::span<const Vector3d> directions)
     : directions_(directions.begin(), directions.end()) {
   std::vector<std::size_t> number;  // of the views that are apart from each other
-  std::vector<Vector3d> apart;
+  std::vector<Vector3d> distinct;
   for (std::size_t i = 0; i < directions_.size(); ++i) {
     const bool is_new = std::ranges::none_of(
-        apart, [&](const Vector3d& other) { return (other - directions_[i]).norm() < 0x1p-20; });
+        distinct, [&](const Vector3d& other) { return (other - directions_[i]).norm() < 0x1p-20; });
     if (!is_new) continue;
     number.push_back(i);
-    apart.push_back(directions_[i]);
+    distinct.push_back(directions_[i]);
   }
   corners_ = number;
-  std::vector<Face> faces;
-  if (apart.size() == 2) border_.push_back({number[0], number[1]});
-  if (apart.size() > 2 && is_circle(apart)) {
-    join_circle(apart, number);
-  } else if (apart.size() == 3) {
+  std::vector<SphereFace> faces;
+  if (distinct.size() == 2) border_.push_back({number[0], number[1]});
+  if (distinct.size() > 2 && is_circle(distinct)) {
+    join_circle(distinct, number);
+  } else if (distinct.size() == 3) {
     faces = {{0, 1, 2}, {0, 2, 1}};
-  } else if (apart.size() > 3) {
-    faces = hull_of_directions(apart);
+  } else if (distinct.size() > 3) {
+    faces = hull_of_directions(distinct);
   }
   std::set<std::array<std::size_t, 2>> sides;
-  for (const Face& f : faces) {
-    if (!(outwards(apart, f) > kFlat)) continue;
+  for (const SphereFace& f : faces) {
+    if (!(outwards(distinct, f) > kFlat)) continue;
     triangles_.push_back({number[f[0]], number[f[1]], number[f[2]]});
     for (std::size_t k = 0; k < 3; ++k) sides.insert({number[f[k]], number[f[(k + 1) % 3]]});
   }
@@ -145,18 +148,18 @@ ViewSphere::ViewSphere(std::span<const Vector3d> directions)
   }
 }
 
-void ViewSphere::join_circle(const std::vector<Vector3d>& apart,
+void ViewSphere::join_circle(const std::vector<Vector3d>& distinct,
                              const std::vector<std::size_t>& number) {
-  const Vector3d normal = normal_of(apart);
-  const Vector3d beside = normal.cross(apart[0]);
+  const Vector3d normal = normal_of(distinct);
+  const Vector3d beside = normal.cross(distinct[0]);
   std::vector<std::pair<double, std::size_t>> around;
-  for (std::size_t i = 0; i < apart.size(); ++i)
-    around.emplace_back(arctan2(apart[i].dot(beside), apart[i].dot(apart[0])), i);
+  for (std::size_t i = 0; i < distinct.size(); ++i)
+    around.emplace_back(arctan2(distinct[i].dot(beside), distinct[i].dot(distinct[0])), i);
   std::ranges::sort(around);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const std::size_t a = around[i].second, b = around[(i + 1) % around.size()].second;
     // Between views half a turn or more apart there is no cone.
-    if (apart[a].cross(apart[b]).dot(normal) > 0) border_.push_back({number[a], number[b]});
+    if (distinct[a].cross(distinct[b]).dot(normal) > 0) border_.push_back({number[a], number[b]});
   }
 }
 

@@ -46,7 +46,7 @@ public:
 private:
   // Views on one great circle have no triangle: the border consists of the pairs of neighbours
   // around it.
-  void join_circle(const std::vector<Vector3d>& apart, const std::vector<std::size_t>& number);
+  void join_circle(const std::vector<Vector3d>& distinct, const std::vector<std::size_t>& number);
 
   std::vector<Vector3d> directions_;
   std::vector<std::size_t> corners_;  // views that are in a triangle or on the border, or alone

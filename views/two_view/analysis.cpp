@@ -32,37 +32,36 @@ void add_fundamental(const FundamentalEstimate& found, PairAnalysis& analysis) {
 
 // The analysis when no sample determines a model: then all matches may be on one plane, or be seen
 // from one point, which gives rank 6. With a lower rank, there is too little information for any
-// judgement.
-Result<PairAnalysis> undecided_analysis(const PairQuestion& question, const Error& error) {
+// classification.
+Result<PairAnalysis> undecided_analysis(const PairRequest& request, const Error& error) {
   constexpr int kRankOfPlane = 6;
   PairAnalysis analysis;
-  if (facts_of(question.matches).rank < kRankOfPlane) return tl::unexpected(error);
-  analysis.is_inlier.assign(question.matches.size(), true);
-  analysis.inliers = int(question.matches.size());
+  if (facts_of(request.matches).rank < kRankOfPlane) return tl::unexpected(error);
+  analysis.is_inlier.assign(request.matches.size(), true);
+  analysis.inliers = int(request.matches.size());
   analysis.why_no_model = error;
   return analysis;
 }
 
 // The analysis from the samples' model, with a pose if there are intrinsics and one pose has more
 // points in front of the cameras than the others.
-Result<PairAnalysis> sampled_analysis(const PairQuestion& question) {
+Result<PairAnalysis> sampled_analysis(const PairRequest& request) {
   PairAnalysis analysis;
-  if (!question.intrinsics) {
-    const auto found = estimate_fundamental(question.matches, question.estimator, question.ransac);
-    if (!found) return undecided_analysis(question, found.error());
+  if (!request.intrinsics) {
+    const auto found = estimate_fundamental(request.matches, request.estimator, request.ransac);
+    if (!found) return undecided_analysis(request, found.error());
     add_fundamental(*found, analysis);
     return analysis;
   }
-  const auto& [left, right] = *question.intrinsics;
-  const auto found =
-      estimate_pose(question.matches, left, right, question.estimator, question.ransac);
+  const auto& [left, right] = *request.intrinsics;
+  const auto found = estimate_pose(request.matches, left, right, request.estimator, request.ransac);
   if (!found) {
     // If the camera only turned, the rays are parallel, and no point is in front. F of the pixels
     // may be enough to recognise this case.
     const Estimator of_pixels =
-        question.estimator == Estimator::kFivePoint ? Estimator::kSevenPoint : question.estimator;
-    const auto instead = estimate_fundamental(question.matches, of_pixels, question.ransac);
-    if (!instead) return undecided_analysis(question, found.error());
+        request.estimator == Estimator::kFivePoint ? Estimator::kSevenPoint : request.estimator;
+    const auto instead = estimate_fundamental(request.matches, of_pixels, request.ransac);
+    if (!instead) return undecided_analysis(request, found.error());
     add_fundamental(*instead, analysis);
     analysis.why_no_model = found.error();
     return analysis;
@@ -76,13 +75,13 @@ Result<PairAnalysis> sampled_analysis(const PairQuestion& question) {
   return analysis;
 }
 
-bool is_decided(PairKind kind, const PairQuestion& question) {
+bool is_decided(PairKind kind, const PairRequest& request) {
   switch (kind) {
     case PairKind::kGeneral:
       return true;
     case PairKind::kPlane:
-      return question.intrinsics && question.estimator == Estimator::kFivePoint;
-    case PairKind::kTurned:
+      return request.intrinsics && request.estimator == Estimator::kFivePoint;
+    case PairKind::kPureRotation:
     case PairKind::kCritical:
       break;
   }
@@ -100,19 +99,19 @@ void add_residuals(const Matches& matches, PairAnalysis& analysis) {
 
 }  // namespace
 
-Result<PairAnalysis> analyse(const PairQuestion& question) {
-  auto analysis = sampled_analysis(question);
+Result<PairAnalysis> analyse(const PairRequest& request) {
+  auto analysis = sampled_analysis(request);
   if (!analysis) return analysis;
-  const Matches good = inliers_of(question.matches, analysis->is_inlier);
+  const Matches good = inliers_of(request.matches, analysis->is_inlier);
   analysis->system = facts_of(good);
   const Matrix3d identity = Matrix3d::Identity();
-  const auto intrinsics = question.intrinsics.value_or(std::array{identity, identity});
-  const auto judgement = judge_pair(good, intrinsics[0], intrinsics[1], question.sigma);
-  if (!judgement) return tl::unexpected(judgement.error());
-  analysis->judgement = *judgement;
-  if (is_decided(judgement->kind, question)) {
+  const auto intrinsics = request.intrinsics.value_or(std::array{identity, identity});
+  const auto classification = classify_pair(good, intrinsics[0], intrinsics[1], request.sigma);
+  if (!classification) return tl::unexpected(classification.error());
+  analysis->classification = *classification;
+  if (is_decided(classification->kind, request)) {
     if (analysis->why_no_model) return tl::unexpected(*analysis->why_no_model);
-    add_residuals(question.matches, *analysis);
+    add_residuals(request.matches, *analysis);
   } else {
     analysis->fundamental.reset();
     analysis->pose.reset();

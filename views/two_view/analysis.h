@@ -7,11 +7,11 @@
 #include <glassbox/base/error.h>
 
 #include "views/two_view/estimate.h"
-#include "views/two_view/model.h"
+#include "views/two_view/pair_kind.h"
 
 namespace glassbox::views {
 
-struct PairQuestion {
+struct PairRequest {
   Matches matches;  // pixels
   // Without intrinsics only F can be found, and no pose.
   std::optional<std::array<Matrix3d, 2>> intrinsics;  // left, right
@@ -30,21 +30,21 @@ struct PairAnalysis {
   std::vector<bool> is_inlier;
   int inliers = 0, samples = 0;
   SystemFacts system;
-  PairJudgement judgement;
+  PairClassification classification;
   // Absent for a camera that only turned, and for a critical surface; for a plane it is only
   // present if intrinsics and five points determine it.
   std::optional<Matrix3d> fundamental;
   std::optional<RelativePose> pose;  // with intrinsics; |T| is 1
   int in_front = 0;                  // inliers in front of both cameras
-  // Why the samples gave no model, or no pose, if the judgement explains it.
+  // Why the samples gave no model, or no pose, if the classification explains it.
   std::optional<Error> why_no_model;
   std::vector<double> residuals;  // for all matches: Sampson's distance, px; empty without F
   double rms = 0;                 // of the inliers' residuals
 };
 
-// Inliers are found with the threshold of the question's RANSAC options. An error for fewer than 8
+// Inliers are found with the threshold of the request's RANSAC options. An error for fewer than 8
 // matches, and if no model is found.
-Result<PairAnalysis> analyse(const PairQuestion& question);
+Result<PairAnalysis> analyse(const PairRequest& request);
 
 // The epipoles: the point where all epipolar lines of a picture meet, which is the image of the
 // other camera's centre. Homogeneous, of length 1. F e = 0, F^T e' = 0.

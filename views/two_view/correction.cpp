@@ -37,12 +37,12 @@ namespace {
 
 // A transform that moves the point to the origin and turns the epipole onto the x axis, to (1, 0,
 // f).
-struct Placed {
+struct EpipolarFrame {
   Matrix3d from_picture;
   double f = 0;
 };
 
-Placed placed(const Vector2d& point, const Vector3d& epipole) {
+EpipolarFrame epipolar_frame(const Vector2d& point, const Vector3d& epipole) {
   Matrix3d moved = Matrix3d::Identity();
   moved.col(2).head<2>() = -point;
   Vector3d at = moved * epipole;
@@ -72,8 +72,8 @@ Eigen::VectorXd product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
 // at these roots and for t at infinity.
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental) {
   const Eigen::JacobiSVD<Matrix3d> svd(fundamental, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Placed left = placed(pixels.left, svd.matrixV().col(2));
-  const Placed right = placed(pixels.right, svd.matrixU().col(2));
+  const EpipolarFrame left = epipolar_frame(pixels.left, svd.matrixV().col(2));
+  const EpipolarFrame right = epipolar_frame(pixels.right, svd.matrixU().col(2));
   const Matrix3d g =
       right.from_picture.transpose().inverse() * fundamental * left.from_picture.inverse();
   const double a = g(1, 1), b = g(1, 2), c = g(2, 1), d = g(2, 2), f = left.f, h = right.f;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "views/two_view/linear_fit.h"
-#include "views/two_view/minimal.h"
+#include "views/two_view/minimal_solvers.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/refinement.h"
 #include "views/two_view/residual.h"
@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kMostRounds = 20;
 
-std::vector<bool> near(const Matrix3d& fundamental, const Matches& pixels, double threshold) {
+std::vector<bool> inliers_within(const Matrix3d& fundamental, const Matches& pixels,
+                                 double threshold) {
   std::vector<bool> is_near;
   for (const Match& match : pixels) {
     is_near.push_back(std::abs(sampson_distance(fundamental, match)) <= threshold);
@@ -43,11 +44,12 @@ tl::unexpected<Error> few_inliers(int inliers, double threshold) {
 // `refine(inliers)` returns a model and its F. The inliers are selected again with the new F, until
 // they no longer change.
 template <class Model, class Refine, class FundamentalOf>
-void settle(const Matches& pixels, double threshold, const Refine& refine,
-            const FundamentalOf& fundamental, Model& model, std::vector<bool>& is_inlier) {
+void refine_until_stable(const Matches& pixels, double threshold, const Refine& refine,
+                         const FundamentalOf& fundamental, Model& model,
+                         std::vector<bool>& is_inlier) {
   for (int round = 0; round < kMostRounds && count(is_inlier) >= 8; ++round) {
     model = refine(model, inliers_of(pixels, is_inlier));
-    std::vector<bool> next = near(fundamental(model), pixels, threshold);
+    std::vector<bool> next = inliers_within(fundamental(model), pixels, threshold);
     if (next == is_inlier) break;
     is_inlier = std::move(next);
   }
@@ -79,7 +81,7 @@ int sample_size(Estimator estimator) {
   return 5;
 }
 
-RansacModel sampled(Estimator estimator) {
+RansacModel ransac_model(Estimator estimator) {
   RansacModel model;
   model.sample_size = sample_size(estimator);
   model.residual = sampson_distance;
@@ -116,10 +118,10 @@ Matches calibrated(const Matches& pixels, const Matrix3d& left_intrinsic,
 
 Result<FundamentalEstimate> estimate_fundamental(const Matches& pixels, Estimator estimator,
                                                  const RansacOptions& options) {
-  const auto found = ransac(pixels, sampled(estimator), options);
+  const auto found = ransac(pixels, ransac_model(estimator), options);
   if (!found) return no_model(int(pixels.size()));
   FundamentalEstimate estimate{found->model, found->is_inlier, 0, found->samples};
-  settle(
+  refine_until_stable(
       pixels, options.threshold, refined_fundamental, [](const Matrix3d& f) { return f; },
       estimate.fundamental, estimate.is_inlier);
   estimate.inliers = count(estimate.is_inlier);
@@ -133,7 +135,7 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
   const Matches matches = calibrated(pixels, left_intrinsic, right_intrinsic);
   RansacOptions there = options;
   there.threshold /= std::min(left_intrinsic(1, 1), right_intrinsic(1, 1));
-  const auto found = ransac(matches, sampled(estimator), there);
+  const auto found = ransac(matches, ransac_model(estimator), there);
   if (!found) return no_model(int(pixels.size()));
   const auto chosen =
       pose_in_front(nearest_essential(found->model), inliers_of(matches, found->is_inlier));
@@ -145,7 +147,7 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
   const auto rig = [&](const RelativePose& pose) {
     return StereoRig{left_intrinsic, right_intrinsic, pose};
   };
-  settle(
+  refine_until_stable(
       pixels, options.threshold,
       [&](const RelativePose& pose, const Matches& good) { return refined_pose(rig(pose), good); },
       [&](const RelativePose& pose) { return fundamental_of(rig(pose)); }, estimate.pose,

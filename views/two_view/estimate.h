@@ -19,7 +19,7 @@ int sample_size(Estimator estimator);
 
 // The RANSAC model of an estimator: F from pixels (eight or seven points), or E from calibrated
 // points (eight or five), with Sampson's distance as the residual.
-RansacModel sampled(Estimator estimator);
+RansacModel ransac_model(Estimator estimator);
 
 struct FundamentalEstimate {
   Matrix3d fundamental;

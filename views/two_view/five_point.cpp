@@ -1,4 +1,4 @@
-#include "views/two_view/minimal.h"
+#include "views/two_view/minimal_solvers.h"
 
 #include <algorithm>
 #include <array>

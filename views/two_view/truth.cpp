@@ -22,40 +22,41 @@ double parallax_between(double pixels_per_unit, double a, double b) {
   return pixels_per_unit * std::abs(1 / a - 1 / b);
 }
 
-OtherEye fate_of(const KnownPicture& other, const Vector3d& place, double pixels_per_unit) {
+OtherEyeVisibility visibility_in(const KnownPicture& other, const Vector3d& place,
+                                 double pixels_per_unit) {
   const auto x = std::int64_t(std::floor(place.x())), y = std::int64_t(std::floor(place.y()));
   if (x < 0 || y < 0 || x >= other.distance.width || y >= other.distance.height) {
-    return OtherEye::kBesideIt;
+    return OtherEyeVisibility::kOutsidePicture;
   }
   const auto distance_at = [&](std::int64_t column, std::int64_t row) {
     return double(other.distance.at(int(column), int(row)));
   };
   const double found = distance_at(x, y);
   if (found < place.z() && parallax_between(pixels_per_unit, found, place.z()) > kSame) {
-    return OtherEye::kHidden;
+    return OtherEyeVisibility::kHidden;
   }
   for (auto row = std::max<std::int64_t>(y - 1, 0);
        row <= std::min<std::int64_t>(y + 1, other.distance.height - 1); ++row) {
     for (auto column = std::max<std::int64_t>(x - 1, 0);
          column <= std::min<std::int64_t>(x + 1, other.distance.width - 1); ++column) {
       if (parallax_between(pixels_per_unit, distance_at(column, row), place.z()) <= kSame) {
-        return OtherEye::kSeesIt;
+        return OtherEyeVisibility::kVisible;
       }
     }
   }
-  return OtherEye::kMissing;
+  return OtherEyeVisibility::kMissing;
 }
 
 TrueMatch match_of(const KnownPicture& own, const KnownPicture& other, int x, int y,
                    double pixels_per_unit) {
   constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
   const double distance = double(own.distance.at(x, y));
-  if (!std::isfinite(distance)) return {kNowhere, kNowhere, OtherEye::kNothingDrawn};
+  if (!std::isfinite(distance)) return {kNowhere, kNowhere, OtherEyeVisibility::kNothingDrawn};
   const Vector3d at = distance * ray_through(own.camera.intrinsic, {x + 0.5, y + 0.5});
   const Vector3d world = own.camera.camera_from_world.transpose() * at + own.camera.centre;
   const Vector3d place = project(other.camera, world);
-  if (!(place.z() > 0)) return {kNowhere, kNowhere, OtherEye::kBesideIt};
-  return {float(place.x()), float(place.y()), fate_of(other, place, pixels_per_unit)};
+  if (!(place.z() > 0)) return {kNowhere, kNowhere, OtherEyeVisibility::kOutsidePicture};
+  return {float(place.x()), float(place.y()), visibility_in(other, place, pixels_per_unit)};
 }
 
 // Normally distributed numbers by the method of Box and Muller.
@@ -96,7 +97,7 @@ SampledMatches sample_matches(const Image<TrueMatch>& truth, const Image<float>&
                               const MatchSampling& sampling) {
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    if (truth.pixels[i].fate == OtherEye::kSeesIt) seen.push_back(i);
+    if (truth.pixels[i].visibility == OtherEyeVisibility::kVisible) seen.push_back(i);
   }
   Random random(sampling.seed);
   const std::size_t count = std::min(seen.size(), std::size_t(sampling.count));

@@ -29,7 +29,7 @@ Result<KnownPicture> known_picture(const Scene& scene, const View& view,
 struct TrueMatch {
   float x = 0,
         y = 0;  // px in the other picture; NaN: nothing drawn, or behind the other camera
-  OtherEye fate = OtherEye::kNothingDrawn;
+  OtherEyeVisibility visibility = OtherEyeVisibility::kNothingDrawn;
 };
 
 // For each pixel, where the other picture has the point at its centre, and whether it is visible

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "views/voxels/blocks.h"
-#include "views/voxels/layers_of.h"
+#include "views/voxels/voxel_layers.h"
 
 namespace glassbox::views {
 
@@ -15,23 +15,28 @@ class Solid {
 public:
   explicit Solid(const VoxelGrid& grid)
       : count_(grid.count), bits_(std::size_t(grid.voxels() + 63) / 64, ~std::uint64_t(0)) {}
-  bool has(const VoxelAt& at) const { return (bits_[index(at) / 64] >> (index(at) % 64) & 1) != 0; }
-  bool is_in(const VoxelAt& at) const {
+  bool has(const VoxelPosition& at) const {
+    return (bits_[index(at) / 64] >> (index(at) % 64) & 1) != 0;
+  }
+  bool is_in(const VoxelPosition& at) const {
     return at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < count_[0] && at.y < count_[1] &&
            at.z < count_[2];
   }
-  void carve(const VoxelAt& at) { bits_[index(at) / 64] &= ~(std::uint64_t(1) << index(at) % 64); }
+  void carve(const VoxelPosition& at) {
+    bits_[index(at) / 64] &= ~(std::uint64_t(1) << index(at) % 64);
+  }
   // Whether at least one of the six neighbouring voxels is carved or outside of the grid.
-  bool is_boundary(const VoxelAt& at) const {
-    for (const VoxelAt& beside : {VoxelAt{at.x - 1, at.y, at.z}, VoxelAt{at.x + 1, at.y, at.z},
-                                  VoxelAt{at.x, at.y - 1, at.z}, VoxelAt{at.x, at.y + 1, at.z},
-                                  VoxelAt{at.x, at.y, at.z - 1}, VoxelAt{at.x, at.y, at.z + 1}}) {
+  bool is_boundary(const VoxelPosition& at) const {
+    for (const VoxelPosition& beside :
+         {VoxelPosition{at.x - 1, at.y, at.z}, VoxelPosition{at.x + 1, at.y, at.z},
+          VoxelPosition{at.x, at.y - 1, at.z}, VoxelPosition{at.x, at.y + 1, at.z},
+          VoxelPosition{at.x, at.y, at.z - 1}, VoxelPosition{at.x, at.y, at.z + 1}}) {
       if (!is_in(beside) || !has(beside)) return true;
     }
     return false;
   }
   // The parts of these runs that have not been carved.
-  std::vector<VoxelRun> left_of(const std::vector<VoxelRun>& runs) const {
+  std::vector<VoxelRun> remaining(const std::vector<VoxelRun>& runs) const {
     std::vector<VoxelRun> left;
     for (const VoxelRun& run : runs) {
       for (int i = 0; i < run.count;) {
@@ -48,7 +53,7 @@ public:
   }
 
 private:
-  std::size_t index(const VoxelAt& at) const { return voxel_index(count_, at); }
+  std::size_t index(const VoxelPosition& at) const { return voxel_index(count_, at); }
   std::array<int, 3> count_;
   std::vector<std::uint64_t> bits_;
 };
@@ -60,9 +65,9 @@ bool is_carved(Verdict verdict) {
 // Sweeps in one direction. Returns how many voxels it carves.
 std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                         const ColoringRequest& request, const std::vector<double>& ratios,
-                        std::array<int, 2> direction, Solid& solid, std::int64_t& judged) {
+                        std::array<int, 2> direction, Solid& solid, std::int64_t& examined) {
   for_blocks(pictures.size(), request.settings.threads,
-             [&](std::size_t i) { uncover(pictures[i]); });
+             [&](std::size_t i) { clear_hidden(pictures[i]); });
   Sweep sweep(grid, pictures, request.settings, ratios);
   const PlaneLayers planes(grid, direction);
   std::vector<double> along;  // coordinates of the eyes along the direction, in voxels
@@ -71,11 +76,11 @@ std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictu
   std::vector<std::uint8_t> active(pictures.size());
   std::int64_t carved = 0;
   for (int k = 0; k < planes.count(); ++k) {
-    const int place = planes.place(k);
+    const int place = planes.coordinate(k);
     for (std::size_t i = 0; i < active.size(); ++i)
       active[i] = direction[1] > 0 ? along[i] <= place : along[i] >= place + 1;
     if (std::ranges::find(active, 1) == active.end()) continue;
-    const std::vector<VoxelRun> runs = solid.left_of(planes.runs(k, request.box));
+    const std::vector<VoxelRun> runs = solid.remaining(planes.runs(k, request.box));
     sweep.layer(runs, active, Occluders::kNotCarved);
     std::size_t at = 0;
     for (const VoxelRun& run : runs) {
@@ -85,7 +90,7 @@ std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictu
         ++carved;
       }
     }
-    judged += std::int64_t(at);
+    examined += std::int64_t(at);
   }
   return carved;
 }
@@ -96,11 +101,11 @@ struct SurfaceSum {
   double rgb[3] = {0, 0, 0};
 };
 
-std::vector<VoxelAt> boundary_of(const VoxelGrid& grid, const Solid& solid) {
-  std::vector<VoxelAt> boundary;
+std::vector<VoxelPosition> boundary_of(const VoxelGrid& grid, const Solid& solid) {
+  std::vector<VoxelPosition> boundary;
   const PlaneLayers planes(grid, {2, 1});
   for (int k = 0; k < planes.count(); ++k) {
-    for (const VoxelRun& run : solid.left_of(planes.runs(k, {}))) {
+    for (const VoxelRun& run : solid.remaining(planes.runs(k, {}))) {
       for (int i = 0; i < run.count; ++i)
         if (solid.is_boundary(run.at(i))) boundary.push_back(run.at(i));
     }
@@ -110,10 +115,10 @@ std::vector<VoxelAt> boundary_of(const VoxelGrid& grid, const Solid& solid) {
 
 // For each pixel, the distance of the nearest of these voxels.
 std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture,
-                             const std::vector<VoxelAt>& voxels) {
+                             const std::vector<VoxelPosition>& voxels) {
   const GridPicture lens = grid_picture(grid, picture);
   std::vector<float> depths(picture.words.size(), INFINITY);
-  for (const VoxelAt& at : voxels) {
+  for (const VoxelPosition& at : voxels) {
     const Projected centre = centre_of(lens, at);
     for_each_pixel(lens, centre, Footprint::kBox, [&](int x, int y) {
       float& depth = depths[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
@@ -128,7 +133,7 @@ std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture
 void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest& request,
                     const Solid& solid, Coloring& result) {
   const VoxelGrid& grid = result.grid;
-  const std::vector<VoxelAt> boundary = boundary_of(grid, solid);
+  const std::vector<VoxelPosition> boundary = boundary_of(grid, solid);
   std::vector<SurfaceSum> all(boundary.size());
   const float diagonal = float(grid.size * std::sqrt(3.0));
   for (const PackedPicture& picture : pictures) {
@@ -139,9 +144,9 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
                [&](std::size_t block) {
                  for (std::size_t i = block * kOfBlock;
                       i < std::min((block + 1) * kOfBlock, boundary.size()); ++i) {
-                   const VoxelAt& at = boundary[i];
+                   const VoxelPosition& at = boundary[i];
                    const Projected centre = centre_of(lens, at);
-                   const PixelOf pixel = centre_pixel(centre, lens.width, lens.height);
+                   const PixelPosition pixel = centre_pixel(centre, lens.width, lens.height);
                    if (pixel.column < 0) continue;
                    const std::size_t index = std::size_t(pixel.row) * std::size_t(picture.width) +
                                              std::size_t(pixel.column);
@@ -183,7 +188,7 @@ double carving_bytes(const VoxelGrid& grid, double surface) {
   const double layer = std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
   return double(grid.voxels()) / 8 + double(ny) * nz * sizeof(VoxelRun) +
          layer * double(sizeof(std::size_t) * 2) +
-         surface * double(sizeof(VoxelAt) + sizeof(SurfaceSum));
+         surface * double(sizeof(VoxelPosition) + sizeof(SurfaceSum));
 }
 
 void carve(std::vector<PackedPicture>& pictures, const ColoringRequest& request, Coloring& result) {
@@ -195,7 +200,8 @@ void carve(std::vector<PackedPicture>& pictures, const ColoringRequest& request,
   for (; !result.is_finished && result.passes < request.most_passes; ++result.passes) {
     std::int64_t carved = 0;
     for (const std::array<int, 2>& direction : kDirections) {
-      carved += sweep_once(result.grid, pictures, request, ratios, direction, solid, result.judged);
+      carved +=
+          sweep_once(result.grid, pictures, request, ratios, direction, solid, result.examined);
       result.layers += result.grid.count[std::size_t(direction[0])];
     }
     result.is_finished = carved == 0;
@@ -203,7 +209,7 @@ void carve(std::vector<PackedPicture>& pictures, const ColoringRequest& request,
   color_boundary(pictures, request, solid, result);
   const PlaneLayers planes(result.grid, {2, 1});
   for (int k = 0; k < planes.count(); ++k) {
-    for (const VoxelRun& run : solid.left_of(planes.runs(k, {}))) result.solid.push_back(run);
+    for (const VoxelRun& run : solid.remaining(planes.runs(k, {}))) result.solid.push_back(run);
   }
 }
 

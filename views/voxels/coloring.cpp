@@ -10,8 +10,8 @@
 
 #include "views/voxels/blocks.h"
 #include "views/voxels/carving.h"
-#include "views/voxels/layers_of.h"
 #include "views/voxels/pyramid.h"
+#include "views/voxels/voxel_layers.h"
 
 namespace glassbox::views {
 
@@ -38,8 +38,9 @@ Visit visit_of(const PictureSet& set, const ColoringRequest& request) {
   plan.traversal = traversal.kind;
   plan.order = request.order;
   const bool has_order = traversal.kind != TraversalKind::kSurrounded;
-  if (plan.order == Order::kAuto) plan.order = has_order ? Order::kSweep : Order::kCarve;
-  if (plan.order == Order::kCarve) return visit;
+  if (plan.order == ColoringOrder::kAuto)
+    plan.order = has_order ? ColoringOrder::kSweep : ColoringOrder::kCarve;
+  if (plan.order == ColoringOrder::kCarve) return visit;
   plan.in_shells = traversal.kind == TraversalKind::kEmbedded && !request.direction;
   if (request.direction) {
     plan.direction = *request.direction;
@@ -61,7 +62,7 @@ double layer_voxels(const VoxelGrid& grid) {
 // Memory for the pictures. A pixel has its colour and its matte as it was read; for the sweep it
 // has a word, and on demand a deviation and RGB. The smaller pictures of coarser levels need a
 // third of that. The depths that find a carved surface are made for one picture after the other.
-double picture_bytes(const PictureSet& set, const ColoringRequest& request, Order order) {
+double picture_bytes(const PictureSet& set, const ColoringRequest& request, ColoringOrder order) {
   double tiles = 0, largest = 0;
   for (const CalibratedPicture& picture : set.pictures) {
     tiles += PixelTiles::bytes_for(picture.color.width, picture.color.height);
@@ -72,7 +73,7 @@ double picture_bytes(const PictureSet& set, const ColoringRequest& request, Orde
   if (request.settings.space != ColorSpace::kRgb) of_pixel += sizeof(Rgba8);
   if (request.levels > 0) of_pixel *= 4.0 / 3;
   return bytes_of(set) + of_pixel * pixels_of(set) + tiles +
-         (order == Order::kCarve ? largest * double(sizeof(float)) : 0);
+         (order == ColoringOrder::kCarve ? largest * double(sizeof(float)) : 0);
 }
 
 double bytes_needed(const PictureSet& set, const ColoringRequest& request,
@@ -81,8 +82,9 @@ double bytes_needed(const PictureSet& set, const ColoringRequest& request,
   const auto [nx, ny, nz] = grid.count;
   const double surface = 2 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
   double bytes = picture_bytes(set, request, plan.order) + surface * double(sizeof(ColoredVoxel)) +
-                 layer_voxels(grid) * double(sizeof(Verdict) + sizeof(Seen) + sizeof(VoxelAt));
-  if (plan.order == Order::kCarve) bytes += carving_bytes(grid, surface);
+                 layer_voxels(grid) *
+                     double(sizeof(Verdict) + sizeof(VoxelObservation) + sizeof(VoxelPosition));
+  if (plan.order == ColoringOrder::kCarve) bytes += carving_bytes(grid, surface);
   // A byte for each cell of the previous level, and a copy while the cells are grown.
   if (request.levels > 0) bytes += double(grid.voxels()) / 8 * 2;
   return bytes;
@@ -94,9 +96,9 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
   if (request.levels < 0 || request.levels > kMostLevels)
     return fail("--levels",
                 fmt::format("the number of coarser levels must be 0 to {}", kMostLevels), "give 2");
-  if (plan.order == Order::kCarve && (request.levels > 0 || request.direction)) {
+  if (plan.order == ColoringOrder::kCarve && (request.levels > 0 || request.direction)) {
     return fail(request.levels > 0 ? "--levels" : "--direction",
-                request.order == Order::kCarve
+                request.order == ColoringOrder::kCarve
                     ? "is for a single sweep, but carving sweeps along all six directions"
                     : "is for a single sweep, but cameras all around the box need carving",
                 "leave it out, or ask for --order sweep");
@@ -123,7 +125,7 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
 
 void add_voxels(const Sweep& sweep, std::vector<ColoredVoxel>& voxels) {
   for (std::size_t i = 0; i < sweep.colored().size(); ++i) {
-    const Seen& seen = sweep.seen()[i];
+    const VoxelObservation& seen = sweep.observations()[i];
     voxels.push_back({sweep.colored()[i], seen.color, std::uint16_t(std::min(seen.views, 65535)),
                       float(std::sqrt(seen.sums.variance()) / kCodesPerLevel)});
   }
@@ -133,7 +135,7 @@ std::vector<PackedPicture> packed(const std::vector<CalibratedPicture>& pictures
                                   const ColoringSettings& settings) {
   std::vector<PackedPicture> all(pictures.size());
   for_blocks(pictures.size(), settings.threads,
-             [&](std::size_t i) { all[i] = pack(pictures[i], settings); });
+             [&](std::size_t i) { all[i] = pack_picture(pictures[i], settings); });
   return all;
 }
 
@@ -142,17 +144,17 @@ std::vector<PackedPicture> packed(const std::vector<CalibratedPicture>& pictures
 void run_sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                const ColoringSettings& settings, const std::vector<double>& ratios,
                const ColoringRequest& request, const std::vector<Vector3d>& eyes,
-               const Cells* cells, const LayerWatcher& watch, Coloring& result) {
+               const CellMask* cells, const LayerWatcher& watch, Coloring& result) {
   Sweep sweep(grid, pictures, settings, ratios);
   const PlaneLayers planes(grid, result.direction);
   const ShellLayers shells(grid, eyes);
   result.layers = result.in_shells ? shells.count() : planes.count();
   for (int k = 0; k < result.layers; ++k) {
     std::vector<VoxelRun> runs = result.in_shells ? shells.runs(k) : planes.runs(k, request.box);
-    if (cells != nullptr) runs = cells->finer(runs);
+    if (cells != nullptr) runs = cells->refined(runs);
     sweep.layer(runs, {}, Occluders::kColored);
     for (const Verdict verdict : sweep.verdicts()) ++result.counts[std::size_t(verdict)];
-    result.judged += std::int64_t(sweep.verdicts().size());
+    result.examined += std::int64_t(sweep.verdicts().size());
     add_voxels(sweep, result.voxels);
     if (watch) watch(k, runs, sweep.verdicts());
   }
@@ -182,12 +184,12 @@ void run_levels(const PictureSet& set, const ColoringRequest& request, const Lay
                [&](std::size_t i) { halves[i] = half_size(pictures.back()[i]); });
     pictures.push_back(std::move(halves));
   }
-  std::optional<Cells> cells;
+  std::optional<CellMask> cells;
   ColoringSettings settings = request.settings;
   settings.threshold *= request.slack;
   settings.noise *= request.slack;
   settings.k2 *= request.slack;
-  settings.alone = Alone::kKeep;
+  settings.alone = SingleViewPolicy::kKeep;
   for (int level = request.levels; level > 0; --level) {
     Coloring coarse;
     coarse.in_shells = result.in_shells;
@@ -195,7 +197,7 @@ void run_levels(const PictureSet& set, const ColoringRequest& request, const Lay
     const auto at = std::size_t(level);
     run_sweep(grids[at], pictures[at], settings, ratios, request, eyes, cells ? &*cells : nullptr,
               {}, coarse);
-    result.judged_coarse += coarse.judged;
+    result.examined_coarse += coarse.examined;
     cells.emplace(grids[at]);
     for (const ColoredVoxel& voxel : coarse.voxels) cells->set(voxel.at);
     cells->grow();
@@ -206,8 +208,10 @@ void run_levels(const PictureSet& set, const ColoringRequest& request, const Lay
 
 }  // namespace
 
-std::string_view name_of(Order order) {
-  return order == Order::kAuto ? "auto" : order == Order::kSweep ? "sweep" : "carve";
+std::string_view name_of(ColoringOrder order) {
+  return order == ColoringOrder::kAuto    ? "auto"
+         : order == ColoringOrder::kSweep ? "sweep"
+                                          : "carve";
 }
 
 std::string_view name_of(Consistency consistency) {
@@ -221,11 +225,11 @@ std::string_view name_of(ColorSpace space) {
 std::string_view name_of(Footprint footprint) {
   return footprint == Footprint::kCentre ? "centre" : footprint == Footprint::kBox ? "box" : "hull";
 }
-std::string_view name_of(Update update) {
-  return update == Update::kLayer ? "layer" : "voxel";
+std::string_view name_of(OcclusionUpdate update) {
+  return update == OcclusionUpdate::kLayer ? "layer" : "voxel";
 }
-std::string_view name_of(Alone alone) {
-  return alone == Alone::kReject ? "reject" : "keep";
+std::string_view name_of(SingleViewPolicy alone) {
+  return alone == SingleViewPolicy::kReject ? "reject" : "keep";
 }
 
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request) {
@@ -249,7 +253,7 @@ Coloring color_voxels(const PictureSet& set, const ColoringRequest& request,
   const Clock::time_point start = Clock::now();
   Coloring result;
   static_cast<ColoringPlan&>(result) = plan;
-  if (plan.order == Order::kCarve) {
+  if (plan.order == ColoringOrder::kCarve) {
     std::vector<PackedPicture> pictures = packed(set.pictures, request.settings);
     carve(pictures, request, result);
   } else {

@@ -21,21 +21,21 @@
 
 namespace glassbox::views {
 
-enum class Order {
+enum class ColoringOrder {
   kAuto,   // a sweep if the cameras allow one, else carving
   kSweep,  // one sweep, even if its result is wrong for these cameras (C-90)
   // Sweeps along all six directions, each with the cameras in front of its plane, until nothing
   // more is carved.
   kCarve,
 };
-std::string_view name_of(Order order);
+std::string_view name_of(ColoringOrder order);
 
 struct ColoringRequest {
   WorldBox box;
   double voxel_size = 1;
   // The option that asks for this size; error messages name it.
   std::string size_option = kVoxelOption;
-  Order order = Order::kAuto;
+  ColoringOrder order = ColoringOrder::kAuto;
   // For kSweep: the axis, 0 .. 2, and 1 or -1; absent: chosen by classify(), or the z axis if the
   // cameras surround the scene.
   std::optional<std::array<int, 2>> direction;
@@ -47,8 +47,8 @@ struct ColoringRequest {
   std::uint64_t most_bytes = std::uint64_t(1) << 32;
 };
 
-// Called with a layer that was judged: its number in the order of visiting, and the verdicts of its
-// voxels.
+// Called with a layer that was classified: its number in the order of visiting, and the verdicts of
+// its voxels.
 using LayerWatcher = std::function<void(int layer, std::span<const VoxelRun> runs,
                                         std::span<const Verdict> verdicts)>;
 
@@ -56,18 +56,18 @@ using LayerWatcher = std::function<void(int layer, std::span<const VoxelRun> run
 struct ColoringPlan {
   VoxelGrid grid;
   TraversalKind traversal = TraversalKind::kHalfSpace;
-  Order order = Order::kSweep;  // kSweep or kCarve
-  bool in_shells = false;       // for a sweep: outwards around the cameras instead of by planes
+  ColoringOrder order = ColoringOrder::kSweep;  // kSweep or kCarve
+  bool in_shells = false;  // for a sweep: outwards around the cameras instead of by planes
   std::array<int, 2> direction{2, 1};  // for a sweep by planes: an axis of the grid, and 1 or -1
   std::uint64_t bytes = 0;  // of everything whose size depends on the pictures and voxels
 };
 
 struct Coloring : ColoringPlan {
   int layers = 0, passes = 0;
-  bool is_finished = true;         // for carving: the last pass carved nothing
-  std::int64_t judged = 0;         // voxels of the finest level
-  std::int64_t judged_coarse = 0;  // voxels of the coarser levels
-  VerdictCounts counts{};          // of the finest level; for carving, of the surface that remains
+  bool is_finished = true;           // for carving: the last pass carved nothing
+  std::int64_t examined = 0;         // voxels of the finest level
+  std::int64_t examined_coarse = 0;  // voxels of the coarser levels
+  VerdictCounts counts{};  // of the finest level; for carving, of the surface that remains
   std::vector<ColoredVoxel> voxels;
   std::vector<VoxelRun> solid;  // all voxels that carving leaves, the interior included
   double milliseconds = 0;      // in total, including the packing of the pictures

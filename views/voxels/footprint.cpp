@@ -36,11 +36,11 @@ bool is_finite(const GridPicture& lens) {
   return most <= double(std::numeric_limits<float>::max());
 }
 
-Projected centre_of(const GridPicture& lens, const VoxelAt& at) {
+Projected centre_of(const GridPicture& lens, const VoxelPosition& at) {
   return projected(row_of(lens, at, 0), at.x);
 }
 
-RowPicture row_of(const GridPicture& lens, const VoxelAt& at, int axis) {
+RowPicture row_of(const GridPicture& lens, const VoxelPosition& at, int axis) {
   Eigen::Vector4d start(at.x + 0.5, at.y + 0.5, at.z + 0.5, 1);
   start[axis] = 0.5;
   const Vector3d h = lens.pixel_from_grid * start;
@@ -58,10 +58,10 @@ RowPicture row_of(const GridPicture& lens, const VoxelAt& at, int axis) {
   return row;
 }
 
-RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelAt& at,
+RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelPosition& at,
                   int axis) {
   RowPicture row = row_of(lens, at, axis);
-  row.beside = picture.has_whole ? -1 : 0;
+  row.beside = picture.shows_whole_object ? -1 : 0;
   row.words = reinterpret_cast<const std::int32_t*>(picture.words.data());
   if (!picture.spread.empty())
     row.spread = reinterpret_cast<const std::int32_t*>(picture.spread.data());

@@ -30,10 +30,10 @@ GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture);
 bool is_finite(const GridPicture& lens);
 
 // The row of voxels along `axis` through `at`; its voxel 0 is the one with coordinate 0.
-RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelAt& at,
+RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelPosition& at,
                   int axis);
 // The same without the picture's pixels.
-RowPicture row_of(const GridPicture& lens, const VoxelAt& at, int axis);
+RowPicture row_of(const GridPicture& lens, const VoxelPosition& at, int axis);
 
 // The homogeneous position of voxel i of a row in the picture.
 struct Projected {
@@ -44,16 +44,16 @@ inline Projected projected(const RowPicture& row, int i) {
   return {row.x + place * row.dx, row.y + place * row.dy, row.w + place * row.dw};
 }
 // The position of one voxel's centre, computed as in its row along x.
-Projected centre_of(const GridPicture& lens, const VoxelAt& at);
+Projected centre_of(const GridPicture& lens, const VoxelPosition& at);
 
 // The pixel of a voxel's centre; column < 0 if it is outside of the picture or behind the camera.
-struct PixelOf {
+struct PixelPosition {
   int column = -1, row = -1;
 };
-inline PixelOf centre_pixel(const Projected& p, float width, float height) {
+inline PixelPosition centre_pixel(const Projected& p, float width, float height) {
   const float inverse = 1.0f / p.w, u = p.x * inverse, v = p.y * inverse;
   const bool inside = u >= 0 && u < width && v >= 0 && v < height && p.w > 0;
-  return inside ? PixelOf{int(u), int(v)} : PixelOf{};
+  return inside ? PixelPosition{int(u), int(v)} : PixelPosition{};
 }
 
 // Calls visit(column, row) for each pixel of the footprint that is inside the picture. If a corner
@@ -108,7 +108,7 @@ template <class Visit>
 void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint footprint,
                     const Visit& visit) {
   using footprint_detail::Corner;
-  const PixelOf middle = centre_pixel(centre, lens.width, lens.height);
+  const PixelPosition middle = centre_pixel(centre, lens.width, lens.height);
   if (footprint == Footprint::kCentre) {
     if (middle.column >= 0) visit(middle.column, middle.row);
     return;
@@ -168,7 +168,7 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
 }
 
 // The pictures' information about one voxel.
-struct Seen {
+struct VoxelObservation {
   ColorSums sums;     // over the pixels where the voxel is not hidden, in codes
   int views = 0;      // pictures with at least one such pixel
   double spread = 0;  // summed over these pictures, codes

@@ -10,19 +10,19 @@
 
 namespace glassbox::views {
 
-struct VoxelAt {
+struct VoxelPosition {
   int x = 0, y = 0, z = 0;
-  friend bool operator==(const VoxelAt&, const VoxelAt&) = default;
+  friend bool operator==(const VoxelPosition&, const VoxelPosition&) = default;
 };
 
 // The index of a voxel among all of a box with so many along each axis, x first.
-inline std::size_t voxel_index(const std::array<int, 3>& count, const VoxelAt& at) {
+inline std::size_t voxel_index(const std::array<int, 3>& count, const VoxelPosition& at) {
   return (std::size_t(at.z) * std::size_t(count[1]) + std::size_t(at.y)) * std::size_t(count[0]) +
          std::size_t(at.x);
 }
 
 // A unique number for each voxel of any grid, and for the voxels next to it.
-inline std::uint64_t key_of(const VoxelAt& at) {
+inline std::uint64_t key_of(const VoxelPosition& at) {
   return std::uint64_t(at.z + 1) << 42 | std::uint64_t(at.y + 1) << 21 | std::uint64_t(at.x + 1);
 }
 
@@ -33,13 +33,15 @@ struct VoxelGrid {
   std::array<int, 3> count{1, 1, 1};     // voxels along x, y, z
 
   std::int64_t voxels() const { return std::int64_t(count[0]) * count[1] * count[2]; }
-  std::size_t index(const VoxelAt& at) const { return voxel_index(count, at); }
+  std::size_t index(const VoxelPosition& at) const { return voxel_index(count, at); }
   // The world position of grid coordinates: voxel (x, y, z) is the cube from (x, y, z) to (x + 1, y
   // + 1, z + 1).
   Vector3d world(double x, double y, double z) const {
     return corner + axes * (size * Vector3d(x, y, z));
   }
-  Vector3d centre(const VoxelAt& at) const { return world(at.x + 0.5, at.y + 0.5, at.z + 0.5); }
+  Vector3d centre(const VoxelPosition& at) const {
+    return world(at.x + 0.5, at.y + 0.5, at.z + 0.5);
+  }
   // The grid coordinates of a world position.
   Vector3d coordinates(const Vector3d& place) const {
     return axes.transpose() * (place - corner) / size;

@@ -70,7 +70,7 @@ std::uint32_t packed_color(const Rgba8& color, const ColoringSettings& settings)
                  code_of(lab.b + kMiddle));
 }
 
-PackedPicture pack(const CalibratedPicture& picture, const ColoringSettings& settings) {
+PackedPicture pack_picture(const CalibratedPicture& picture, const ColoringSettings& settings) {
   PackedPicture packed;
   packed.pixel_from_world = projection_of(picture.camera);
   packed.eye = picture.camera.centre;
@@ -81,14 +81,14 @@ PackedPicture pack(const CalibratedPicture& picture, const ColoringSettings& set
     const bool is_object = picture.matte.pixels.empty() || picture.matte.pixels[i] != 0;
     packed.words[i] = is_object ? packed_color(picture.color.pixels[i], settings) : kBackground;
   }
-  packed.has_whole = !picture.matte.pixels.empty() && is_border_clear(picture.matte);
+  packed.shows_whole_object = !picture.matte.pixels.empty() && is_border_clear(picture.matte);
   if (settings.space != ColorSpace::kRgb)
     packed.rgb.assign(picture.color.pixels.begin(), picture.color.pixels.end());
   if (wants_spread(settings)) packed.spread = spread_of(packed);
   return packed;
 }
 
-void uncover(PackedPicture& picture) {
+void clear_hidden(PackedPicture& picture) {
   for (std::uint32_t& word : picture.words) word &= ~kHidden;
 }
 

@@ -34,7 +34,7 @@ struct PackedPicture {
   int width = 0, height = 0;
   // The matte has no object at its border: the object is entirely inside the picture, and
   // everything outside of the picture is background.
-  bool has_whole = false;
+  bool shows_whole_object = false;
   std::vector<std::uint32_t> words;
   // If the settings need it: the deviation of the object's colours in the 3 x 3 pixels around each
   // pixel, in the same codes.
@@ -48,13 +48,13 @@ ProjectionMatrix projection_of(const PinholeCamera& camera);
 // The three channels of a colour; bits 30 and 31 are 0.
 std::uint32_t packed_color(const Rgba8& color, const ColoringSettings& settings);
 
-PackedPicture pack(const CalibratedPicture& picture, const ColoringSettings& settings);
+PackedPicture pack_picture(const CalibratedPicture& picture, const ColoringSettings& settings);
 
 inline bool wants_spread(const ColoringSettings& settings) {
   return settings.consistency == Consistency::kAdaptive || settings.edge > 0;
 }
 
 // Clears the hidden bit of every pixel.
-void uncover(PackedPicture& picture);
+void clear_hidden(PackedPicture& picture);
 
 }  // namespace glassbox::views

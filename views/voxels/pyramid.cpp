@@ -7,52 +7,52 @@ namespace glassbox::views {
 namespace {
 
 // The positions of a pixel's four pixels; at the end of a picture of odd size there are fewer.
-struct Four {
+struct PixelBlock {
   std::size_t at[4];
   int count = 0;
 };
 
-Four four_of(const PackedPicture& picture, int x, int y) {
-  Four four;
+PixelBlock block_of(const PackedPicture& picture, int x, int y) {
+  PixelBlock block;
   for (int row = 2 * y; row <= std::min(2 * y + 1, picture.height - 1); ++row) {
     for (int column = 2 * x; column <= std::min(2 * x + 1, picture.width - 1); ++column) {
       const std::size_t at = std::size_t(row) * std::size_t(picture.width) + std::size_t(column);
-      if ((picture.words[at] & kBackground) == 0) four.at[four.count++] = at;
+      if ((picture.words[at] & kBackground) == 0) block.at[block.count++] = at;
     }
   }
-  return four;
+  return block;
 }
 
-std::uint32_t mean_word(const PackedPicture& picture, const Four& four) {
-  if (four.count == 0) return kBackground;
+std::uint32_t mean_word(const PackedPicture& picture, const PixelBlock& block) {
+  if (block.count == 0) return kBackground;
   std::uint32_t sums[3] = {0, 0, 0};
-  for (int i = 0; i < four.count; ++i) {
-    const auto channels = channels_of(picture.words[four.at[i]]);
+  for (int i = 0; i < block.count; ++i) {
+    const auto channels = channels_of(picture.words[block.at[i]]);
     for (std::size_t k = 0; k < 3; ++k) sums[k] += channels[k];
   }
   std::uint32_t mean = 0;
-  const auto count = std::uint32_t(four.count);
+  const auto count = std::uint32_t(block.count);
   for (int k = 0; k < 3; ++k) mean |= (sums[k] + count / 2) / count << (kChannelBits * k);
   return mean;
 }
 
 // The mean of its four pixels' deviations is used for the deviation around a pixel of the coarser
 // picture.
-std::uint32_t mean_spread(const PackedPicture& picture, const Four& four) {
+std::uint32_t mean_spread(const PackedPicture& picture, const PixelBlock& block) {
   std::uint32_t sum = 0;
-  for (int i = 0; i < four.count; ++i) sum += picture.spread[four.at[i]];
-  return four.count == 0 ? 0 : sum / std::uint32_t(four.count);
+  for (int i = 0; i < block.count; ++i) sum += picture.spread[block.at[i]];
+  return block.count == 0 ? 0 : sum / std::uint32_t(block.count);
 }
 
-Rgba8 mean_rgb(const PackedPicture& picture, const Four& four) {
+Rgba8 mean_rgb(const PackedPicture& picture, const PixelBlock& block) {
   int r = 0, g = 0, b = 0;
-  for (int i = 0; i < four.count; ++i) {
-    const Rgba8& pixel = picture.rgb[four.at[i]];
+  for (int i = 0; i < block.count; ++i) {
+    const Rgba8& pixel = picture.rgb[block.at[i]];
     r += pixel.r;
     g += pixel.g;
     b += pixel.b;
   }
-  const int count = std::max(four.count, 1);
+  const int count = std::max(block.count, 1);
   return {std::uint8_t(r / count), std::uint8_t(g / count), std::uint8_t(b / count), 255};
 }
 
@@ -63,16 +63,16 @@ PackedPicture half_size(const PackedPicture& picture) {
   half.pixel_from_world = picture.pixel_from_world;
   half.pixel_from_world.topRows<2>() /= 2;
   half.eye = picture.eye;
-  half.has_whole = picture.has_whole;
+  half.shows_whole_object = picture.shows_whole_object;
   half.width = (picture.width + 1) / 2;
   half.height = (picture.height + 1) / 2;
   half.words.reserve(std::size_t(half.width) * std::size_t(half.height));
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {
-      const Four four = four_of(picture, x, y);
-      half.words.push_back(mean_word(picture, four));
-      if (!picture.spread.empty()) half.spread.push_back(mean_spread(picture, four));
-      if (!picture.rgb.empty()) half.rgb.push_back(mean_rgb(picture, four));
+      const PixelBlock block = block_of(picture, x, y);
+      half.words.push_back(mean_word(picture, block));
+      if (!picture.spread.empty()) half.spread.push_back(mean_spread(picture, block));
+      if (!picture.rgb.empty()) half.rgb.push_back(mean_rgb(picture, block));
     }
   }
   return half;

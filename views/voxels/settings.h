@@ -26,15 +26,15 @@ enum class ColorSpace { kRgb, kLab };
 // convex hull. The pixel of its centre always belongs to the footprint (C-87).
 enum class Footprint { kCentre, kBox, kHull };
 // When a coloured voxel begins to hide what is behind it: after its layer, or at once.
-enum class Update { kLayer, kVoxel };
+enum class OcclusionUpdate { kLayer, kVoxel };
 // The decision about a voxel that only one picture sees, so that colours cannot be compared (C-89).
-enum class Alone { kReject, kKeep };
+enum class SingleViewPolicy { kReject, kKeep };
 
 std::string_view name_of(Consistency consistency);
 std::string_view name_of(ColorSpace space);
 std::string_view name_of(Footprint footprint);
-std::string_view name_of(Update update);
-std::string_view name_of(Alone alone);
+std::string_view name_of(OcclusionUpdate update);
+std::string_view name_of(SingleViewPolicy alone);
 
 struct ColoringSettings {
   Consistency consistency = Consistency::kDeviation;
@@ -49,8 +49,8 @@ struct ColoringSettings {
   double edge = 0;
   Footprint sampled = Footprint::kCentre;  // the pixels whose colours are compared
   Footprint hidden = Footprint::kBox;      // the pixels that a coloured voxel hides
-  Update update = Update::kLayer;
-  Alone alone = Alone::kReject;
+  OcclusionUpdate update = OcclusionUpdate::kLayer;
+  SingleViewPolicy alone = SingleViewPolicy::kReject;
   Target target = best_target();
   int threads = 0;  // 0: all; the result does not depend on it
 };

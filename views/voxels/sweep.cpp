@@ -15,7 +15,7 @@ namespace {
 
 // An order with steps of about the golden section, so that the first few pictures look from all
 // around.
-std::vector<std::size_t> scattered(std::size_t count) {
+std::vector<std::size_t> scattered_order(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::size_t step = std::max<std::size_t>(1, std::size_t(double(count) * 0.381966));
   while (std::gcd(step, count) != 1) ++step;
@@ -51,17 +51,17 @@ std::vector<double> likelihood_ratios(const ColoringSettings& settings) {
 
 // The results of one thread for a few runs.
 struct Sweep::Block {
-  std::vector<VoxelAt> colored;
-  std::vector<Seen> seen;
+  std::vector<VoxelPosition> colored;
+  std::vector<VoxelObservation> observations;
   std::vector<std::size_t> places;  // of the coloured voxels, as indices into the layer's verdicts
-  std::vector<RowPicture> rows, asked;
+  std::vector<RowPicture> rows, active_rows;
   std::vector<std::int32_t> sums[7];
   std::vector<std::size_t>
-      open;  // indices into asked_: pictures in which some voxel of the part may be visible
+      open;  // indices into active_: pictures in which some voxel of the part may be visible
 };
 
 // Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`, and the run's rows in the
-// pictures of asked_.
+// pictures of active_.
 struct Sweep::Part {
   const VoxelRun& run;
   int from, count;
@@ -74,7 +74,7 @@ Sweep::Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
     : grid_(grid),
       pictures_(pictures),
       settings_(settings),
-      order_(scattered(pictures.size())),
+      order_(scattered_order(pictures.size())),
       ratios_(ratios) {
   for (const PackedPicture& picture : pictures_) {
     lenses_.push_back(grid_picture(grid_, picture));
@@ -111,11 +111,12 @@ double Sweep::limit(std::int64_t pixels) const {
   return variance * root * root * root;
 }
 
-Verdict Sweep::judge(const Seen& seen) const {
+Verdict Sweep::classify_voxel(const VoxelObservation& seen) const {
   if (seen.is_background) return Verdict::kBackground;
   if (seen.is_inconsistent) return Verdict::kInconsistent;
   if (seen.views == 0) return Verdict::kHidden;
-  if (seen.views == 1) return settings_.alone == Alone::kKeep ? Verdict::kColored : Verdict::kAlone;
+  if (seen.views == 1)
+    return settings_.alone == SingleViewPolicy::kKeep ? Verdict::kColored : Verdict::kAlone;
   double most = 0;
   if (settings_.consistency == Consistency::kAdaptive) {
     const double threshold =
@@ -129,20 +130,21 @@ Verdict Sweep::judge(const Seen& seen) const {
   return is_edge ? Verdict::kColored : Verdict::kInconsistent;
 }
 
-void Sweep::keep(const VoxelRun& run, int i, const Seen& seen, Block& block) const {
+void Sweep::add_colored(const VoxelRun& run, int i, const VoxelObservation& seen,
+                        Block& block) const {
   block.colored.push_back(run.at(i));
-  block.seen.push_back(seen);
-  block.seen.back().color = mean_color(run, i, seen);
+  block.observations.push_back(seen);
+  block.observations.back().color = mean_color(run, i, seen);
 }
 
-Rgba8 Sweep::mean_color(const VoxelRun& run, int i, const Seen& seen) const {
+Rgba8 Sweep::mean_color(const VoxelRun& run, int i, const VoxelObservation& seen) const {
   double sums[3] = {0, 0, 0};
   double count = double(seen.sums.count);
   if (settings_.space == ColorSpace::kRgb) {
     for (int k = 0; k < 3; ++k) sums[k] = double(seen.sums.channel[k]) / kCodesPerLevel;
   } else {
     count = 0;
-    for (const std::size_t p : asked_) {
+    for (const std::size_t p : active_) {
       const PackedPicture& picture = pictures_[p];
       const RowPicture row = row_of(lenses_[p], picture, run.first, run.axis);
       for_each_pixel(
@@ -168,19 +170,19 @@ Rgba8 Sweep::mean_color(const VoxelRun& run, int i, const Seen& seen) const {
 // background.)
 bool Sweep::is_background(const VoxelBox& box) const {
   const bool has_trials = most_deviations_ < std::numeric_limits<float>::infinity();
-  const std::size_t first = has_trials ? std::size_t(kPicturesBetweenTrials) : asked_.size();
-  for (std::size_t i = 0; i < std::min(first, asked_.size()); ++i) {
-    const std::size_t p = asked_[i];
+  const std::size_t first = has_trials ? std::size_t(kPicturesBetweenTrials) : active_.size();
+  for (std::size_t i = 0; i < std::min(first, active_.size()); ++i) {
+    const std::size_t p = active_[i];
     const auto rect = rect_of(lenses_[p], box);
     if (rect && tiles_[p].is_background(*rect)) return true;
   }
   return false;
 }
 
-void Sweep::find_open(const VoxelBox& box, std::vector<std::size_t>& open) const {
+void Sweep::find_undecided(const VoxelBox& box, std::vector<std::size_t>& open) const {
   open.clear();
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    const std::size_t p = asked_[i];
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    const std::size_t p = active_[i];
     const auto rect = rect_of(lenses_[p], box);
     if (!rect || !tiles_[p].is_hidden(*rect)) open.push_back(i);
   }
@@ -191,7 +193,7 @@ namespace {
 VoxelBox box_of_runs(std::span<const VoxelRun> runs) {
   VoxelBox box{runs.front().first, runs.front().first};
   for (const VoxelRun& run : runs) {
-    const VoxelAt last = run.at(run.count - 1);
+    const VoxelPosition last = run.at(run.count - 1);
     box.low = {std::min(box.low.x, run.first.x), std::min(box.low.y, run.first.y),
                std::min(box.low.z, run.first.z)};
     box.high = {std::max(box.high.x, last.x), std::max(box.high.y, last.y),
@@ -207,22 +209,22 @@ std::int64_t voxels_of(const VoxelBox& box) {
 
 }  // namespace
 
-// Judges the runs in parts of kPart voxels: neighbouring voxels have neighbouring pixels, which are
-// still in the cache, and a part that is entirely background or hidden needs no look-up of its
+// Classifies the runs in parts of kPart voxels: neighbouring voxels have neighbouring pixels, which
+// are still in the cache, and a part that is entirely background or hidden needs no look-up of its
 // voxels.
-void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block) {
+void Sweep::classify_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block) {
   block.rows.clear();
   std::int64_t voxels = 0;
   bool is_one_axis = true;
   for (const VoxelRun& run : runs) {
-    for (const std::size_t p : asked_)
+    for (const std::size_t p : active_)
       block.rows.push_back(row_of(lenses_[p], pictures_[p], run.first, run.axis));
     voxels += run.count;
     is_one_axis = is_one_axis && run.axis == runs.front().axis;
   }
   const auto part_of = [&](std::size_t r, int from, int count) {
     return Part{runs[r], from, count, first_of_run_[first_run + r],
-                block.rows.data() + r * asked_.size()};
+                block.rows.data() + r * active_.size()};
   };
   const VoxelBox box = box_of_runs(runs);
   // If runs are short or far apart, testing the box around them saves little, so each run is tested
@@ -230,22 +232,23 @@ void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Bl
   constexpr std::int64_t kMostEmpty = 2, kLeastParts = 4;
   if (!is_one_axis || voxels_of(box) > kMostEmpty * voxels ||
       voxels < kLeastParts * kPart * std::int64_t(runs.size())) {
-    block.open.resize(asked_.size());
+    block.open.resize(active_.size());
     std::iota(block.open.begin(), block.open.end(), std::size_t(0));
-    for (std::size_t r = 0; r < runs.size(); ++r) judge_part(part_of(r, 0, runs[r].count), block);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      classify_part(part_of(r, 0, runs[r].count), block);
     return;
   }
   const int axis = runs.front().axis;
   const int begin = VoxelRun{box.low, axis, 0}.begin(), end = VoxelRun{box.high, axis, 0}.begin();
   for (int from = begin; from <= end; from += kPart) {
     const int last = std::min(from + kPart - 1, end);
-    const auto along = [&](VoxelAt at, int place) {
+    const auto along = [&](VoxelPosition at, int place) {
       (axis == 0 ? at.x : axis == 1 ? at.y : at.z) = place;
       return at;
     };
     const VoxelBox part{along(box.low, from), along(box.high, last)};
     const bool all_background = is_background(part);
-    if (!all_background) find_open(part, block.open);
+    if (!all_background) find_undecided(part, block.open);
     for (std::size_t r = 0; r < runs.size(); ++r) {
       const int low = std::max(from, runs[r].begin()) - runs[r].begin();
       const int high = std::min(last, runs[r].begin() + runs[r].count - 1) - runs[r].begin();
@@ -254,7 +257,7 @@ void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Bl
         std::fill_n(verdicts_.begin() + std::ptrdiff_t(first_of_run_[first_run + r]) + low,
                     high - low + 1, Verdict::kBackground);
       } else if (!block.open.empty()) {  // else hidden, which is the initial verdict
-        judge_part(part_of(r, low, high - low + 1), block);
+        classify_part(part_of(r, low, high - low + 1), block);
       }
     }
   }
@@ -265,30 +268,30 @@ void Sweep::put_in_order(Block& block) {
   std::vector<std::size_t> order(block.places.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::ranges::sort(order, {}, [&](std::size_t i) { return block.places[i]; });
-  std::vector<VoxelAt> colored;
-  std::vector<Seen> seen;
+  std::vector<VoxelPosition> colored;
+  std::vector<VoxelObservation> observations;
   for (const std::size_t i : order) {
     colored.push_back(block.colored[i]);
-    seen.push_back(block.seen[i]);
+    observations.push_back(block.observations[i]);
   }
   block.colored = std::move(colored);
-  block.seen = std::move(seen);
+  block.observations = std::move(observations);
 }
 
-void Sweep::judge_part(const Part& part, Block& block) {
+void Sweep::classify_part(const Part& part, Block& block) {
   // Leaves out pictures in which nothing of the part is visible; the tests of colours stay at the
   // same places in the sequence.
-  block.asked.clear();
+  block.active_rows.clear();
   std::size_t trial = 0;
   for (const std::size_t i : block.open) {
     const std::size_t its_trial = i / std::size_t(kPicturesBetweenTrials);
-    if (!block.asked.empty()) block.asked.back().is_trial = its_trial != trial;
+    if (!block.active_rows.empty()) block.active_rows.back().is_trial = its_trial != trial;
     trial = its_trial;
-    block.asked.push_back(part.rows[i]);
+    block.active_rows.push_back(part.rows[i]);
   }
-  if (!block.asked.empty()) {
-    block.asked.back().is_trial =
-        (trial + 1) * std::size_t(kPicturesBetweenTrials) <= asked_.size();
+  if (!block.active_rows.empty()) {
+    block.active_rows.back().is_trial =
+        (trial + 1) * std::size_t(kPicturesBetweenTrials) <= active_.size();
   }
   for (auto& sums : block.sums) {
     if (sums.size() < std::size_t(part.count + kMostLanes))
@@ -298,8 +301,8 @@ void Sweep::judge_part(const Part& part, Block& block) {
                     block.sums[3].data(), block.sums[4].data(), block.sums[5].data(),
                     block.sums[6].data()};
   voxel_kernels(settings_.target)
-      .sum_row(block.asked.data(), int(block.asked.size()), part.run.begin() + part.from,
-               part.count, most_deviations_, out);
+      .sum_row(block.active_rows.data(), int(block.active_rows.size()),
+               part.run.begin() + part.from, part.count, most_deviations_, out);
   const bool has_spread = wants_spread(settings_);
   for (int i = 0; i < part.count; ++i) {
     Verdict& verdict = verdicts_[part.at + std::size_t(part.from + i)];
@@ -309,7 +312,7 @@ void Sweep::judge_part(const Part& part, Block& block) {
                                                   : Verdict::kHidden;
       continue;
     }
-    Seen seen;
+    VoxelObservation seen;
     seen.sums.count = out.count[i];
     seen.sums.channel[0] = out.a[i];
     seen.sums.channel[1] = out.b[i];
@@ -320,19 +323,19 @@ void Sweep::judge_part(const Part& part, Block& block) {
       seen.spread = out.spread[i];
       seen.least_spread = out.least_spread[i];
     }
-    verdict = judge(seen);
+    verdict = classify_voxel(seen);
     if (verdict != Verdict::kColored) continue;
     block.places.push_back(part.at + std::size_t(part.from + i));
-    keep(part.run, part.from + i, seen, block);
+    add_colored(part.run, part.from + i, seen, block);
   }
 }
 
 // Looks up one voxel in all pictures, with any footprint.
-Seen Sweep::look_up(const VoxelRun& run, int i) const {
-  Seen seen;
+VoxelObservation Sweep::look_up(const VoxelRun& run, int i) const {
+  VoxelObservation seen;
   const int first = run.begin();
   int asked = 0;
-  for (const std::size_t p : asked_) {
+  for (const std::size_t p : active_) {
     const PackedPicture& picture = pictures_[p];
     const GridPicture& lens = lenses_[p];
     const RowPicture row = row_of(lens, picture, run.first, run.axis);
@@ -349,7 +352,7 @@ Seen Sweep::look_up(const VoxelRun& run, int i) const {
       add_word(here, word);
       if (!picture.spread.empty()) spread = picture.spread[pixel];
     });
-    if (is_framed ? !has_object : picture.has_whole) {
+    if (is_framed ? !has_object : picture.shows_whole_object) {
       seen.is_background = true;
       return seen;
     }
@@ -382,22 +385,23 @@ void Sweep::hide(std::size_t p, const RowPicture& row, int place) {
   });
 }
 
-void Sweep::judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occluders occluders) {
+void Sweep::classify_voxels(const VoxelRun& run, std::size_t at, Block& block,
+                            Occluders occluders) {
   for (int i = 0; i < run.count; ++i) {
-    const Seen seen = look_up(run, i);
+    const VoxelObservation seen = look_up(run, i);
     Verdict& verdict = verdicts_[at + std::size_t(i)];
-    verdict = judge(seen);
-    if (verdict == Verdict::kColored) keep(run, i, seen, block);
-    if (settings_.update == Update::kVoxel && is_occluder(verdict, occluders)) {
-      for (const std::size_t p : asked_)
+    verdict = classify_voxel(seen);
+    if (verdict == Verdict::kColored) add_colored(run, i, seen, block);
+    if (settings_.update == OcclusionUpdate::kVoxel && is_occluder(verdict, occluders)) {
+      for (const std::size_t p : active_)
         hide(p, row_of(lenses_[p], run.first, run.axis), run.begin() + i);
     }
   }
 }
 
-void Sweep::judge_layer(std::span<const VoxelRun> runs, Occluders occluders) {
-  // If a voxel depends on what the previous one hides, the voxels cannot be judged in parallel.
-  const bool in_turn = settings_.update == Update::kVoxel;
+void Sweep::classify_layer(std::span<const VoxelRun> runs, Occluders occluders) {
+  // If a voxel depends on what the previous one hides, the voxels cannot be classified in parallel.
+  const bool in_turn = settings_.update == OcclusionUpdate::kVoxel;
   constexpr std::size_t kRunsOfBlock = 8;
   const std::size_t of_block = in_turn ? std::max<std::size_t>(runs.size(), 1) : kRunsOfBlock;
   std::vector<Block> blocks((runs.size() + of_block - 1) / of_block);
@@ -406,56 +410,56 @@ void Sweep::judge_layer(std::span<const VoxelRun> runs, Occluders occluders) {
     Block& block = blocks[b];
     const std::size_t begin = b * of_block, end = std::min(begin + of_block, runs.size());
     if (by_row) {
-      judge_runs(runs.subspan(begin, end - begin), begin, block);
+      classify_runs(runs.subspan(begin, end - begin), begin, block);
       put_in_order(block);
       return;
     }
     for (std::size_t r = begin; r < end; ++r)
-      judge_voxels(runs[r], first_of_run_[r], block, occluders);
+      classify_voxels(runs[r], first_of_run_[r], block, occluders);
   });
   colored_.clear();
-  seen_.clear();
+  observations_.clear();
   for (const Block& block : blocks) {
     colored_.insert(colored_.end(), block.colored.begin(), block.colored.end());
-    seen_.insert(seen_.end(), block.seen.begin(), block.seen.end());
+    observations_.insert(observations_.end(), block.observations.begin(), block.observations.end());
   }
 }
 
 void Sweep::hide_layer(std::span<const VoxelRun> runs, Occluders occluders) {
-  struct Hider {
+  struct Occluder {
     std::size_t run;
     int i;
   };
-  std::vector<Hider> hiders;
+  std::vector<Occluder> hiding_voxels;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (int i = 0; i < runs[r].count; ++i) {
       if (is_occluder(verdicts_[first_of_run_[r] + std::size_t(i)], occluders))
-        hiders.push_back({r, i});
+        hiding_voxels.push_back({r, i});
     }
   }
-  if (hiders.empty()) return;
-  for_blocks(asked_.size(), settings_.threads, [&](std::size_t index) {
-    const std::size_t p = asked_[index];
+  if (hiding_voxels.empty()) return;
+  for_blocks(active_.size(), settings_.threads, [&](std::size_t index) {
+    const std::size_t p = active_[index];
     RowPicture row{};
     std::size_t row_is_of = runs.size();
     int first = 0;
-    for (const Hider& hider : hiders) {
-      const VoxelRun& run = runs[hider.run];
-      if (hider.run != row_is_of) {
+    for (const Occluder& occluder : hiding_voxels) {
+      const VoxelRun& run = runs[occluder.run];
+      if (occluder.run != row_is_of) {
         row = row_of(lenses_[p], run.first, run.axis);
-        row_is_of = hider.run;
+        row_is_of = occluder.run;
         first = run.begin();
       }
-      hide(p, row, first + hider.i);
+      hide(p, row, first + occluder.i);
     }
   });
 }
 
 void Sweep::layer(std::span<const VoxelRun> runs, std::span<const std::uint8_t> active,
                   Occluders occluders) {
-  asked_.clear();
+  active_.clear();
   for (const std::size_t p : order_)
-    if (active.empty() || active[p] != 0) asked_.push_back(p);
+    if (active.empty() || active[p] != 0) active_.push_back(p);
   first_of_run_.clear();
   std::size_t voxels = 0;
   for (const VoxelRun& run : runs) {
@@ -463,8 +467,8 @@ void Sweep::layer(std::span<const VoxelRun> runs, std::span<const std::uint8_t> 
     voxels += std::size_t(run.count);
   }
   verdicts_.assign(voxels, Verdict::kHidden);
-  judge_layer(runs, occluders);
-  if (settings_.update == Update::kLayer) hide_layer(runs, occluders);
+  classify_layer(runs, occluders);
+  if (settings_.update == OcclusionUpdate::kLayer) hide_layer(runs, occluders);
 }
 
 }  // namespace glassbox::views

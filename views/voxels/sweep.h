@@ -31,21 +31,21 @@ using VerdictCounts = std::array<std::int64_t, kVerdicts>;
 
 // `count` voxels from `first` on, along an axis of the grid.
 struct VoxelRun {
-  VoxelAt first;
+  VoxelPosition first;
   int axis = 0;
   int count = 0;
 
   // The coordinate of the first voxel along the axis.
   int begin() const { return axis == 0 ? first.x : axis == 1 ? first.y : first.z; }
-  VoxelAt at(int i) const {
-    VoxelAt voxel = first;
+  VoxelPosition at(int i) const {
+    VoxelPosition voxel = first;
     (axis == 0 ? voxel.x : axis == 1 ? voxel.y : voxel.z) += i;
     return voxel;
   }
 };
 
 struct ColoredVoxel {
-  VoxelAt at;
+  VoxelPosition at;
   Rgba8 color;              // the mean of its pixels
   std::uint16_t views = 0;  // pictures that see it
   float deviation = 0;      // pooled over the channels, levels
@@ -69,31 +69,33 @@ public:
   Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
         const ColoringSettings& settings, const std::vector<double>& ratios);
 
-  // Judges the voxels of one layer, and then hides what is behind them. The verdicts are in the
+  // Classifies the voxels of one layer, and then hides what is behind them. The verdicts are in the
   // order of the runs. Pictures that are not `active` (one flag each; empty: all are) are not
   // looked at, and nothing is hidden in them.
   void layer(std::span<const VoxelRun> runs, std::span<const std::uint8_t> active,
              Occluders occluders);
 
   std::span<const Verdict> verdicts() const { return verdicts_; }  // of the last layer
-  const std::vector<Seen>& seen() const { return seen_; }          // of its coloured voxels
-  const std::vector<VoxelAt>& colored() const { return colored_; }
+  const std::vector<VoxelObservation>& observations() const {
+    return observations_;
+  }  // of its coloured voxels
+  const std::vector<VoxelPosition>& colored() const { return colored_; }
 
 private:
   struct Block;
   struct Part;
-  Verdict judge(const Seen& seen) const;
+  Verdict classify_voxel(const VoxelObservation& seen) const;
   double limit(std::int64_t pixels) const;
-  Seen look_up(const VoxelRun& run, int i) const;
+  VoxelObservation look_up(const VoxelRun& run, int i) const;
   bool is_background(const VoxelBox& box) const;
-  void find_open(const VoxelBox& box, std::vector<std::size_t>& open) const;
-  void judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block);
-  void judge_part(const Part& part, Block& block);
+  void find_undecided(const VoxelBox& box, std::vector<std::size_t>& open) const;
+  void classify_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block);
+  void classify_part(const Part& part, Block& block);
   static void put_in_order(Block& block);
-  void judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occluders occluders);
-  void keep(const VoxelRun& run, int i, const Seen& seen, Block& block) const;
-  Rgba8 mean_color(const VoxelRun& run, int i, const Seen& seen) const;
-  void judge_layer(std::span<const VoxelRun> runs, Occluders occluders);
+  void classify_voxels(const VoxelRun& run, std::size_t at, Block& block, Occluders occluders);
+  void add_colored(const VoxelRun& run, int i, const VoxelObservation& seen, Block& block) const;
+  Rgba8 mean_color(const VoxelRun& run, int i, const VoxelObservation& seen) const;
+  void classify_layer(std::span<const VoxelRun> runs, Occluders occluders);
   void hide_layer(std::span<const VoxelRun> runs, Occluders occluders);
   void hide(std::size_t picture, const RowPicture& row, int place);
 
@@ -103,14 +105,14 @@ private:
   std::vector<GridPicture> lenses_;
   // Order of the pictures, in which different directions of view come early.
   std::vector<std::size_t> order_;
-  std::vector<std::size_t> asked_;  // those of order_ that are active
+  std::vector<std::size_t> active_;  // those of order_ that are active
   const std::vector<double>& ratios_;
   std::vector<PixelTiles> tiles_;
   float most_deviations_ = 0;
   std::vector<Verdict> verdicts_;
   std::vector<std::size_t> first_of_run_;
-  std::vector<VoxelAt> colored_;
-  std::vector<Seen> seen_;
+  std::vector<VoxelPosition> colored_;
+  std::vector<VoxelObservation> observations_;
 };
 
 }  // namespace glassbox::views

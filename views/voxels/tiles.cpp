@@ -30,7 +30,7 @@ PixelTiles::PixelTiles(const PackedPicture& picture)
       words_((width_ + 63) / 64),
       pixels_wide_(picture.width),
       pixels_high_(picture.height),
-      has_whole_(picture.has_whole),
+      shows_whole_object_(picture.shows_whole_object),
       left_(std::size_t(width_) * std::size_t(height_), 0),
       background_(std::size_t(words_) * std::size_t(height_), 0),
       hidden_(background_) {
@@ -68,11 +68,11 @@ void PixelTiles::hide(int column, int row) {
       std::uint64_t(1) << (std::uint32_t(x) & kOneBit);
 }
 
-bool PixelTiles::sticks_out(const PixelRect& rect) const {
+bool PixelTiles::is_partly_outside(const PixelRect& rect) const {
   return rect.left < 0 || rect.top < 0 || rect.right >= pixels_wide_ || rect.bottom >= pixels_high_;
 }
 
-PixelRect PixelTiles::kept_inside(const PixelRect& rect) const {
+PixelRect PixelTiles::clipped_to_picture(const PixelRect& rect) const {
   return {std::max<std::int64_t>(rect.left, 0), std::max<std::int64_t>(rect.top, 0),
           std::min<std::int64_t>(rect.right, pixels_wide_ - 1),
           std::min<std::int64_t>(rect.bottom, pixels_high_ - 1)};
@@ -92,13 +92,13 @@ bool PixelTiles::has_all(const std::vector<std::uint64_t>& bits, const PixelRect
 }
 
 bool PixelTiles::is_background(const PixelRect& rect) const {
-  if (!has_whole_ && sticks_out(rect)) return false;
-  return has_all(background_, kept_inside(rect));
+  if (!shows_whole_object_ && is_partly_outside(rect)) return false;
+  return has_all(background_, clipped_to_picture(rect));
 }
 
 bool PixelTiles::is_hidden(const PixelRect& rect) const {
-  if (has_whole_ && sticks_out(rect)) return false;
-  return has_all(hidden_, kept_inside(rect));
+  if (shows_whole_object_ && is_partly_outside(rect)) return false;
+  return has_all(hidden_, clipped_to_picture(rect));
 }
 
 std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {

@@ -34,19 +34,19 @@ public:
 
 private:
   bool has_all(const std::vector<std::uint64_t>& bits, const PixelRect& inside) const;
-  bool sticks_out(const PixelRect& rect) const;
-  PixelRect kept_inside(const PixelRect& rect) const;
+  bool is_partly_outside(const PixelRect& rect) const;
+  PixelRect clipped_to_picture(const PixelRect& rect) const;
 
   int width_, height_, words_;  // number of tiles, and of words for their bits in a row
   int pixels_wide_, pixels_high_;
-  bool has_whole_;                  // everything outside of the picture is background
+  bool shows_whole_object_;         // everything outside of the picture is background
   std::vector<std::uint8_t> left_;  // pixels of each tile that are visible or background
   std::vector<std::uint64_t> background_, hidden_;  // one bit for each tile: the whole tile is
 };
 
 // A box of voxels, both ends included.
 struct VoxelBox {
-  VoxelAt low, high;
+  VoxelPosition low, high;
 };
 
 // A rectangle that contains the pixels of all centres of the box, as computed in float

@@ -21,16 +21,16 @@ void for_each_triangle(const Scene& scene, const VoxelGrid& grid, const Each& ea
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const auto& world_from_object = scene.nodes[instance.node].world_from_node;
-    std::vector<Vector3d> places;
+    std::vector<Vector3d> points;
     for (const Point<Object>& p : mesh.positions) {
       const auto world =
           world_from_object * Point<Object, double>(double(p.x), double(p.y), double(p.z));
-      places.push_back(grid.coordinates({world.x, world.y, world.z}));
+      points.push_back(grid.coordinates({world.x, world.y, world.z}));
     }
     for (const Face& face : mesh.faces) {
       for (std::uint32_t i = 2; i < face.count; ++i) {
         const auto at = [&](std::uint32_t corner) {
-          return places[mesh.corners[face.first + corner].position];
+          return points[mesh.corners[face.first + corner].position];
         };
         each(at(0), at(i - 1), at(i));
       }
@@ -41,14 +41,14 @@ void for_each_triangle(const Scene& scene, const VoxelGrid& grid, const Each& ea
 // The lines are shifted slightly away from the centres, by numbers that corners with few digits
 // cannot have: in such scenes voxel centres are often exactly in line with an edge. A line that
 // meets an edge nevertheless counts it once too often or not at all.
-constexpr double kBesideX = 0x1.6a09e6p-22, kBesideY = 0x1.bb67aep-23;
+constexpr double kLineOffsetX = 0x1.6a09e6p-22, kLineOffsetY = 0x1.bb67aep-23;
 
-class Lines {
+class CrossingLists {
 public:
-  explicit Lines(const VoxelGrid& grid)
+  explicit CrossingLists(const VoxelGrid& grid)
       : count_(grid.count), crossings_(std::size_t(count_[0]) * std::size_t(count_[1])) {}
 
-  void cut(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  void add_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
     if (area == 0) return;
     const int x0 = first(std::min({a.x(), b.x(), c.x()}), 0),
@@ -57,7 +57,7 @@ public:
               y1 = last(std::max({a.y(), b.y(), c.y()}), 1);
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
-        const double px = x + 0.5 + kBesideX, py = y + 0.5 + kBesideY;
+        const double px = x + 0.5 + kLineOffsetX, py = y + 0.5 + kLineOffsetY;
         const auto edge = [&](const Vector3d& p, const Vector3d& q) {
           return ((q.x() - p.x()) * (py - p.y()) - (q.y() - p.y()) * (px - p.x())) / area;
         };
@@ -85,9 +85,9 @@ private:
 };
 
 // Points sorted into cells of a few voxels, to find nearest neighbours.
-class Places {
+class PointGrid {
 public:
-  explicit Places(const std::vector<Vector3d>& points) : points_(points) {
+  explicit PointGrid(const std::vector<Vector3d>& points) : points_(points) {
     low_ = Vector3d::Constant(INFINITY);
     Vector3d high = -low_;
     for (const Vector3d& p : points) {
@@ -183,9 +183,9 @@ double TrueVolume::bytes_for(const VoxelGrid& grid) {
 
 TrueVolume::TrueVolume(const Scene& scene, const VoxelGrid& grid)
     : count_(grid.count), bits_(std::size_t(grid.voxels() + 63) / 64, 0) {
-  Lines lines(grid);
+  CrossingLists lines(grid);
   for_each_triangle(scene, grid, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-    lines.cut(a, b, c);
+    lines.add_triangle(a, b, c);
   });
   for (int y = 0; y < count_[1]; ++y) {
     for (int x = 0; x < count_[0]; ++x) {
@@ -221,16 +221,16 @@ void Overlap::add(std::span<const VoxelRun> runs, std::span<const Verdict> verdi
   }
 }
 
-SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
-                         const VoxelGrid& grid) {
-  SeenSurface surface;
+VisibleSurface visible_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
+                               const VoxelGrid& grid) {
+  VisibleSurface surface;
   const double diagonal = grid.size * std::sqrt(3.0);
   std::size_t shown = 0;
   for (const Image<float>& image : distances)
     shown +=
         std::size_t(std::ranges::count_if(image.pixels, [](float d) { return std::isfinite(d); }));
-  surface.once.reserve(shown);
-  surface.twice.reserve(shown);
+  surface.in_one_picture.reserve(shown);
+  surface.in_two_pictures.reserve(shown);
   for (std::size_t p = 0; p < set.pictures.size(); ++p) {
     const PinholeCamera& camera = set.pictures[p].camera;
     for (int y = 0; y < distances[p].height; ++y) {
@@ -245,7 +245,7 @@ SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>&
         for (int axis = 0; axis < 3; ++axis)
           is_in = is_in && point[axis] >= 0 && point[axis] <= grid.count[std::size_t(axis)];
         if (!is_in) continue;
-        surface.once.push_back(point);
+        surface.in_one_picture.push_back(point);
         for (std::size_t q = 0; q < set.pictures.size(); ++q) {
           if (q == p) continue;
           const Vector3d there = project(set.pictures[q].camera, world);
@@ -255,7 +255,7 @@ SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>&
             continue;
           const double seen = double(distances[q].at(int(column), int(row)));
           if (std::abs(seen - there.z()) > diagonal) continue;
-          surface.twice.push_back(point);
+          surface.in_two_pictures.push_back(point);
           break;
         }
       }
@@ -282,14 +282,15 @@ Result<std::vector<Image<float>>> true_distances(const Scene& scene, const Pictu
 double surface_error_bytes(const PictureSet& set, double voxels) {
   // A distance for each pixel; the points that are seen once and those seen twice; and the voxels'
   // centres. For one of these sets at a time, three numbers for each point say in which cell it is
-  // (Places).
-  constexpr double kPoint = sizeof(Vector3d), kPlace = 3 * sizeof(std::uint32_t);
+  // (PointGrid).
+  constexpr double kPoint = sizeof(Vector3d), kCellNumbers = 3 * sizeof(std::uint32_t);
   const double points = object_pixels_of(set);
   return pixels_of(set) * sizeof(float) + 2 * points * kPoint + voxels * kPoint +
-         std::max(points, voxels) * kPlace;
+         std::max(points, voxels) * kCellNumbers;
 }
 
-SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface) {
+SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels,
+                             const VisibleSurface& surface) {
   SurfaceErrors errors;
   std::vector<Vector3d> centres;
   centres.reserve(voxels.size());
@@ -301,15 +302,15 @@ SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const Seen
       mean = most = INFINITY;
       return;
     }
-    const Places places(to);
+    const PointGrid points(to);
     for (const Vector3d& p : from) {
-      const double distance = places.distance(p);
+      const double distance = points.distance(p);
       mean += distance / double(from.size());
       most = std::max(most, distance);
     }
   };
-  measure(centres, surface.once, errors.to_truth_mean, errors.to_truth_most);
-  measure(surface.twice, centres, errors.from_truth_mean, errors.from_truth_most);
+  measure(centres, surface.in_one_picture, errors.to_truth_mean, errors.to_truth_most);
+  measure(surface.in_two_pictures, centres, errors.from_truth_mean, errors.from_truth_most);
   return errors;
 }
 

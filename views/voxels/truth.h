@@ -17,7 +17,7 @@ namespace glassbox::views {
 class TrueVolume {
 public:
   TrueVolume(const Scene& scene, const VoxelGrid& grid);
-  bool has(const VoxelAt& at) const {
+  bool has(const VoxelPosition& at) const {
     const std::size_t i = voxel_index(count_, at);
     return (bits_[i / 64] >> (i % 64) & 1) != 0;
   }
@@ -37,7 +37,7 @@ private:
 class Overlap {
 public:
   explicit Overlap(const TrueVolume& truth) : truth_(truth) {}
-  void add(const VoxelAt& at) {
+  void add(const VoxelPosition& at) {
     ++found_;
     both_ += truth_.has(at);
   }
@@ -57,14 +57,14 @@ private:
 
 // Points of the true surface: for each pixel of each picture, the point that it shows. In grid
 // coordinates.
-struct SeenSurface {
-  std::vector<Vector3d> once;   // seen by at least one picture
-  std::vector<Vector3d> twice;  // seen by at least two
+struct VisibleSurface {
+  std::vector<Vector3d> in_one_picture;   // seen by at least one picture
+  std::vector<Vector3d> in_two_pictures;  // seen by at least two
 };
 // `distances` has the engine's distances along the direction of view for each picture. Two pictures
 // see the same point if their distances agree to within a voxel's diagonal.
-SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
-                         const VoxelGrid& grid);
+VisibleSurface visible_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
+                               const VoxelGrid& grid);
 
 // The distances of the pictures, drawn from the scene.
 Result<std::vector<Image<float>>> true_distances(const Scene& scene, const PictureSet& set);
@@ -75,10 +75,11 @@ struct SurfaceErrors {
   double to_truth_mean = 0, to_truth_most = 0, from_truth_mean = 0, from_truth_most = 0;
   double hausdorff() const { return std::max(to_truth_most, from_truth_most); }
 };
-// Bytes that true_distances, seen_surface and surface_errors need together for this many coloured
-// voxels.
+// Bytes that true_distances, visible_surface and surface_errors need together for this many
+// coloured voxels.
 double surface_error_bytes(const PictureSet& set, double voxels);
 // Distances are infinite if there is nothing to measure to.
-SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface);
+SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels,
+                             const VisibleSurface& surface);
 
 }  // namespace glassbox::views

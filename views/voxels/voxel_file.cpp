@@ -23,7 +23,7 @@ void add_vertex(std::string& text, const Vector3d& p, const Rgba8& color) {
 }
 
 struct Side {
-  VoxelAt beside;
+  VoxelPosition beside;
   // counter-clockwise seen from outside; bit 0: high x, bit 1: high y, bit 2: high z.
   int corners[4];
 };
@@ -44,7 +44,7 @@ std::string voxels_ply(const VoxelGrid& grid, const std::vector<ColoredVoxel>& v
     for (const ColoredVoxel& voxel : voxels) colored.insert(key_of(voxel.at));
   }
   for (const ColoredVoxel& voxel : voxels) {
-    const VoxelAt& at = voxel.at;
+    const VoxelPosition& at = voxel.at;
     if (!has_faces) {
       add_vertex(vertices, grid.centre(at), voxel.color);
       ++vertex_count;

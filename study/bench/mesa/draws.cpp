@@ -22,10 +22,10 @@ glm::mat4 gl_matrix(const View& view, const Draw& draw) {
       .columns;
 }
 
-Hidden hidden_faces(const Draw& draw, Cull cull) {
+CulledFaces find_culled_faces(const Draw& draw, Cull cull) {
   const bool front = is_culled(draw, cull, true), back = is_culled(draw, cull, false);
-  if (front && back) return Hidden::kAll;
-  return front ? Hidden::kFront : back ? Hidden::kBack : Hidden::kNone;
+  if (front && back) return CulledFaces::kAll;
+  return front ? CulledFaces::kFront : back ? CulledFaces::kBack : CulledFaces::kNone;
 }
 
 // Whether the matrix is a rotation (or a reflection) times a number, up to rounding errors.
@@ -41,19 +41,20 @@ bool keeps_ratios(const glm::mat3& m) {
   return true;
 }
 
-PeerDraw peer_draw(const BenchScene& bench, const Draw& draw, const View& view) {
-  PeerDraw told;
-  told.material = draw.material;
-  told.mesh = bench.scene.instances[draw.instance].mesh;
-  if (draw.texture != nullptr) told.texture = *draw.material->texture;
-  if (draw.emission_texture != nullptr) told.emission_texture = *draw.material->emission_texture;
-  told.emission = draw.emission;
-  told.hidden = hidden_faces(draw, bench.settings.cull);
-  told.mirrored = draw.mirrored;
-  told.clip_from_object = gl_matrix(view, draw);
-  told.eye_from_object = draw.eye_from_anchored.columns;
-  told.eye_normal_from_object = draw.eye_normal_from_object.columns;
-  return told;
+PeerDraw make_peer_draw(const BenchScene& bench, const Draw& draw, const View& view) {
+  PeerDraw peer_draw;
+  peer_draw.material = draw.material;
+  peer_draw.mesh = bench.scene.instances[draw.instance].mesh;
+  if (draw.texture != nullptr) peer_draw.texture = *draw.material->texture;
+  if (draw.emission_texture != nullptr)
+    peer_draw.emission_texture = *draw.material->emission_texture;
+  peer_draw.emission = draw.emission;
+  peer_draw.culled_faces = find_culled_faces(draw, bench.settings.cull);
+  peer_draw.mirrored = draw.mirrored;
+  peer_draw.clip_from_object = gl_matrix(view, draw);
+  peer_draw.eye_from_object = draw.eye_from_anchored.columns;
+  peer_draw.eye_normal_from_object = draw.eye_normal_from_object.columns;
+  return peer_draw;
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ PeerDraw peer_draw(const BenchScene& bench, const Draw& draw, const View& view) 
 std::vector<PeerDraw> peer_draws(const BenchScene& bench, const DrawList& list, const View& view) {
   std::vector<PeerDraw> draws;
   draws.reserve(list.draws.size());
-  for (const Draw& draw : list.draws) draws.push_back(peer_draw(bench, draw, view));
+  for (const Draw& draw : list.draws) draws.push_back(make_peer_draw(bench, draw, view));
   return draws;
 }
 
@@ -82,7 +83,7 @@ Ingredients ingredients_of(const BenchScene& bench, const PeerDraw& draw,
     found.lights.push_back({light.kind, placed && light.inverse_range > 0});
   }
   found.perspective = lighting.perspective;
-  found.two_sided = draw.hidden != Hidden::kBack;
+  found.two_sided = draw.culled_faces != CulledFaces::kBack;
   found.unequal_normals = !keeps_ratios(draw.eye_normal_from_object);
   const bool shines = !std::ranges::all_of(material.specular, is_zero);
   found.shininess = shines ? material.shininess : 0;

@@ -16,7 +16,7 @@
 
 namespace glassbox::study {
 
-enum class Hidden { kNone, kBack, kFront, kAll };
+enum class CulledFaces { kNone, kBack, kFront, kAll };
 
 struct PeerDraw {
   const Material* material = nullptr;
@@ -24,7 +24,7 @@ struct PeerDraw {
   // Indices into Scene::textures; kNone: no texture.
   std::uint32_t texture = kNone, emission_texture = kNone;
   std::array<float, 3> emission{};
-  Hidden hidden = Hidden::kNone;  // the faces that are culled
+  CulledFaces culled_faces = CulledFaces::kNone;  // the faces that are culled
   bool mirrored = false;
   glm::mat4 clip_from_object{1};  // upside down, depth from -1 to 1
   glm::mat4 eye_from_object{1};

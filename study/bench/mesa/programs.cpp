@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-Result<const GlProgram*> GlPrograms::with(const Ingredients& ingredients) {
+Result<const GlProgram*> GlPrograms::program_for(const Ingredients& ingredients) {
   auto known = made_.find(ingredients);
   if (known == made_.end()) {
     const auto program = make(ingredients);

@@ -24,7 +24,7 @@ public:
 
   // Returns the program for these ingredients. It is compiled, and its lights are set, on the first
   // request. The pointer stays valid.
-  Result<const GlProgram*> with(const Ingredients& ingredients);
+  Result<const GlProgram*> program_for(const Ingredients& ingredients);
 
 private:
   Result<GlProgram> make(const Ingredients& ingredients) const;

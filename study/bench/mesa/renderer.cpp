@@ -13,7 +13,7 @@ struct MesaRenderer::State {
   const GlProgram* program = nullptr;
   const Material* material = nullptr;
   gl::Uint vertex_array = 0, texture = 0, emission_texture = 0;
-  std::optional<Hidden> hidden;
+  std::optional<CulledFaces> culled_faces;
   std::optional<bool> mirrored, blended;
 };
 
@@ -27,7 +27,7 @@ Result<std::unique_ptr<MesaRenderer>> MesaRenderer::make(const BenchScene& bench
 
 MesaRenderer::MesaRenderer(const BenchScene& bench, std::unique_ptr<OsMesa> mesa)
     : bench_(bench),
-      prepared_(prepare(bench.scene, bench.settings.transfer)),
+      prepared_(prepare_scene(bench.scene, bench.settings.transfer)),
       mesa_(std::move(mesa)),
       gl_(mesa_->gl()),
       meshes_(bench.scene.meshes.size()),
@@ -72,13 +72,14 @@ Result<void> MesaRenderer::set_up() {
 // Makes the draws of the pass that was added last.
 Result<void> MesaRenderer::make_draws(const DrawList& list) {
   const View& view = bench_.passes[passes_.size() - 1].view;
-  for (const PeerDraw& told : peer_draws(bench_, list, view)) {
-    if (prepared_.meshes[told.mesh].triangulation.triangles.empty()) continue;
-    if (told.hidden == Hidden::kAll) continue;
-    const auto program = programs_->with(ingredients_of(bench_, told, list.lighting));
+  for (const PeerDraw& peer_draw : peer_draws(bench_, list, view)) {
+    if (prepared_.meshes[peer_draw.mesh].triangulation.triangles.empty()) continue;
+    if (peer_draw.culled_faces == CulledFaces::kAll) continue;
+    const auto program = programs_->program_for(ingredients_of(bench_, peer_draw, list.lighting));
     if (!program) return tl::unexpected(program.error());
-    passes_.back().push_back({told, *program, mesh_of(told), texture_of(told.texture),
-                              texture_of(told.emission_texture)});
+    passes_.back().push_back({peer_draw, *program, mesh_of(peer_draw),
+                              texture_of(peer_draw.texture),
+                              texture_of(peer_draw.emission_texture)});
   }
   return {};
 }
@@ -143,21 +144,23 @@ void MesaRenderer::draw_pass(std::size_t pass) const {
   gl_.ColorMask(bit(mask.r), bit(mask.g), bit(mask.b), bit(mask.a));
   State state;
   for (const GlDraw& draw : passes_[pass]) {
-    const PeerDraw& told = draw.told;
+    const PeerDraw& peer_draw = draw.peer_draw;
     const GlProgram& program = *draw.program;
-    if (state.program != draw.program || state.material != told.material) {
+    if (state.program != draw.program || state.material != peer_draw.material) {
       set_material(draw, state);
     }
     set_textures(draw, state);
-    set_faces(told, state);
-    set_blending(told, state);
-    gl_.UniformMatrix4fv(program.clip_from_object, 1, gl::kFalse, &told.clip_from_object[0][0]);
+    set_faces(peer_draw, state);
+    set_blending(peer_draw, state);
+    gl_.UniformMatrix4fv(program.clip_from_object, 1, gl::kFalse,
+                         &peer_draw.clip_from_object[0][0]);
     if (program.eye_from_object >= 0) {
-      gl_.UniformMatrix4fv(program.eye_from_object, 1, gl::kFalse, &told.eye_from_object[0][0]);
+      gl_.UniformMatrix4fv(program.eye_from_object, 1, gl::kFalse,
+                           &peer_draw.eye_from_object[0][0]);
     }
     if (program.eye_normal_from_object >= 0) {
       gl_.UniformMatrix3fv(program.eye_normal_from_object, 1, gl::kFalse,
-                           &told.eye_normal_from_object[0][0]);
+                           &peer_draw.eye_normal_from_object[0][0]);
     }
     if (state.vertex_array != draw.mesh.vertex_array) gl_.BindVertexArray(draw.mesh.vertex_array);
     state.vertex_array = draw.mesh.vertex_array;
@@ -166,15 +169,15 @@ void MesaRenderer::draw_pass(std::size_t pass) const {
 }
 
 void MesaRenderer::set_material(const GlDraw& draw, State& state) const {
-  const Material& material = *draw.told.material;
+  const Material& material = *draw.peer_draw.material;
   const GlProgram& program = *draw.program;
   if (state.program != draw.program) gl_.UseProgram(program.name);
   gl_.Uniform4fv(program.base_color, 1, &material.base_color.r);
   gl_.Uniform1f(program.cutoff, material.alpha_cutoff);
-  gl_.Uniform3fv(program.emission, 1, draw.told.emission.data());
+  gl_.Uniform3fv(program.emission, 1, draw.peer_draw.emission.data());
   gl_.Uniform3fv(program.specular_color, 1, material.specular.data());
   state.program = draw.program;
-  state.material = draw.told.material;
+  state.material = draw.peer_draw.material;
 }
 
 void MesaRenderer::set_textures(const GlDraw& draw, State& state) const {
@@ -189,19 +192,19 @@ void MesaRenderer::set_textures(const GlDraw& draw, State& state) const {
 }
 
 void MesaRenderer::set_faces(const PeerDraw& draw, State& state) const {
-  if (state.hidden != draw.hidden) {
-    if (draw.hidden == Hidden::kNone) {
+  if (state.culled_faces != draw.culled_faces) {
+    if (draw.culled_faces == CulledFaces::kNone) {
       gl_.Disable(gl::kCullFace);
     } else {
       gl_.Enable(gl::kCullFace);
-      gl_.CullFace(draw.hidden == Hidden::kBack ? gl::kBack : gl::kFront);
+      gl_.CullFace(draw.culled_faces == CulledFaces::kBack ? gl::kBack : gl::kFront);
     }
   }
   // The picture is upside down, so counter-clockwise triangles become clockwise.
   if (state.mirrored != draw.mirrored) {
     gl_.FrontFace(draw.mirrored ? gl::kCounterClockwise : gl::kClockwise);
   }
-  state.hidden = draw.hidden;
+  state.culled_faces = draw.culled_faces;
   state.mirrored = draw.mirrored;
 }
 

@@ -33,7 +33,7 @@ public:
 
 private:
   struct GlDraw {
-    PeerDraw told;
+    PeerDraw peer_draw;
     const GlProgram* program = nullptr;
     GlMesh mesh;
     gl::Uint texture = 0, emission_texture = 0;  // 0: none

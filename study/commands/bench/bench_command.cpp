@@ -148,7 +148,8 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
   progress.phase("loading " + name);
   const Result<BenchScene> bench = load_bench_scene(name, drawing_);
   if (!bench) return tl::unexpected(bench.error());
-  for (const std::string& warning : bench->scene.warnings) progress.say("warning: " + warning);
+  for (const std::string& warning : bench->scene.warnings)
+    progress.print_line("warning: " + warning);
   const auto alone = against_ ? study::peer_cannot_draw(*bench) : std::nullopt;
   for (const int threads : threads_) {
     progress.phase(fmt::format("drawing {} with {}", name, counted(threads, "thread")));
@@ -199,10 +200,10 @@ int BenchCommand::run_matching() {
                        "leave out --scaling, --floor, --html, --samples and --stereo")
                       .value());
   }
-  MatchingQuestion question{scenes_, {640, 480}, threads_, frames_, engine_.tile.target};
-  if (size_option_->count() > 0) question.size = drawing_.size;
+  MatchingBenchOptions options{scenes_, {640, 480}, threads_, frames_, engine_.tile.target};
+  if (size_option_->count() > 0) options.size = drawing_.size;
   Progress progress;
-  const auto report = measure_matching(question, progress);
+  const auto report = measure_matching(options, progress);
   if (!report) return refuse(report.error());
   progress.done();
   if (json_output_) {

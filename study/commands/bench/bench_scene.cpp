@@ -33,7 +33,8 @@ Error with_bench_scenes(Error error, const std::string& name) {
   return error;
 }
 
-Result<BenchScene> load_any(const std::string& name, const std::string& source, const Size& size) {
+Result<BenchScene> load_by_source(const std::string& name, const std::string& source,
+                                  const Size& size) {
   if (study::is_bench_scene(source))
     return study::make_bench_scene(source, size.width, size.height);
   Result<Scene> scene = load_scene(source);
@@ -45,10 +46,10 @@ Result<BenchScene> load_any(const std::string& name, const std::string& source, 
   return study::make_bench_scene(name, std::move(*scene), chosen->view);
 }
 
-Result<BenchScene> load_real(const RealScene& known, const Size& size) {
+Result<BenchScene> load_real_scene(const RealScene& known, const Size& size) {
   if (known.source.empty()) return study::make_real_scene(known.name, size.width, size.height);
-  auto bench = load_any(std::string(known.name),
-                        known.is_asset ? path_of(known) : std::string(known.source), size);
+  auto bench = load_by_source(std::string(known.name),
+                              known.is_asset ? path_of(known) : std::string(known.source), size);
   if (bench) {
     bench->name = known.name;
     bench->settings.samples = known.samples;
@@ -58,7 +59,7 @@ Result<BenchScene> load_real(const RealScene& known, const Size& size) {
 
 // Draws both eyes of a scene that has one view into one picture: the left eye into the red channel,
 // the right one into the other channels.
-Result<void> see_with_both_eyes(BenchScene& bench) {
+Result<void> add_second_eye(BenchScene& bench) {
   if (bench.stereo) return {};
   const View centre = bench.passes.front().view;
   const auto chosen = choose_pair(bench.scene, centre, bench.settings, {}, std::nullopt);
@@ -100,13 +101,13 @@ std::vector<std::string> words_of(const BenchDrawing& drawing) {
 
 Result<BenchScene> load_bench_scene(const std::string& name, const BenchDrawing& drawing) {
   const RealScene* known = study::find_real_scene(name);
-  auto bench =
-      known != nullptr ? load_real(*known, drawing.size) : load_any(name, name, drawing.size);
+  auto bench = known != nullptr ? load_real_scene(*known, drawing.size)
+                                : load_by_source(name, name, drawing.size);
   if (!bench) return bench;
   bench->settings.want_depth = true;  // because the peers write depth too
   if (drawing.samples) bench->settings.samples = *drawing.samples;
   if (drawing.anaglyph) {
-    if (const auto seen = see_with_both_eyes(*bench); !seen) return tl::unexpected(seen.error());
+    if (const auto seen = add_second_eye(*bench); !seen) return tl::unexpected(seen.error());
   }
   return bench;
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/report/scratch.h"
+#include "cli/report/scratch_directory.h"
 #include "cli/report/text_layout.h"
 #include "study/bench/machine.h"
 #include "study/bench/statistics.h"
@@ -47,25 +47,25 @@ Result<views::MatchInput> read_pair(const std::string& name, const Size& size, P
   return views::read_match_input(sources, progress);
 }
 
-Result<Matcher> measure_ours(const views::MatchInput& input, const char* method,
-                             const views::DisparityRange& range, int threads,
-                             const MatchingQuestion& question) {
+Result<MatcherResult> measure_ours(const views::MatchInput& input, const char* method,
+                                   const views::DisparityRange& range, int threads,
+                                   const MatchingBenchOptions& options) {
   views::MatchSettings settings = *views::settings_named(method);
   settings.range = range;
   settings.threads = threads;
-  settings.target = question.target;
-  Matcher matcher;
+  settings.target = options.target;
+  MatcherResult matcher;
   matcher.name = fmt::format("glassbox {}", method);
   std::vector<double> cpu, wall;
-  for (int frame = 0; frame <= question.frames; ++frame) {
+  for (int frame = 0; frame <= options.frames; ++frame) {
     const double before = processor_ms();
     const auto start = std::chrono::steady_clock::now();
     const auto match = views::match_pictures(input.left, input.right, settings);
     if (!match) return tl::unexpected(match.error());
     const double took_ms = elapsed_ms(start);
     if (frame == 0) {
-      matcher.visible =
-          views::evaluate(match->disparity, input.truth->disparity, &input.truth->is_visible);
+      matcher.visible = views::disparity_errors(match->disparity, input.truth->disparity,
+                                                &input.truth->is_visible);
       continue;
     }
     cpu.push_back(processor_ms() - before);
@@ -76,26 +76,26 @@ Result<Matcher> measure_ours(const views::MatchInput& input, const char* method,
   return matcher;
 }
 
-class Measuring {
+class MatchingBench {
 public:
-  Measuring(const MatchingQuestion& question, Progress& progress)
-      : question_(question), progress_(progress) {
+  MatchingBench(const MatchingBenchOptions& options, Progress& progress)
+      : options_(options), progress_(progress) {
     report_.machine = study::machine_name();
     report_.compiler = study::compiler_name();
-    report_.target = name_of(question.target);
-    report_.frames = question.frames;
+    report_.target = name_of(options.target);
+    report_.frames = options.frames;
   }
 
   Result<void> pair(const std::string& name) {
-    const auto input = read_pair(name, question_.size, progress_);
+    const auto input = read_pair(name, options_.size, progress_);
     if (!input) return tl::unexpected(input.error());
     const views::DisparityRange range =
         is_directory(name) ? views::DisparityRange{} : views::range_of(*input->truth);
-    for (const int threads : question_.threads) {
-      MatchedPair pair{input->about, threads, range.count(), {}};
+    for (const int threads : options_.threads) {
+      MatchedPair pair{input->description, threads, range.count(), {}};
       progress_.phase(fmt::format("matching {} with {}", name, counted(threads, "thread")));
       for (const char* method : {"fast", "default"}) {
-        auto ours = measure_ours(*input, method, range, threads, question_);
+        auto ours = measure_ours(*input, method, range, threads, options_);
         if (!ours) return tl::unexpected(ours.error());
         pair.matchers.push_back(std::move(*ours));
       }
@@ -115,36 +115,38 @@ private:
     if (!scratch) return tl::unexpected(scratch.error());
     for (const PeerPaths paths : {PeerPaths::kThree, PeerPaths::kEight}) {
       if (is_missing_) return {};
-      auto peer = match_with_opencv(input.left, input.right, range, paths, threads,
-                                    question_.frames, *scratch);
+      auto peer = match_with_opencv(input.left, input.right, range, paths, threads, options_.frames,
+                                    *scratch);
       if (!peer) {
         is_missing_ = peer.error().cause == kPeerIsMissing;
-        report_.notes.push_back(
-            is_missing_ ? fmt::format("OpenCV is left out: {}.", peer.error().message())
-                        : fmt::format("{} did not match {}, {}: {}.", name_of(paths), pair.about,
-                                      counted(threads, "thread"), peer.error().message()));
+        report_.notes.push_back(is_missing_
+                                    ? fmt::format("OpenCV is left out: {}.", peer.error().message())
+                                    : fmt::format("{} did not match {}, {}: {}.", name_of(paths),
+                                                  pair.description, counted(threads, "thread"),
+                                                  peer.error().message()));
         continue;
       }
       report_.peer = "OpenCV " + peer->version;
-      pair.matchers.push_back(
-          {name_of(paths), study::median(peer->cpu_ms), study::median(peer->wall_ms),
-           views::evaluate(peer->disparity, input.truth->disparity, &input.truth->is_visible)});
+      pair.matchers.push_back({name_of(paths), study::median(peer->cpu_ms),
+                               study::median(peer->wall_ms),
+                               views::disparity_errors(peer->disparity, input.truth->disparity,
+                                                       &input.truth->is_visible)});
     }
     return {};
   }
 
-  const MatchingQuestion& question_;
+  const MatchingBenchOptions& options_;
   Progress& progress_;
   MatchingReport report_;
-  Scratch scratch_;
+  ScratchDirectory scratch_;
   bool is_missing_ = false;
 };
 
 }  // namespace
 
-Result<MatchingReport> measure_matching(const MatchingQuestion& question, Progress& progress) {
-  Measuring measuring(question, progress);
-  std::vector<std::string> pairs = question.pairs;
+Result<MatchingReport> measure_matching(const MatchingBenchOptions& options, Progress& progress) {
+  MatchingBench measuring(options, progress);
+  std::vector<std::string> pairs = options.pairs;
   if (pairs.empty()) {
     pairs = {"room", "forest"};
     for (const char* name : {"../shared/assets/stereo/cones", "../shared/assets/stereo/teddy"}) {
@@ -174,9 +176,9 @@ std::string matching_text(const MatchingReport& report) {
   for (const MatchedPair& pair : report.pairs) {
     text +=
         fmt::format("\n{}\n{}, {} disparities\n{:<20}{:>9}{:>9}{:>12}{:>8}{:>8}{:>8}\n",
-                    printable(pair.about, kTextWidth), counted(pair.threads, "thread"),
+                    printable(pair.description, kTextWidth), counted(pair.threads, "thread"),
                     pair.disparities, "", "CPU ms", "wall ms", "off by 0.5", "1", "2 px", "RMS px");
-    for (const Matcher& one : pair.matchers) {
+    for (const MatcherResult& one : pair.matchers) {
       const auto& bad = one.visible.bad_percent;
       text += fmt::format("{:<20}{:>9.1f}{:>9.1f}{:>11.2f}%{:>7.2f}%{:>7.2f}%{:>8.2f}\n", one.name,
                           one.cpu_ms, one.wall_ms, bad[0], bad[1], bad[2], one.visible.rms);
@@ -195,8 +197,9 @@ nlohmann::ordered_json matching_json(const MatchingReport& report) {
             {"frames", report.frames},   {"peer", report.peer},         {"notes", report.notes}};
   json["pairs"] = Json::array();
   for (const MatchedPair& pair : report.pairs) {
-    Json one{{"pair", pair.about}, {"threads", pair.threads}, {"disparities", pair.disparities}};
-    for (const Matcher& matcher : pair.matchers) {
+    Json one{
+        {"pair", pair.description}, {"threads", pair.threads}, {"disparities", pair.disparities}};
+    for (const MatcherResult& matcher : pair.matchers) {
       Json bad = Json::object();
       for (std::size_t i = 0; i < views::kBadAt.size(); ++i) {
         bad[fmt::format("{:g}", views::kBadAt[i])] = matcher.visible.bad_percent[i];

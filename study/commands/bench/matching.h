@@ -10,7 +10,7 @@
 
 #include "cli/options/arguments.h"
 #include "cli/report/progress.h"
-#include "views/matching/evaluate.h"
+#include "views/matching/disparity_errors.h"
 #include "views/matching/settings.h"
 
 #include <glassbox/base/error.h>
@@ -18,7 +18,7 @@
 
 namespace glassbox::study {
 
-struct MatchingQuestion {
+struct MatchingBenchOptions {
   // Built-in scenes and files, which are drawn for two eyes 0.2 world units apart, and directories
   // with Middlebury's im2.ppm, im6.ppm, disp2.pgm and disp6.pgm, in which a grey value is four
   // times the disparity in pixels. Empty: room, forest, and the pairs next to the repository.
@@ -29,15 +29,15 @@ struct MatchingQuestion {
   Target target = best_target();
 };
 
-struct Matcher {
+struct MatcherResult {
   std::string name;                // "glassbox fast"
   double cpu_ms = 0, wall_ms = 0;  // medians: time of all processors together, and elapsed time
   views::DisparityErrors visible;  // for the points that both pictures show
 };
 struct MatchedPair {
-  std::string about;
+  std::string description;
   int threads = 0, disparities = 0;
-  std::vector<Matcher> matchers;
+  std::vector<MatcherResult> matchers;
 };
 struct MatchingReport {
   std::string machine, compiler, target, peer;  // peer: "OpenCV 4.6.0", empty if there is none
@@ -46,7 +46,7 @@ struct MatchingReport {
   std::vector<std::string> notes;  // one sentence each
 };
 
-Result<MatchingReport> measure_matching(const MatchingQuestion& question, Progress& progress);
+Result<MatchingReport> measure_matching(const MatchingBenchOptions& options, Progress& progress);
 std::string matching_text(const MatchingReport& report);
 nlohmann::ordered_json matching_json(const MatchingReport& report);
 

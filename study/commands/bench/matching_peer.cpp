@@ -60,7 +60,7 @@ Result<std::string> run_script(const std::vector<std::string>& words) {
                                   : "it failed to match the pictures",
                 "leave --against out");
   }
-  return outcome.said;
+  return outcome.printed;
 }
 
 // Reads disparities in 16ths of a pixel. A value below the range means that there is no disparity.

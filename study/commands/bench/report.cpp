@@ -10,13 +10,13 @@
 #include "views/commands/eye_error_json.h"
 
 #include <glassbox/html/blob.h>
-#include <glassbox/html/escaped.h>
+#include <glassbox/html/escaped_html.h>
 
 namespace glassbox::study {
 
 bool BenchReport::pictures_same() const {
   return std::ranges::all_of(results, [](const study::Measurement& result) {
-    return !result.against || result.against->match.same();
+    return !result.peer_comparison || result.peer_comparison->match.same();
   });
 }
 
@@ -69,13 +69,13 @@ Json result_json(const BenchReport& report, const Measurement& result) {
             {"ms", result.ms.median}, {"peer", nullptr},           {"peer_ms", nullptr},
             {"ratio", nullptr}};
   json["ms_quartiles"] = quartiles_json(result.ms);
-  if (result.against) {
-    json["peer"] = result.against->peer;
-    json["peer_ms"] = result.against->ms.median;
+  if (result.peer_comparison) {
+    json["peer"] = result.peer_comparison->peer;
+    json["peer_ms"] = result.peer_comparison->ms.median;
     json["ratio"] = result.ratio();
-    json["peer_ms_quartiles"] = quartiles_json(result.against->ms);
-    json["frame_ratio_quartiles"] = quartiles_json(result.against->frame_ratio);
-    json["pictures"] = match_json(result.against->match);
+    json["peer_ms_quartiles"] = quartiles_json(result.peer_comparison->ms);
+    json["frame_ratio_quartiles"] = quartiles_json(result.peer_comparison->frame_ratio);
+    json["pictures"] = match_json(result.peer_comparison->match);
   }
   if (result.stereo) {
     json["stereo"] = {{"mono_ms", result.stereo->mono_ms},
@@ -137,7 +137,7 @@ std::string bench_page(const BenchReport& report) {
     manifest["scaling"][i]["told"] = scaling_text(report.scalings[i]);
   const std::string numbers =
       fmt::format("<section>\n<h2>Numbers</h2>\n<pre>{}</pre>\n</section>\n</main>\n",
-                  escaped(bench_text(report)));
+                  escaped_html(bench_text(report)));
   return assemble_page(kBenchPage, "glassbox bench", numbers + json_block("manifest", manifest));
 }
 

@@ -18,18 +18,20 @@ std::string with_quartiles(const Quartiles& q) {
 std::string result_line(const Measurement& result) {
   std::string line =
       fmt::format("{:<12} {:>7}  {:<27}", result.scene, result.threads, with_quartiles(result.ms));
-  if (result.against) {
-    const Against& against = *result.against;
-    line += fmt::format("  {:<27}  {:>6} ({} .. {})", with_quartiles(against.ms),
-                        three_digits(result.ratio()), three_digits(against.frame_ratio.lower),
-                        three_digits(against.frame_ratio.upper));
+  if (result.peer_comparison) {
+    const PeerComparison& peer_comparison = *result.peer_comparison;
+    line +=
+        fmt::format("  {:<27}  {:>6} ({} .. {})", with_quartiles(peer_comparison.ms),
+                    three_digits(result.ratio()), three_digits(peer_comparison.frame_ratio.lower),
+                    three_digits(peer_comparison.frame_ratio.upper));
   }
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
 std::string results_table(const BenchReport& report) {
   bool peers = false;
-  for (const Measurement& result : report.results) peers = peers || result.against.has_value();
+  for (const Measurement& result : report.results)
+    peers = peers || result.peer_comparison.has_value();
   std::string text =
       fmt::format("{:<12} {:>7}  {:>8} {:<18}", "scene", "threads", "ms", "(quartiles)");
   if (peers)
@@ -45,7 +47,7 @@ std::string remarks(const Measurement& result) {
   const std::string where =
       fmt::format("{}, {}: ", result.scene, counted(result.threads, "thread"));
   if (result.samples > 1) text += fmt::format("{}{} samples per pixel\n", where, result.samples);
-  if (result.against) text += where + match_text(result.against->match) + "\n";
+  if (result.peer_comparison) text += where + match_text(result.peer_comparison->match) + "\n";
   if (result.stereo) {
     text += fmt::format("{}both eyes in one run take {} ms, {} times one eye's {} ms\n", where,
                         three_digits(result.stereo->shared_ms),
@@ -155,8 +157,8 @@ std::string bench_text(const BenchReport& report) {
                                  report.width, report.height, report.frames);
   if (!report.results.empty()) {
     for (const Measurement& result : report.results) {
-      if (!result.against) continue;
-      text += "peer: " + result.against->peer + "\n";
+      if (!result.peer_comparison) continue;
+      text += "peer: " + result.peer_comparison->peer + "\n";
       break;
     }
     text += "\n" + results_table(report);

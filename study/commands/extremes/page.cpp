@@ -16,7 +16,7 @@ std::string extremes_page(const ExtremesReport& report, const std::string& comma
   manifest["command"] = command;
   for (std::size_t i = 0; i < report.cases.size(); ++i) {
     auto& pictures = manifest["cases"][i]["pictures"] = nlohmann::ordered_json::array();
-    for (const study::ExtremePicture& picture : report.cases[i].what.pictures) {
+    for (const study::ExtremePicture& picture : report.cases[i].extreme_case.pictures) {
       const std::string png = picture.png();
       const auto* bytes = reinterpret_cast<const std::uint8_t*>(png.data());
       pictures.push_back({{"name", picture.name}, {"png", base64(std::span(bytes, png.size()))}});
@@ -45,35 +45,35 @@ ordered_json outcome_json(const std::string& name, const Outcome& outcome) {
           {"bound", number(outcome.bound)},
           {"condition", number(outcome.condition)},
           {"passes", outcome.passes()},
-          {"seen", outcome.seen}};
+          {"seen", outcome.summary}};
 }
 
 ordered_json case_json(const study::CaseResult& r) {
   auto mutants = ordered_json::array();
   for (std::size_t i = 0; i < r.mutants.size(); ++i) {
-    mutants.push_back(outcome_json(r.what.mutants[i].name, r.mutants[i]));
+    mutants.push_back(outcome_json(r.extreme_case.mutants[i].name, r.mutants[i]));
   }
   auto drawn = ordered_json::array();
   for (std::size_t i = 0; i < r.drawn.size(); ++i) {
-    drawn.push_back(outcome_json(study::drawers()[i].name, r.drawn[i]));
+    drawn.push_back(outcome_json(study::tested_engines()[i].name, r.drawn[i]));
   }
-  return {{"id", r.what.id},
-          {"name", r.what.name},
-          {"construction", r.what.construction},
-          {"stage", r.what.stage},
-          {"right", r.what.right},
-          {"unit", r.what.unit},
-          {"oracle", oracle_name(r.what.oracle)},
-          {"ours", outcome_json(r.what.ours.name, r.ours)},
-          {"naive", outcome_json(r.what.naive.name, r.naive)},
+  return {{"id", r.extreme_case.id},
+          {"name", r.extreme_case.name},
+          {"construction", r.extreme_case.construction},
+          {"stage", r.extreme_case.stage},
+          {"right", r.extreme_case.right_answer},
+          {"unit", r.extreme_case.unit},
+          {"oracle", oracle_name(r.extreme_case.oracle)},
+          {"ours", outcome_json(r.extreme_case.ours.name, r.ours)},
+          {"naive", outcome_json(r.extreme_case.naive.name, r.naive)},
           {"mutants", mutants},
           {"drawn", drawn},
-          {"not_drawn", r.what.not_drawn},
+          {"not_drawn", r.extreme_case.not_drawn},
           {"holds", r.holds()}};
 }
 
 ordered_json sweep_json(const SweepResult& result) {
-  const study::Sweep& what = result.what;
+  const study::Sweep& sweep = result.sweep;
   auto all = ordered_json::array();
   for (const study::SweepSeries& series : result.series) {
     auto points = ordered_json::array();
@@ -84,20 +84,20 @@ ordered_json sweep_json(const SweepResult& result) {
     }
     all.push_back({{"name", series.name},
                    {"ours", series.ours},
-                   {"gives_up", number(series.gives_up)},
+                   {"gives_up", number(series.failure_parameter)},
                    {"within_bounds", study::within_bounds(series)},
                    {"points", points}});
   }
-  return {{"name", what.name},
-          {"title", what.title},
-          {"question", what.question},
-          {"axis", what.axis},
-          {"axis_unit", what.axis_unit},
-          {"error", what.error},
-          {"error_unit", what.error_unit},
-          {"reference", what.reference},
-          {"bound", what.bound},
-          {"tolerance", what.tolerance},
+  return {{"name", sweep.name},
+          {"title", sweep.title},
+          {"question", sweep.question},
+          {"axis", sweep.axis},
+          {"axis_unit", sweep.axis_unit},
+          {"error", sweep.error},
+          {"error_unit", sweep.error_unit},
+          {"reference", sweep.reference},
+          {"bound", sweep.bound},
+          {"tolerance", sweep.tolerance},
           {"series", all},
           {"holds", result.holds()}};
 }
@@ -111,7 +111,7 @@ ordered_json extremes_json(const ExtremesReport& report) {
   json["sweeps"] = ordered_json::array();
   for (const auto& each : report.sweeps) json["sweeps"].push_back(sweep_json(each));
   json["left_out"] = ordered_json::array();
-  for (const study::LeftOut& each : study::left_out_cases()) {
+  for (const study::OmittedCase& each : study::omitted_cases()) {
     json["left_out"].push_back({{"id", each.id}, {"name", each.name}, {"reason", each.reason}});
   }
   return json;

@@ -6,13 +6,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "study/extremes/run.h"
+#include "study/extremes/run_case.h"
 #include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
 struct SweepResult {
-  const study::Sweep& what;
+  const study::Sweep& sweep;
   std::vector<study::SweepSeries> series;
 
   bool holds() const;  // whether every bound holds

@@ -40,34 +40,35 @@ std::string drawn(const CaseResult& r) {
 
 std::string row(const CaseResult& r) {
   return fmt::format(
-      "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n", r.what.id,
-      shortened(r.what.name, 36), number_text(r.naive.error), number_text(r.ours.error),
+      "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n", r.extreme_case.id,
+      shortened(r.extreme_case.name, 36), number_text(r.naive.error), number_text(r.ours.error),
       number_text(r.ours.bound), ratio(r.ours),
       r.ours.condition ? number_text(*r.ours.condition) : "",
       r.mutants.empty() ? "-" : fmt::format("{} of {}", r.mutants_caught(), r.mutants.size()),
-      drawn(r), verdict(r), r.what.unit);
+      drawn(r), verdict(r), r.extreme_case.unit);
 }
 
-std::string judged(const char* kind, const std::string& name, const Outcome& outcome,
-                   const std::string& unit) {
+std::string outcome_text(const char* kind, const std::string& name, const Outcome& outcome,
+                         const std::string& unit) {
   std::string text =
       fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number_text(outcome.error),
                   outcome.passes() ? "<=" : ">", number_text(outcome.bound), unit,
                   outcome.passes() ? "within the bound" : "above the bound");
-  if (!outcome.seen.empty()) text += wrapped("        ", outcome.seen);
+  if (!outcome.summary.empty()) text += wrapped("        ", outcome.summary);
   return text;
 }
 
 std::string sweep_text(const SweepResult& result) {
-  std::string text = fmt::format("\n{}: {}\n", result.what.name, result.what.title);
-  text += wrapped("  ", result.what.question);
-  text += wrapped("  bound  ", result.what.bound);
-  text += wrapped("  fails at  ", result.what.tolerance);
+  std::string text = fmt::format("\n{}: {}\n", result.sweep.name, result.sweep.title);
+  text += wrapped("  ", result.sweep.question);
+  text += wrapped("  bound  ", result.sweep.bound);
+  text += wrapped("  fails at  ", result.sweep.tolerance);
   for (const SweepSeries& series : result.series) {
     const bool within = study::within_bounds(series);
     text +=
         fmt::format("\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
-                    series.gives_up ? "fails at " + number_text(*series.gives_up) : "never fails",
+                    series.failure_parameter ? "fails at " + number_text(*series.failure_parameter)
+                                             : "never fails",
                     within ? "" : "; ABOVE ITS BOUND");
     text += fmt::format("    {:>12} {:>12} {:>12}\n", "at", "error", "bound");
     for (const study::SweepPoint& point : series.points) {
@@ -132,23 +133,25 @@ std::string extremes_text(const ExtremesReport& report) {
 }
 
 std::string case_text(const CaseResult& r) {
-  std::string text = fmt::format("{} {}\n\n", r.what.id, r.what.name);
-  text += wrapped("built   ", r.what.construction);
-  text += wrapped("stage   ", r.what.stage);
-  text += wrapped("right   ", r.what.right);
-  text += wrapped("oracle  ", oracle_name(r.what.oracle));
+  std::string text = fmt::format("{} {}\n\n", r.extreme_case.id, r.extreme_case.name);
+  text += wrapped("built   ", r.extreme_case.construction);
+  text += wrapped("stage   ", r.extreme_case.stage);
+  text += wrapped("right   ", r.extreme_case.right_answer);
+  text += wrapped("oracle  ", oracle_name(r.extreme_case.oracle));
   if (r.ours.condition)
     text += fmt::format("        condition number {}\n", number_text(*r.ours.condition));
-  text += "\n" + judged("ours", r.what.ours.name, r.ours, r.what.unit);
-  text += judged("naive", r.what.naive.name, r.naive, r.what.unit);
+  text += "\n" + outcome_text("ours", r.extreme_case.ours.name, r.ours, r.extreme_case.unit);
+  text += outcome_text("naive", r.extreme_case.naive.name, r.naive, r.extreme_case.unit);
   for (std::size_t i = 0; i < r.mutants.size(); ++i) {
-    text += judged("mutant", r.what.mutants[i].name, r.mutants[i], r.what.unit);
+    text +=
+        outcome_text("mutant", r.extreme_case.mutants[i].name, r.mutants[i], r.extreme_case.unit);
   }
   for (std::size_t i = 0; i < r.drawn.size(); ++i) {
-    text += wrapped("drawn   ", fmt::format("{}: {}{}", study::drawers()[i].name,
-                                            r.drawn[i].passes() ? "" : "WRONG: ", r.drawn[i].seen));
+    text +=
+        wrapped("drawn   ", fmt::format("{}: {}{}", study::tested_engines()[i].name,
+                                        r.drawn[i].passes() ? "" : "WRONG: ", r.drawn[i].summary));
   }
-  if (!r.what.not_drawn.empty()) text += wrapped("no picture  ", r.what.not_drawn);
+  if (!r.extreme_case.not_drawn.empty()) text += wrapped("no picture  ", r.extreme_case.not_drawn);
   return text + fmt::format("\n{}\n", verdict(r));
 }
 

@@ -11,14 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string scene_of(const CurveReport& report, const study::Way& way) {
-  if (!way.level) return report.scene;
-  return report.scene.substr(0, report.scene.find(':')) + ":" + std::to_string(*way.level);
+std::string scene_of(const CurveReport& report, const study::RenderVariant& variant) {
+  if (!variant.level) return report.scene;
+  return report.scene.substr(0, report.scene.find(':')) + ":" + std::to_string(*variant.level);
 }
 
 Json point_json(const CurveReport& report, const CurvePoint& point) {
-  Json json{{"name", name_of(point.way)},
-            {"knob", name_of(point.way.knob)},
+  Json json{{"name", name_of(point.variant)},
+            {"knob", name_of(point.variant.knob)},
             {"command", command_of(report, point)},
             {"picture", point.picture},
             {"rms", point.error.rms},
@@ -26,7 +26,7 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
             {"wrong", point.error.wrong},
             {"flip", point.error.flip},
             {"depth_error", study::number_json(point.depth_error)},
-            {"threads", point.way.threads()},
+            {"threads", point.variant.threads()},
             {"ns", point.ns.median},
             {"ns_quartiles", {point.ns.lower, point.ns.upper}},
             {"ns_octiles", {point.ns.first_octile, point.ns.last_octile}},
@@ -60,10 +60,10 @@ Json second_eyes_json(const SecondEyes& eyes) {
 
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
   if (report.scene == "-") return {};  // empty for a scene from a pipe: it could not be read again
-  std::vector<std::string> own = point.way.options;
-  if (point.way.engine == EngineKind::kTile && point.way.threads() == 1)
+  std::vector<std::string> own = point.variant.options;
+  if (point.variant.engine == EngineKind::kTile && point.variant.threads() == 1)
     own.insert(own.end(), {"--threads", "1"});
-  return shell_line({{"render", scene_of(report, point.way)}, report.words, own});
+  return shell_line({{"render", scene_of(report, point.variant)}, report.words, own});
 }
 
 Json curve_json(const CurveReport& report) {
@@ -84,7 +84,7 @@ Json curve_json(const CurveReport& report) {
             {"left_out", Json::array()},
             {"faults", curve.faults},
             {"points", Json::array()}};
-  for (const study::NotTurned& each : curve.left_out)
+  for (const study::SkippedKnob& each : curve.skipped)
     json["left_out"].push_back({{"knob", name_of(each.knob)}, {"why", each.why}});
   for (const CurvePoint& point : curve.points) json["points"].push_back(point_json(report, point));
   json["second_eye"] = second_eyes_json(report.second_eyes);

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> difference_planes(const Pixels& picture, const Pixels&
   });
 }
 
-std::size_t differing(const Pixels& a, const Pixels& b) {
+std::size_t count_differing(const Pixels& a, const Pixels& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) count += a.pixels[i] != b.pixels[i];
   return count;
@@ -57,9 +57,9 @@ std::size_t differing(const Pixels& a, const Pixels& b) {
 // differs in fewer.
 std::optional<std::size_t> nearest_before(const study::Curve& curve, std::size_t picture) {
   std::optional<std::size_t> nearest;
-  std::size_t fewest = differing(curve.pictures[picture], curve.reference);
+  std::size_t fewest = count_differing(curve.pictures[picture], curve.reference);
   for (std::size_t i = 0; i < picture; ++i) {
-    const std::size_t count = differing(curve.pictures[picture], curve.pictures[i]);
+    const std::size_t count = count_differing(curve.pictures[picture], curve.pictures[i]);
     if (count >= fewest) continue;
     fewest = count;
     nearest = i;
@@ -88,11 +88,11 @@ Json colours_of_levels() {
 }
 
 // The data blocks of the page in sequence.
-class Blocks {
+class DataBlocks {
 public:
   void add(const std::string& id, const std::vector<std::uint8_t>& bytes) {
     if (!added_) return;
-    auto packed = packed_text(bytes);
+    auto packed = compressed_base64(bytes);
     if (packed)
       text_ += data_block(id, *packed);
     else
@@ -117,7 +117,7 @@ Result<std::string> curve_page(const CurveReport& report) {
   // Most pictures are almost equal to another one, so only the differences from that one are
   // stored.
   Json& bases = manifest["bases"] = Json::array();
-  Blocks blocks;
+  DataBlocks blocks;
   blocks.add("reference", planes_of(curve.reference));
   for (std::size_t i = 0; i < curve.pictures.size(); ++i) {
     const Pixels& picture = curve.pictures[i];
@@ -150,12 +150,12 @@ std::string curve_csv(const CurveReport& report) {
   for (const study::CurvePoint& point : report.curve.points) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                         csv_field(report.scene), report.size.width, report.size.height,
-                        csv_field(name_of(point.way)), name_of(point.way.knob), point.error.rms,
-                        point.error.largest, point.error.wrong, point.error.flip, point.depth_error,
-                        point.way.threads(), point.ns.median, point.ns.lower, point.ns.upper,
-                        point.disturbed, point.standing ? name_of(*point.standing) : "",
-                        csv_field(from.machine), csv_field(from.compiler), csv_field(from.flags),
-                        csv_field(from.version));
+                        csv_field(name_of(point.variant)), name_of(point.variant.knob),
+                        point.error.rms, point.error.largest, point.error.wrong, point.error.flip,
+                        point.depth_error, point.variant.threads(), point.ns.median, point.ns.lower,
+                        point.ns.upper, point.disturbed,
+                        point.standing ? name_of(*point.standing) : "", csv_field(from.machine),
+                        csv_field(from.compiler), csv_field(from.flags), csv_field(from.version));
   }
   return text;
 }

@@ -33,7 +33,7 @@ std::string table_of(const std::vector<const CurvePoint*>& points, const TimeUni
                          fmt::format("{}/frame", unit.name), "quartiles", ""}};
   for (const CurvePoint* point : points) {
     const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
-    rows.push_back({name_of(point->way), fmt::format("{:.3g}", 255 * point->error.rms),
+    rows.push_back({name_of(point->variant), fmt::format("{:.3g}", 255 * point->error.rms),
                     fmt::to_string(point->error.largest),
                     fmt::format("{:.3g} %", 100 * point->error.wrong),
                     fmt::format("{:.3g}", point->error.flip),
@@ -43,16 +43,16 @@ std::string table_of(const std::vector<const CurvePoint*>& points, const TimeUni
   return table(rows, 1);
 }
 
-std::vector<const CurvePoint*> singles(const study::Curve& curve) {
+std::vector<const CurvePoint*> changed_alone(const study::Curve& curve) {
   std::vector<const CurvePoint*> found;
   for (const CurvePoint& point : curve.points) {
-    if (point.way.knob != Knob::kSeveral) found.push_back(&point);
+    if (point.variant.knob != Knob::kSeveral) found.push_back(&point);
   }
   return found;
 }
 
 // The points of the Pareto front, the fastest first.
-std::vector<const CurvePoint*> front(const study::Curve& curve) {
+std::vector<const CurvePoint*> pareto_front(const study::Curve& curve) {
   std::vector<const CurvePoint*> found;
   for (const CurvePoint& point : curve.points) {
     if (point.standing == Standing::kFront) found.push_back(&point);
@@ -104,8 +104,8 @@ std::string curve_text(const CurveReport& report) {
   text += wrapped("", fmt::format("The largest error of a position on the screen is {:.2g} px, "
                                   "over {} vertices, compared with 50 digits",
                                   curve.position_error, curve.vertices));
-  text += "\nEach option alone\n" + table_of(singles(curve), unit);
-  const auto best = front(curve);
+  text += "\nEach option alone\n" + table_of(changed_alone(curve), unit);
+  const auto best = pareto_front(curve);
   text += fmt::format(
       "\nThe Pareto front: {} of {} ways with one thread, which give {} different pictures\n",
       best.size(),
@@ -114,8 +114,8 @@ std::string curve_text(const CurveReport& report) {
       curve.different);
   text += table_of(best, unit);
   text += second_eyes_text(report.second_eyes);
-  if (!curve.left_out.empty()) text += "\nNot varied\n";
-  for (const study::NotTurned& each : curve.left_out)
+  if (!curve.skipped.empty()) text += "\nNot varied\n";
+  for (const study::SkippedKnob& each : curve.skipped)
     text += wrapped(fmt::format("  {}: ", name_of(each.knob)), each.why);
   for (const std::string& fault : curve.faults) {
     text += wrapped("\nA bug of glassbox: ", fault + " changes the picture; please report it");

@@ -28,7 +28,7 @@ std::string name_of_mesh(const Scene& scene, std::uint32_t instance) {
   return name.empty() ? fmt::format("mesh {}", mesh) : "'" + printable(name) + "'";
 }
 
-std::string place_text(const Scene& scene, const StiffPlace& place) {
+std::string place_text(const Scene& scene, const ScenePlace& place) {
   std::string text =
       fmt::format("triangle {} of {}", place.triangle, name_of_mesh(scene, place.instance));
   if (place.corner) text += fmt::format(", corner {} (vertex {})", *place.corner, *place.position);
@@ -36,7 +36,7 @@ std::string place_text(const Scene& scene, const StiffPlace& place) {
   return text;
 }
 
-std::vector<std::string> words_for(const StiffPlace& place) {
+std::vector<std::string> place_option_words(const ScenePlace& place) {
   if (place.x >= 0) return {"--at", fmt::format("{},{}", place.x, place.y)};
   std::vector<std::string> words{"--triangle", fmt::format("{}", place.triangle)};
   if (place.corner) {
@@ -47,10 +47,10 @@ std::vector<std::string> words_for(const StiffPlace& place) {
 }
 
 // The command line that shows the place; empty for a scene from standard input.
-std::string command_for(const StiffnessReport& report, const StiffPlace& place) {
+std::string command_for(const StiffnessReport& report, const ScenePlace& place) {
   if (report.scene == "-") return {};
   return shell_line(
-      {{place.x >= 0 ? "pixel" : "step", report.scene}, report.picture, words_for(place)});
+      {{place.x >= 0 ? "pixel" : "step", report.scene}, report.picture, place_option_words(place)});
 }
 
 // ---- text ----
@@ -60,23 +60,23 @@ std::string condition_text(double value) {
   return std::isinf(value) ? "infinite" : fmt::format("{:.4g}", value);
 }
 
-std::string pixels_text(const StiffNumber& number) {
+std::string pixels_text(const ConditionNumber& number) {
   return number.pixels ? number_or_unknown(*number.pixels) + " px" : "";
 }
 
-std::string errors_text(const StiffNumber& number) {
+std::string errors_text(const ConditionNumber& number) {
   if (!std::isfinite(number.bound)) return "errors without a bound";
   return "errors of up to " + (number.pixels ? pixels_text(number)
                                              : number_or_unknown(number.bound) + " " + number.unit);
 }
 
-std::string doubt_text(std::uint64_t tests) {
+std::string uncertain_tests_text(std::uint64_t tests) {
   if (tests == 0) return "no depth test of this picture depends on it";
   return fmt::format("{} of this picture may be decided wrongly", counted(tests, "depth test"));
 }
 
 std::string number_lines(const Scene& scene, const StiffnessReport& report,
-                         const StiffNumber& number) {
+                         const ConditionNumber& number) {
   const std::string bound =
       std::isfinite(number.bound) ? number_or_unknown(number.bound) + " " + number.unit : "none";
   std::string text =
@@ -90,14 +90,14 @@ std::string number_lines(const Scene& scene, const StiffnessReport& report,
     if (!command.empty()) text += "             " + command + "\n";
   }
   if (number.tests_in_doubt) {
-    text += wrapped("      seen   ", doubt_text(*number.tests_in_doubt));
+    text += wrapped("      seen   ", uncertain_tests_text(*number.tests_in_doubt));
   }
   return text + wrapped("      to do  ", number.advice);
 }
 
 // ---- JSON ----
 
-Json place_json(const Scene& scene, const StiffnessReport& report, const StiffPlace& place) {
+Json place_json(const Scene& scene, const StiffnessReport& report, const ScenePlace& place) {
   const std::uint32_t mesh = scene.instances[place.instance].mesh;
   Json json{{"instance", place.instance},
             {"mesh", mesh},
@@ -111,7 +111,7 @@ Json place_json(const Scene& scene, const StiffnessReport& report, const StiffPl
   return json;
 }
 
-Json number_json(const Scene& scene, const StiffnessReport& report, const StiffNumber& number) {
+Json number_json(const Scene& scene, const StiffnessReport& report, const ConditionNumber& number) {
   Json json{{"key", number.key},
             {"name", number.name},
             {"condition", finite_json(number.condition)},
@@ -124,7 +124,7 @@ Json number_json(const Scene& scene, const StiffnessReport& report, const StiffN
   json["worst"] = number.place ? place_json(scene, report, *number.place) : Json(nullptr);
   if (number.tests_in_doubt) {
     json["tests_in_doubt"] = *number.tests_in_doubt;
-    json["seen"] = doubt_text(*number.tests_in_doubt);
+    json["seen"] = uncertain_tests_text(*number.tests_in_doubt);
   }
   json["advice"] = number.advice;
   return json;
@@ -144,18 +144,18 @@ std::string stiffness_text(const Scene& scene, const StiffnessReport& report) {
   std::string text = fmt::format("{}, {} x {}: what decides how exact this view is\n",
                                  printable(report.scene, 1000), report.width, report.height);
   text += fmt::format("  {:<34}{:>12}{:>24}{:>14}\n", "", "condition", "bound", "on the screen");
-  for (const StiffNumber& number : report.found.numbers) {
+  for (const ConditionNumber& number : report.found.numbers) {
     text += number_lines(scene, report, number);
   }
   if (report.found.numbers.empty()) text += "  no part of the scene is in this picture\n";
   text += "not examined\n";
-  for (const std::string& one : report.found.left_out) text += wrapped("  ", one);
+  for (const std::string& one : report.found.not_computed) text += wrapped("  ", one);
   return text;
 }
 
 Json stiffness_json(const Scene& scene, const StiffnessReport& report) {
   Json numbers = Json::array();
-  for (const StiffNumber& number : report.found.numbers) {
+  for (const ConditionNumber& number : report.found.numbers) {
     numbers.push_back(number_json(scene, report, number));
   }
   return {{"schema", "glassbox-stiffness/1"},
@@ -163,7 +163,7 @@ Json stiffness_json(const Scene& scene, const StiffnessReport& report) {
           {"width", report.width},
           {"height", report.height},
           {"numbers", std::move(numbers)},
-          {"left_out", report.found.left_out}};
+          {"left_out", report.found.not_computed}};
 }
 
 std::string stiffness_page(const Scene& scene, const StiffnessReport& report,
@@ -177,11 +177,12 @@ std::string stiffness_page(const Scene& scene, const StiffnessReport& report,
 
 std::vector<std::string> stiffness_warnings(const Scene& scene, const study::Stiffness& found) {
   std::vector<std::string> lines;
-  for (const StiffNumber& number : found.numbers) {
+  for (const ConditionNumber& number : found.numbers) {
     if (!number.passes()) continue;
     std::string line = fmt::format("warning: {} is {}: {}", number.name,
                                    condition_text(number.condition), errors_text(number));
-    if (number.tests_in_doubt) line += ", " + doubt_text(*number.tests_in_doubt) + ", worst";
+    if (number.tests_in_doubt)
+      line += ", " + uncertain_tests_text(*number.tests_in_doubt) + ", worst";
     if (number.place) line += " at " + place_text(scene, *number.place);
     lines.push_back(line + "; " + number.advice);
   }

@@ -4,20 +4,20 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c01 {
 
-Outcome judge(LookAt look_at_under_test) {
+Outcome measure_error(LookAt look_at_under_test) {
   const WorldPoint eye{1, 2, 3};
   const WorldVector gaze{3, -2, 6}, across{6, 3, -2};  // perpendicular vectors, both of length 7
   const WorldPoint target = eye + gaze;
   constexpr double u = unit_roundoff<double>;
-  Worst worst;
+  WorstError worst;
   for (const double sine : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 2e-6}) {
     const WorldVector up = gaze + across * sine;
     const auto view = look_at_under_test(eye, target, up);
@@ -27,9 +27,9 @@ Outcome judge(LookAt look_at_under_test) {
     const double bound = (8 + 4 / sine) * u;
     const std::string where = fmt::format("up {:g} rad from the gaze", sine);
     if (view) {
-      see_entries(worst, *view, exact, 3, bound, where, 1 / sine);
+      add_entry_errors(worst, *view, exact, 3, bound, where, 1 / sine);
     } else {
-      worst.see(1, bound, where, 1 / sine);
+      worst.add(1, bound, where, 1 / sine);
     }
   }
   int answered = 0;
@@ -37,16 +37,16 @@ Outcome judge(LookAt look_at_under_test) {
     const auto view = look_at_under_test(eye, target, up);
     if (!view) continue;
     ++answered;
-    worst.see(HUGE_VAL, 0, "a roll was invented where up is along the gaze");
+    worst.add(HUGE_VAL, 0, "a roll was invented where up is along the gaze");
   }
   return worst.outcome(fmt::format("{} of 4 undefined rolls got an answer", answered));
 }
 
 // A ball seen by a camera whose up is nearly parallel to its gaze, compared with axes computed in
 // 50 digits.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     Scene ball = make_sphere(6);
     for (Node& node : ball.nodes) {
       node.world_from_node =
@@ -55,11 +55,11 @@ Outcome judge_drawn(const Drawer& by) {
     for (const double sine : {1e-1, 1e-3, 1e-5, 2e-6}) {
       const WorldVector gaze{3, -2, 6};
       const Aim aim{{1, 2, 3}, WorldPoint{1, 2, 3} + gaze, gaze + WorldVector{6, 3, -2} * sine};
-      all.emplace_back(vista_of(ball, aim, PerspectiveLens{1, 0.5, 20.0}, 64));
+      all.emplace_back(make_ray_scene(ball, aim, PerspectiveLens{1, 0.5, 20.0}, 64));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c01
@@ -72,17 +72,18 @@ ExtremeCase c01_up_along_gaze() {
       .construction =
           "gaze (3, -2, 6), up = gaze + s (6, 3, -2) for s = 0.1 .. 2e-6; then s = 1e-7 and 0",
       .stage = "look-at",
-      .right =
+      .right_answer =
           "axes within (8 + 4/sine) u of 50 digits (pipeline/look_at.h); refused where the sine is "
           "below 2^-20",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
-      .ours = {"look_at", [] { return judge(look_at); }},
-      .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
-      .mutants = {{"no limit for the sine", [] { return judge(naive::look_at_without_limit); }},
-                  {"V is the given up", [] { return judge(naive::look_at_with_given_up); }},
-                  {"in float", [] { return judge(naive::look_at_in_float); }}},
-      .drawn = judge_drawn,
+      .ours = {"look_at", [] { return measure_error(look_at); }},
+      .naive = {"unchecked UVN", [] { return measure_error(naive::unchecked_look_at); }},
+      .mutants = {{"no limit for the sine",
+                   [] { return measure_error(naive::look_at_without_limit); }},
+                  {"V is the given up", [] { return measure_error(naive::look_at_with_given_up); }},
+                  {"in float", [] { return measure_error(naive::look_at_in_float); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

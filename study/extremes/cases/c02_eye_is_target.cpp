@@ -1,13 +1,13 @@
 #include <glassbox/pipeline/look_at.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c02 {
 
-Outcome judge(LookAt look_at_under_test) {
+Outcome measure_error(LookAt look_at_under_test) {
   int answered = 0, all = 0;
   for (const WorldPoint& eye :
        {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(1e300, 0, -1e-300)}) {
@@ -20,7 +20,7 @@ Outcome judge(LookAt look_at_under_test) {
   // One ulp of distance is enough to give a direction.
   const auto near = look_at_under_test({1, 2, 3}, {1, 2, 3 - 0x1p-51}, {0, 1, 0});
   answered += !near || *near != *look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
-  return wrong_of(answered, all + 1, "cameras answered wrongly");
+  return wrong_count_outcome(answered, all + 1, "cameras answered wrongly");
 }
 
 // The code that beginners write: it rejects equal points, but accepts subnormal distances.
@@ -45,13 +45,15 @@ ExtremeCase c02_eye_is_target() {
       .name = "The eye is the target",
       .construction = "eye = target at three places; 2^-1070 apart; one ulp apart",
       .stage = "look-at",
-      .right = "an error and no matrix; a distance of one ulp gives a direction like any other",
+      .right_answer =
+          "an error and no matrix; a distance of one ulp gives a direction like any other",
       .unit = "cameras",
       .oracle = Oracle::kProperty,
-      .ours = {"look_at", [] { return judge(look_at); }},
-      .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
-      .mutants = {{"only equal points are refused", [] { return judge(equality_alone); }},
-                  {"refused below a distance of 1e-6", [] { return judge(least_distance); }}},
+      .ours = {"look_at", [] { return measure_error(look_at); }},
+      .naive = {"unchecked UVN", [] { return measure_error(naive::unchecked_look_at); }},
+      .mutants = {{"only equal points are refused", [] { return measure_error(equality_alone); }},
+                  {"refused below a distance of 1e-6",
+                   [] { return measure_error(least_distance); }}},
       .not_drawn = "two equal points are refused, so there is no camera to draw with",
   };
 }

@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/affine.h>
 
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -12,8 +12,8 @@ namespace c04 {
 
 using AngleOf = double (*)(const glm::dmat4&);
 
-Outcome judge(AngleOf angle_of) {
-  Worst worst;
+Outcome measure_error(AngleOf angle_of) {
+  WorstError worst;
   for (const double radians : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
     for (const WorldVector& axis :
          {WorldVector(0, 0, 1), WorldVector(0, 1, 0), WorldVector(-1, 0, 0)}) {
@@ -24,7 +24,7 @@ Outcome judge(AngleOf angle_of) {
       const double cosine = axis.z != 0 ? r->at(0, 0) : axis.y != 0 ? r->at(2, 2) : r->at(1, 1);
       const exact::Decimal exact = exact::atan2(exact::Decimal(sine), exact::Decimal(cosine));
       const double error = exact::error_of(angle_of(r->columns), exact) / double(exact);
-      worst.see(error, 4 * unit_roundoff<double>, fmt::format("angle {:g}", radians), 1 / radians);
+      worst.add(error, 4 * unit_roundoff<double>, fmt::format("angle {:g}", radians), 1 / radians);
     }
   }
   return worst.outcome();
@@ -49,14 +49,15 @@ ExtremeCase c04_small_angle() {
       .name = "The angle of a small rotation",
       .construction = "rotations by 0.1 .. 1e-7 rad about the three axes, taken apart again",
       .stage = "axis and angle",
-      .right =
+      .right_answer =
           "4 u of the angle: sine and cosine are right to one ulp each, the arctangent to 2 "
           "(base/trig.h)",
       .unit = "of the angle",
       .oracle = Oracle::kExtended,
-      .ours = {"arctangent of sine over cosine", [] { return judge(by_arctangent); }},
-      .naive = {"arccosine of the trace, in float", [] { return judge(by_arccosine_in_float); }},
-      .mutants = {{"acos of the trace, in double", [] { return judge(by_arccosine); }}},
+      .ours = {"arctangent of sine over cosine", [] { return measure_error(by_arctangent); }},
+      .naive = {"arccosine of the trace, in float",
+                [] { return measure_error(by_arccosine_in_float); }},
+      .mutants = {{"acos of the trace, in double", [] { return measure_error(by_arccosine); }}},
       .not_drawn = "the result is the angle of a matrix, and not a picture",
   };
 }

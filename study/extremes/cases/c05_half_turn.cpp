@@ -2,17 +2,17 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c05 {
 
-Outcome judge(LookAt look_at_under_test) {
+Outcome measure_error(LookAt look_at_under_test) {
   const WorldPoint eye{0, 0, 0};
   const WorldVector up{0.25, 1, 0};
-  Worst worst;
+  WorstError worst;
   for (const double off : {0.0, 1e-200, 1e-17, 1e-12, 1e-9, -1e-9, 1e-6, -1e-6}) {
     const WorldPoint target{off, -2 * off, 1};
     const auto view = look_at_under_test(eye, target, up);
@@ -23,9 +23,9 @@ Outcome judge(LookAt look_at_under_test) {
     const double bound = 36 * unit_roundoff<double>;
     const std::string where = fmt::format("gaze {:g} from straight back", off);
     if (view) {
-      see_entries(worst, *view, exact, 3, bound, where);
+      add_entry_errors(worst, *view, exact, 3, bound, where);
     } else {
-      worst.see(HUGE_VAL, bound, where);
+      worst.add(HUGE_VAL, bound, where);
     }
   }
   return worst.outcome();
@@ -55,14 +55,14 @@ ExtremeCase c05_half_turn() {
           "gaze (e, -2e, 1) for e = 0, 1e-200 .. 1e-6 and their negatives, turned to -z by axis "
           "and angle",
       .stage = "look-at",
-      .right =
+      .right_answer =
           "the UVN matrix in 50 digits, to 36 u; at 180 degrees any axis is right, and the picture "
           "is continuous there",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
-      .ours = {"look_at_axis_angle", [] { return judge(look_at_axis_angle); }},
-      .naive = {"v x t over its length, arccosine", [] { return judge(by_the_book); }},
-      .mutants = {{"acos for the angle", [] { return judge(with_arccosine); }}},
+      .ours = {"look_at_axis_angle", [] { return measure_error(look_at_axis_angle); }},
+      .naive = {"v x t over its length, arccosine", [] { return measure_error(by_the_book); }},
+      .mutants = {{"acos for the angle", [] { return measure_error(with_arccosine); }}},
       .not_drawn =
           "any axis perpendicular to the two directions is right, so there is no single right "
           "picture",

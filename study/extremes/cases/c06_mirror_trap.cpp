@@ -4,10 +4,10 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/camera.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/screen_scene.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -19,21 +19,21 @@ using Camera60 = Transform<Clip, World> (*)(const WorldPoint& eye, const WorldPo
 // The outline of the letter F in the plane z = 0, as seen from the front.
 constexpr double kGlyph[][2] = {{0, 0}, {0, 2}, {1, 2}, {1, 1.75}, {0.75, 1}, {0.25, 1}};
 
-Outcome judge(Camera60 camera) {
+Outcome measure_error(Camera60 camera) {
   const WorldPoint eye{1, 2, 6}, target{0.5, 1, 0};
   const WorldVector up{0, 1, 0};
   const auto clip_from_world = camera(eye, target, up);
   const auto eye_from_world = exact::look_at(eye, target, up);
   const exact::Decimal cotangent = exact::sqrt(exact::Decimal(3));  // cotangent of 30 degrees
-  Worst worst;
+  WorstError worst;
   for (const auto& [x, y] : kGlyph) {
     const auto p = eye_from_world * exact::exactly<exact::Decimal>(WorldPoint(x, y, 0));
     const Point<Clip, double> c = clip_from_world * WorldPoint(x, y, 0);
     // The entries of both matrices are right to 16 u, the coordinates are below 8 and w is above 5:
     // this gives 16 u * 4 * 8 in a coordinate of clip space, and twice that over 5 in the quotient.
     constexpr double kBound = 2 * 16 * 4 * 8 / 5.0 * unit_roundoff<double>;
-    worst.see(exact::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
-    worst.see(exact::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
+    worst.add(exact::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
+    worst.add(exact::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
   }
   return worst.outcome();
 }
@@ -70,8 +70,8 @@ Transform<Clip, World> v_reversed(const WorldPoint& eye, const WorldPoint& targe
 }
 
 // The letter F itself, made of three strokes: every reflection of it looks different.
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn letter([] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference letter([] {
     Mesh mesh;
     for (const auto& [left, bottom, right, top] : {std::array{0.0f, 0.0f, 0.25f, 2.0f},
                                                    {0.25f, 1.75f, 1.0f, 2.0f},
@@ -79,11 +79,11 @@ Outcome judge_drawn(const Drawer& by) {
       add_triangle(mesh, {Point<Object>{left, bottom, 0}, {right, bottom, 0}, {right, top, 0}});
       add_triangle(mesh, {Point<Object>{left, bottom, 0}, {right, top, 0}, {left, top, 0}});
     }
-    return vista_of(scene_of(std::move(mesh), unlit_material()),
-                    Aim{{1, 2, 6}, {0.5, 1, 0}, {0, 1, 0}},
-                    PerspectiveLens{radians_from_degrees(60), 1, 100.0}, 96);
+    return make_ray_scene(scene_of(std::move(mesh), unlit_material()),
+                          Aim{{1, 2, 6}, {0.5, 1, 0}, {0, 1, 0}},
+                          PerspectiveLens{radians_from_degrees(60), 1, 100.0}, 96);
   }());
-  return letter.judge(by);
+  return letter.measure_error(engine);
 }
 
 }  // namespace c06
@@ -95,16 +95,16 @@ ExtremeCase c06_mirror_trap() {
       .name = "The mirror trap",
       .construction = "six points of the letter F, seen from (1, 2, 6) at 60 degrees",
       .stage = "look-at",
-      .right =
+      .right_answer =
           "where the UVN construction of 50 digits puts them; turning the gaze to +z by a rotation "
           "mirrors the picture (E7)",
       .unit = "NDC",
       .oracle = Oracle::kExtended,
-      .ours = {"look_at and perspective", [] { return judge(ours); }},
-      .naive = {"slide S3.37, followed literally", [] { return judge(slide_37); }},
-      .mutants = {{"U = N x up instead of up x N", [] { return judge(u_reversed); }},
-                  {"V = U x N instead of N x U", [] { return judge(v_reversed); }}},
-      .drawn = judge_drawn,
+      .ours = {"look_at and perspective", [] { return measure_error(ours); }},
+      .naive = {"slide S3.37, followed literally", [] { return measure_error(slide_37); }},
+      .mutants = {{"U = N x up instead of up x N", [] { return measure_error(u_reversed); }},
+                  {"V = U x N instead of N x U", [] { return measure_error(v_reversed); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

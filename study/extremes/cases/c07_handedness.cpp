@@ -3,15 +3,15 @@
 #include <glassbox/pipeline/projection.h>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c07 {
 
 using Lens = Transform<Clip, Eye> (*)();
 
-Outcome judge(Lens lens) {
+Outcome measure_error(Lens lens) {
   // The matrix T_pers with h = d = 1 maps a point in front of the eye to x/depth, y/depth.
   const Transform<Clip, Eye, float> m = round_to_float(lens());
   const auto planes = frustum_planes();
@@ -29,8 +29,8 @@ Outcome judge(Lens lens) {
     const bool seen = clip_point(front, planes) && !clip_point(behind, planes);
     wrong += !seen || (front.x > 0) != (x > 0) || (front.y > 0) != (y > 0);
   }
-  return wrong_of(wrong, kPoints, "points wrong",
-                  fmt::format("; w > 0 at {} points in front of the eye", w_positive));
+  return wrong_count_outcome(wrong, kPoints, "points wrong",
+                             fmt::format("; w > 0 at {} points in front of the eye", w_positive));
 }
 
 Transform<Clip, EyeLeft> t_pers_1_10() {
@@ -54,8 +54,8 @@ Transform<Clip, Eye> w_negated() {
 }
 
 // 60 small triangles in front of the eye, and their reflections behind it.
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn picture([] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference picture([] {
     Random random(807);
     std::vector<EyeTriangle> triangles;
     for (int i = 0; i < 60; ++i) {
@@ -71,9 +71,9 @@ Outcome judge_drawn(const Drawer& by) {
       triangles.push_back(front);
       triangles.push_back(behind);
     }
-    return vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 1, 10.0}, 96);
+    return make_ray_scene(triangles, PerspectiveLens{radians_from_degrees(90), 1, 10.0}, 96);
   }());
-  return picture.judge(by);
+  return picture.measure_error(engine);
 }
 
 }  // namespace c07
@@ -87,17 +87,17 @@ ExtremeCase c07_handedness() {
           "a right-handed eye (S4.5) before the left-handed T_pers of S4.18; 1000 points in front "
           "and their reflections behind",
       .stage = "projection",
-      .right =
+      .right_answer =
           "points in front are seen, on their side of the picture, and points behind are not "
           "(erratum E12)",
       .unit = "points",
       .oracle = Oracle::kProperty,
-      .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return judge(with_adaptor); }},
-      .naive = {"T_pers without a change", [] { return judge(without_adaptor); }},
+      .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return measure_error(with_adaptor); }},
+      .naive = {"T_pers without a change", [] { return measure_error(without_adaptor); }},
       .mutants = {{"half a turn about y instead of the reflection",
-                   [] { return judge(turned_round); }},
-                  {"the sign of w alone", [] { return judge(w_negated); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(turned_round); }},
+                  {"the sign of w alone", [] { return measure_error(w_negated); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

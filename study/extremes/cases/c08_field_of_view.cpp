@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c08 {
@@ -13,15 +13,15 @@ namespace c08 {
 // rejected.
 using Scale = std::optional<double> (*)(double fovy_degrees);
 
-Outcome judge(Scale scale) {
-  Worst worst;
+Outcome measure_error(Scale scale) {
+  WorstError worst;
   for (const double degrees : {1e-6, 1e-3, 1.0, 45.0, 90.0, 179.0, 179.99, 179.9999}) {
     const auto value = scale(degrees);
     const exact::Decimal half =
         exact::Decimal(degrees) * exact::pi() / exact::Decimal(std::int64_t(360));
     const exact::Decimal exact = exact::Decimal(1) / exact::tan(half);
     // The bound is 4 ulps, each at most 2 u of the value (projection.h).
-    worst.see(value ? exact::error_of(*value, exact) / double(exact) : HUGE_VAL,
+    worst.add(value ? exact::error_of(*value, exact) / double(exact) : HUGE_VAL,
               8 * unit_roundoff<double>, fmt::format("{} degrees", degrees),
               fov_condition(radians_from_degrees(degrees)));
   }
@@ -29,7 +29,7 @@ Outcome judge(Scale scale) {
   for (const double degrees : {0.0, -45.0, 180.0, 180.0001, 360.0}) {
     accepted += scale(degrees).has_value();
   }
-  if (accepted > 0) worst.see(HUGE_VAL, 0, "an angle without a picture accepted");
+  if (accepted > 0) worst.add(HUGE_VAL, 0, "an angle without a picture accepted");
   return worst.outcome(fmt::format("{} of 5 impossible angles accepted", accepted));
 }
 
@@ -50,20 +50,20 @@ std::optional<double> by_radians(double degrees) {
 
 // The same picture for a narrow and for a wide angle of view: the triangles are scaled to the
 // angle.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     for (const double degrees : {1e-3, 1.0, 90.0, 179.0, 179.99}) {
       const double radians = radians_from_degrees(degrees);
       const float t = float(std::tan(radians / 2));
-      all.emplace_back(vista_of({{Point<Eye>{-0.7f * t, -0.6f * t, -1},
-                                  {1.6f * t, -0.4f * t, -2},
-                                  {0.2f * t, 2.4f * t, -3}}},
-                                PerspectiveLens{radians, 0.5, 8.0}, 64));
+      all.emplace_back(make_ray_scene({{Point<Eye>{-0.7f * t, -0.6f * t, -1},
+                                        {1.6f * t, -0.4f * t, -2},
+                                        {0.2f * t, 2.4f * t, -3}}},
+                                      PerspectiveLens{radians, 0.5, 8.0}, 64));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c08
@@ -75,13 +75,13 @@ ExtremeCase c08_field_of_view() {
       .name = "Fields of view near 0 and 180 degrees",
       .construction = "1e-6 .. 179.9999 degrees; then 0, negative, 180 and more",
       .stage = "projection",
-      .right = "cot(x/2) to 4 ulps (pipeline/projection.h); refused outside of (0, 180)",
+      .right_answer = "cot(x/2) to 4 ulps (pipeline/projection.h); refused outside of (0, 180)",
       .unit = "of the scale",
       .oracle = Oracle::kExtended,
-      .ours = {"perspective_degrees", [] { return judge(ours); }},
-      .naive = {"1 / tan in float, unchecked", [] { return judge(tangent_in_float); }},
-      .mutants = {{"the angle goes through radians", [] { return judge(by_radians); }}},
-      .drawn = judge_drawn,
+      .ours = {"perspective_degrees", [] { return measure_error(ours); }},
+      .naive = {"1 / tan in float, unchecked", [] { return measure_error(tangent_in_float); }},
+      .mutants = {{"the angle goes through radians", [] { return measure_error(by_radians); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

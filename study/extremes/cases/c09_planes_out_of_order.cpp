@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 #include "study/naive/projection.h"
 
 namespace glassbox::study {
@@ -13,8 +13,8 @@ namespace c09 {
 using exact::Rational;
 using Lens = Result<Transform<Clip, Eye>> (*)(double near, double far);
 
-Outcome judge(Lens lens) {
-  Worst worst;
+Outcome measure_error(Lens lens) {
+  WorstError worst;
   for (const auto& [n, f] :
        {std::pair{1e-30, 1.0}, {1e-30, 1e30}, {1.0, std::nextafter(1.0, 2.0)}, {0.1, 100.0}}) {
     const auto m = lens(n, f);
@@ -23,15 +23,15 @@ Outcome judge(Lens lens) {
     const std::string where = fmt::format("near {:g}, far {:g}", n, f);
     // The bound is 4 ulps, each at most 2 u of the value (projection.h).
     constexpr double kBound = 8 * unit_roundoff<double>;
-    worst.see(m ? exact::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
-    worst.see(m ? exact::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
+    worst.add(m ? exact::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
+    worst.add(m ? exact::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
   }
   int accepted = 0;
   for (const auto& [n, f] :
        {std::pair{0.0, 1.0}, {-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {1.0, -1.0}}) {
     accepted += bool(lens(n, f));
   }
-  if (accepted > 0) worst.see(HUGE_VAL, 0, "planes out of order accepted");
+  if (accepted > 0) worst.add(HUGE_VAL, 0, "planes out of order accepted");
   return worst.outcome(fmt::format("{} of 5 impossible pairs of planes accepted", accepted));
 }
 
@@ -51,9 +51,9 @@ Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) 
 
 // Triangles between the two planes, none in front of another: few steps of depth are left, so none
 // could be told to be nearer.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     struct Planes {
       double near, far;
       float distance;
@@ -78,14 +78,14 @@ Outcome judge_drawn(const Drawer& by) {
         const float z = -2 * float(planes.far);
         triangles.push_back({Point<Eye>{2 * z, 0, z}, {-2 * z, z, z}, {-2 * z, -z, z}});
       }
-      Vista vista = vista_of(
+      RayScene ray_scene = make_ray_scene(
           triangles, PerspectiveLens{radians_from_degrees(90), planes.near, planes.far}, 48);
-      store_depth(vista, planes.format);
-      all.emplace_back(std::move(vista));
+      store_depth(ray_scene, planes.format);
+      all.emplace_back(std::move(ray_scene));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c09
@@ -99,16 +99,16 @@ ExtremeCase c09_planes_out_of_order() {
           "near 1e-30, far 1 and 1e30; far the next double after near; then near = 0, negative, "
           "equal to and beyond far",
       .stage = "projection",
-      .right =
+      .right_answer =
           "the entries of depth to 4 ulps of the rational ones; no matrix for planes out of order",
       .unit = "of the entry",
       .oracle = Oracle::kRational,
-      .ours = {"perspective_degrees", [] { return judge(ours); }},
-      .naive = {"f / (f - n) in float, unchecked", [] { return judge(unchecked); }},
-      .mutants = {{"n = f passes", [] { return judge(equal_planes_pass); }},
+      .ours = {"perspective_degrees", [] { return measure_error(ours); }},
+      .naive = {"f / (f - n) in float, unchecked", [] { return measure_error(unchecked); }},
+      .mutants = {{"n = f passes", [] { return measure_error(equal_planes_pass); }},
                   {"n > f is swapped without an error",
-                   [] { return judge(swapped_when_out_of_order); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(swapped_when_out_of_order); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,6 +1,6 @@
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 
@@ -21,9 +21,9 @@ views::Matrix3d normalised_by_normal_equations(const views::Matches& pixels) {
 
 // The matches have no noise, so every error comes from rounding. Compares essential matrices,
 // because the entries of a fundamental matrix have very different sizes.
-Outcome judge(Solver solver) {
+Outcome measure_error(Solver solver) {
   Random random(100);
-  Worst worst;
+  WorstError worst;
   for (int i = 0; i < 60; ++i) {
     const views::StereoRig rig = random_rig(random);
     const views::Matches pixels = matches_of(random, rig, 20, 0);
@@ -31,10 +31,10 @@ Outcome judge(Solver solver) {
       return views::Matrix3d(rig.right_intrinsic.transpose() * f * rig.left_intrinsic);
     };
     const double error =
-        apart(as_essential(solver(pixels)), as_essential(views::fundamental_of(rig)));
+        matrix_distance(as_essential(solver(pixels)), as_essential(views::fundamental_of(rig)));
     const auto fit = views::fit_fundamental(pixels, views::Conditioning::kNormalised);
     const double condition = fit->system.condition();
-    worst.see(error, 64 * unit_roundoff<double> * condition, fmt::format("pair {}", i), condition);
+    worst.add(error, 64 * unit_roundoff<double> * condition, fmt::format("pair {}", i), condition);
   }
   return worst.outcome();
 }
@@ -48,18 +48,19 @@ ExtremeCase c100_normal_equations() {
       .name = "Eight points by normal equations",
       .construction = "60 pairs of cameras, 20 matches without noise, in pixels",
       .stage = "two views",
-      .right =
+      .right_answer =
           "64 u times the condition number of the normalised system; A^T A has its square, about "
           "10^10 for raw pixels, but a float resolves only 10^7",
       .unit = "of |E|",
       .oracle = Oracle::kAnalytic,
-      .ours = {"singular values of normalised points", [] { return judge(by_singular_values); }},
+      .ours = {"singular values of normalised points",
+               [] { return measure_error(by_singular_values); }},
       .naive = {"normal equations of pixels in float",
-                [] { return judge(naive::matrix_by_normal_equations<float>); }},
+                [] { return measure_error(naive::matrix_by_normal_equations<float>); }},
       .mutants = {{"normal equations of normalised points in float",
-                   [] { return judge(normalised_by_normal_equations<float>); }},
+                   [] { return measure_error(normalised_by_normal_equations<float>); }},
                   {"normal equations of pixels in double",
-                   [] { return judge(naive::matrix_by_normal_equations<double>); }}},
+                   [] { return measure_error(naive::matrix_by_normal_equations<double>); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -1,30 +1,32 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 
 namespace glassbox::study {
 namespace c101 {
 
-using Decision = views::PairKind (*)(const views::PairJudgement&);
+using Decision = views::PairKind (*)(const views::PairClassification&);
 
-views::PairKind by_criterion(const views::PairJudgement& judged) {
+views::PairKind by_criterion(const views::PairClassification& judged) {
   return judged.kind;
 }
 // A fundamental matrix has more degrees of freedom than a rotation, so it always fits better, and
 // this code never reports a rotation.
-views::PairKind by_fit_alone(const views::PairJudgement& judged) {
+views::PairKind by_fit_alone(const views::PairClassification& judged) {
   const double freedom = 0.5 * judged.cost_of_fundamental;
-  return judged.cost_of_rotation < judged.cost_of_fundamental - freedom ? views::PairKind::kTurned
-                                                                        : views::PairKind::kGeneral;
+  return judged.cost_of_rotation < judged.cost_of_fundamental - freedom
+             ? views::PairKind::kPureRotation
+             : views::PairKind::kGeneral;
 }
 
-Outcome judge(Decision decision) {
+Outcome measure_error(Decision decision) {
   Random random(101);
   constexpr double kSigma = 0.5;
   int wrong = 0, tried = 0;
   const auto ask = [&](const views::StereoRig& rig, const views::Matches& pixels,
                        views::PairKind right) {
-    const auto judged = views::judge_pair(pixels, rig.left_intrinsic, rig.right_intrinsic, kSigma);
+    const auto judged =
+        views::classify_pair(pixels, rig.left_intrinsic, rig.right_intrinsic, kSigma);
     wrong += !judged || decision(*judged) != right;
     ++tried;
   };
@@ -32,9 +34,9 @@ Outcome judge(Decision decision) {
     views::StereoRig rig = random_rig(random);
     ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kGeneral);
     rig.pose.translation.setZero();
-    ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kTurned);
+    ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kPureRotation);
   }
-  return wrong_of(wrong, tried, "pairs");
+  return wrong_count_outcome(wrong, tried, "pairs");
 }
 
 }  // namespace c101
@@ -49,17 +51,17 @@ ExtremeCase c101_pure_rotation() {
           "of 1/2 "
           "px",
       .stage = "two views",
-      .right =
+      .right_answer =
           "E is 0, and any direction of T fits: the pair is reported as such instead of estimated, "
           "by residuals and a cost for each model's freedom (Torr 2002)",
       .unit = "pairs",
       .oracle = Oracle::kProperty,
-      .ours = {"three models compared", [] { return judge(by_criterion); }},
+      .ours = {"three models compared", [] { return measure_error(by_criterion); }},
       .naive = {"the solution for eight points, without a check",
-                [] { return judge(naive::always_general); }},
-      .mutants = {{"no cost for a model's freedom", [] { return judge(by_fit_alone); }},
+                [] { return measure_error(naive::always_general); }},
+      .mutants = {{"no cost for a model's freedom", [] { return measure_error(by_fit_alone); }},
                   {"every homography counts as a plane",
-                   [] { return judge(naive::turned_is_a_plane); }}},
+                   [] { return measure_error(naive::turned_is_a_plane); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

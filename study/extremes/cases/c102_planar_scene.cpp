@@ -1,8 +1,8 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/constraint.h"
-#include "views/two_view/minimal.h"
+#include "views/two_view/minimal_solvers.h"
 
 namespace glassbox::study {
 namespace c102 {
@@ -17,10 +17,10 @@ struct Subject102 {
 int by_singular_values(const views::Matches& matches) {
   return views::linear_fit(views::normalised(matches)->matches)->rank();
 }
-int of_equations(const views::Matches& matches) {
+int count_equations(const views::Matches& matches) {
   return std::min(int(matches.size()), 8);
 }
-int of_zeros(const views::Matches& matches) {
+int count_nonzero_values(const views::Matches& matches) {
   const auto fit = views::linear_fit(views::normalised(matches)->matches);
   return int((fit->singular_values.array() != 0).count());
 }
@@ -33,7 +33,7 @@ std::vector<views::Matrix3d> eight_points(const views::Matches& matches) {
   return {views::fit_essential(matches, views::Conditioning::kNormalised)->matrix};
 }
 
-Outcome judge(auto rank_by, auto essentials_by) {
+Outcome measure_error(auto rank_by, auto essentials_by) {
   const Subject102 subject{rank_by, essentials_by};
   Random random(102);
   int wrong = 0, tried = 0;
@@ -47,12 +47,12 @@ Outcome judge(auto rank_by, auto essentials_by) {
       wrong += subject.rank(matches) != (flat ? 6 : 8);
       double nearest = 1;
       for (const views::Matrix3d& e : subject.essentials(matches))
-        nearest = std::min(nearest, apart(e, right));
+        nearest = std::min(nearest, matrix_distance(e, right));
       wrong += nearest > 1e-6;
       tried += 2;
     }
   }
-  return wrong_of(wrong, tried, "answers");
+  return wrong_count_outcome(wrong, tried, "answers");
 }
 
 }  // namespace c102
@@ -66,19 +66,20 @@ ExtremeCase c102_planar_scene() {
           "30 pairs of cameras, 20 matches without noise, of points on a plane and of points in "
           "any position",
       .stage = "two views",
-      .right =
+      .right_answer =
           "the rank of the system is 6, and 8 for points in any position; the solutions for five "
           "calibrated points contain the right E in both cases, to 1e-6 (roots of degree 10 lose "
           "half of the digits)",
       .unit = "answers",
       .oracle = Oracle::kAnalytic,
       .ours = {"rank by singular values, five points",
-               [] { return judge(by_singular_values, five_points); }},
+               [] { return measure_error(by_singular_values, five_points); }},
       .naive = {"as many equations as matches, eight points",
-                [] { return judge(of_equations, eight_points); }},
-      .mutants = {{"only an exact 0 counts as 0", [] { return judge(of_zeros, five_points); }},
+                [] { return measure_error(count_equations, eight_points); }},
+      .mutants = {{"only an exact 0 counts as 0",
+                   [] { return measure_error(count_nonzero_values, five_points); }},
                   {"eight points instead of five",
-                   [] { return judge(by_singular_values, eight_points); }}},
+                   [] { return measure_error(by_singular_values, eight_points); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -1,4 +1,4 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 
@@ -11,34 +11,34 @@ views::Matches on_quadric(Random& random, const views::StereoRig& rig, double si
   views::Matches pixels;
   while (pixels.size() < 60) {
     const double x = random.between(-1.5, 2.5), z = random.between(4, 8);
-    pixels.push_back(seen(rig, {x, (x - x * x) / z, z}, sigma, random));
+    pixels.push_back(project_match(rig, {x, (x - x * x) / z, z}, sigma, random));
   }
   return pixels;
 }
 
-struct Asked {
-  views::PairJudgement judged;
+struct DecisionInput {
+  views::PairClassification judged;
   int rank = 0;
 };
-using Decision = views::PairKind (*)(const Asked&);
+using Decision = views::PairKind (*)(const DecisionInput&);
 
-views::PairKind by_gap(const Asked& asked) {
+views::PairKind by_gap(const DecisionInput& asked) {
   return asked.judged.kind;
 }
-views::PairKind eight_points_do(const Asked& asked) {
+views::PairKind eight_points_do(const DecisionInput& asked) {
   return naive::always_general(asked.judged);
 }
 // Fails with noise, because the rank is then full.
-views::PairKind by_rank(const Asked& asked) {
+views::PairKind by_rank(const DecisionInput& asked) {
   return asked.rank < 8 ? views::PairKind::kCritical : views::PairKind::kGeneral;
 }
 // Tests only for homographies: a critical surface is not a plane, so such a pair counts as general.
-views::PairKind by_homography(const Asked& asked) {
+views::PairKind by_homography(const DecisionInput& asked) {
   return asked.judged.kind == views::PairKind::kCritical ? views::PairKind::kGeneral
                                                          : asked.judged.kind;
 }
 
-Outcome judge(Decision decision) {
+Outcome measure_error(Decision decision) {
   Random random(103);
   int wrong = 0, tried = 0;
   const views::StereoRig rig = rig_at({1, 0, 0});
@@ -47,8 +47,8 @@ Outcome judge(Decision decision) {
       for (const bool critical : {true, false}) {
         const views::Matches pixels =
             critical ? on_quadric(random, rig, sigma) : matches_of(random, rig, 60, sigma, 3, 8);
-        const auto judged = views::judge_pair(pixels, rig.left_intrinsic, rig.right_intrinsic,
-                                              sigma > 0 ? sigma : 0.1);
+        const auto judged = views::classify_pair(pixels, rig.left_intrinsic, rig.right_intrinsic,
+                                                 sigma > 0 ? sigma : 0.1);
         const int rank = views::linear_fit(views::normalised(pixels)->matches)->rank();
         const auto right = critical ? views::PairKind::kCritical : views::PairKind::kGeneral;
         wrong += !judged || decision({*judged, rank}) != right;
@@ -56,7 +56,7 @@ Outcome judge(Decision decision) {
       }
     }
   }
-  return wrong_of(wrong, tried, "pairs");
+  return wrong_count_outcome(wrong, tried, "pairs");
 }
 
 }  // namespace c103
@@ -71,16 +71,17 @@ ExtremeCase c103_critical_surface() {
           "same "
           "cameras before any points",
       .stage = "two views",
-      .right =
+      .right_answer =
           "a second matrix fulfils all equations: the eighth singular value is as small as the "
           "ninth, or nearly, and no homography fits",
       .unit = "pairs",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the gap between the last two singular values", [] { return judge(by_gap); }},
+      .ours = {"the gap between the last two singular values",
+               [] { return measure_error(by_gap); }},
       .naive = {"the solution for eight points, without a check",
-                [] { return judge(eight_points_do); }},
-      .mutants = {{"only the rank is checked", [] { return judge(by_rank); }},
-                  {"only planes count as degenerate", [] { return judge(by_homography); }}},
+                [] { return measure_error(eight_points_do); }},
+      .mutants = {{"only the rank is checked", [] { return measure_error(by_rank); }},
+                  {"only planes count as degenerate", [] { return measure_error(by_homography); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -1,7 +1,7 @@
 #include <limits>
 #include <set>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 
@@ -9,9 +9,9 @@ namespace glassbox::study {
 namespace c104 {
 
 // Whether the fundamental matrix of these matches can be trusted.
-using Accepts = bool (*)(const views::Matches& pixels);
+using AcceptTest = bool (*)(const views::Matches& pixels);
 
-bool of_rank_eight(const views::Matches& pixels) {
+bool has_rank_eight(const views::Matches& pixels) {
   const auto fit = views::fit_fundamental(pixels, views::Conditioning::kNormalised);
   return fit && fit->system.rank() == 8;
 }
@@ -27,7 +27,7 @@ bool left_points_differ(const views::Matches& pixels) {
   return is_solved(pixels) && columns.size() >= 8;
 }
 
-Outcome judge(Accepts accepts) {
+Outcome measure_error(AcceptTest accepts) {
   Random random(104);
   int wrong = 0, tried = 0;
   const auto ask = [&](const views::Matches& pixels, bool right) {
@@ -47,15 +47,15 @@ Outcome judge(Accepts accepts) {
     views::Matches behind = good;
     for (std::size_t k = 1; k < behind.size(); ++k) {
       const double far = 2.5 + double(k);
-      behind[k] =
-          seen(rig, far * views::ray_through(rig.left_intrinsic, {100 + double(k) * 1e-3, 200}));
+      behind[k] = project_match(
+          rig, far * views::ray_through(rig.left_intrinsic, {100 + double(k) * 1e-3, 200}));
     }
     ask(behind, false);
     views::Matches infinite = good;
     infinite[3].right.x() = std::numeric_limits<double>::infinity();
     ask(infinite, false);
   }
-  return wrong_of(wrong, tried, "lists of matches");
+  return wrong_count_outcome(wrong, tried, "lists of matches");
 }
 
 }  // namespace c104
@@ -69,13 +69,14 @@ ExtremeCase c104_too_few_points() {
           "eight good matches; seven; one match eight times; eight with two equal ones; seven of "
           "eight almost on one line of sight; an infinite pixel; 10 pairs of cameras",
       .stage = "two views",
-      .right = "only the good ones are accepted: the system must have rank 8",
+      .right_answer = "only the good ones are accepted: the system must have rank 8",
       .unit = "lists",
       .oracle = Oracle::kProperty,
-      .ours = {"eight, finite, of rank 8", [] { return judge(of_rank_eight); }},
-      .naive = {"eight matches are enough", [] { return judge(eight_are_there); }},
-      .mutants = {{"the rank is not checked", [] { return judge(is_solved); }},
-                  {"only the left points must differ", [] { return judge(left_points_differ); }}},
+      .ours = {"eight, finite, of rank 8", [] { return measure_error(has_rank_eight); }},
+      .naive = {"eight matches are enough", [] { return measure_error(eight_are_there); }},
+      .mutants = {{"the rank is not checked", [] { return measure_error(is_solved); }},
+                  {"only the left points must differ",
+                   [] { return measure_error(left_points_differ); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

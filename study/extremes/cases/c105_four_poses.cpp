@@ -1,6 +1,6 @@
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/constraint.h"
@@ -19,16 +19,16 @@ views::RelativePose in_front(const views::Matrix3d& essential, const views::Matc
 
 // A rotation and a direction are each made of a few products of orthogonal matrices that are right
 // to about 50 u.
-Outcome judge(Choice choice) {
+Outcome measure_error(Choice choice) {
   Random random(105);
-  ErrorsBeyond errors(512 * unit_roundoff<double>);
+  ErrorsAboveBound errors(512 * unit_roundoff<double>);
   for (int i = 0; i < 200; ++i) {
     const views::StereoRig rig = random_rig(random);
     const views::Matches matches = calibrated(matches_of(random, rig, 20, 0), rig);
     const double sign = random.unit() < 0.5 ? -1 : 1;
     const views::RelativePose found =
         choice(sign * views::essential<double>(rig.pose.rotation, rig.pose.translation), matches);
-    errors.see(std::max(views::rotation_error(found.rotation, rig.pose.rotation),
+    errors.add(std::max(views::rotation_error(found.rotation, rig.pose.rotation),
                         views::direction_error(found.translation, rig.pose.translation)));
   }
   return errors.outcome("poses");
@@ -43,13 +43,15 @@ ExtremeCase c105_four_poses() {
       .name = "Four poses of one matrix",
       .construction = "E of 200 pairs of cameras, with either sign, and 20 matches of each",
       .stage = "two views",
-      .right = "exactly one of four has all points in front of both cameras; 512 u",
+      .right_answer = "exactly one of four has all points in front of both cameras; 512 u",
       .unit = "radian",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the one in front of both cameras", [] { return judge(in_front); }},
-      .naive = {"the first", [] { return judge(naive::first_of_four); }},
-      .mutants = {{"one rotation, both signs of T", [] { return judge(naive::one_rotation); }},
-                  {"in front of the left camera", [] { return judge(naive::in_front_of_left); }}},
+      .ours = {"the one in front of both cameras", [] { return measure_error(in_front); }},
+      .naive = {"the first", [] { return measure_error(naive::first_of_four); }},
+      .mutants = {{"one rotation, both signs of T",
+                   [] { return measure_error(naive::one_rotation); }},
+                  {"in front of the left camera",
+                   [] { return measure_error(naive::in_front_of_left); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

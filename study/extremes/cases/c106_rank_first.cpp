@@ -1,6 +1,6 @@
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/constraint.h"
@@ -17,13 +17,13 @@ views::Matrix3d after(const views::Matches& calibrated) {
 
 // Demazure's sum has three products of three factors of norm 1, with 9 products for each entry:
 // about 60 u, including the error of E itself.
-Outcome judge(Estimator estimator) {
+Outcome measure_error(Estimator estimator) {
   Random random(106);
-  ErrorsBeyond errors(64 * unit_roundoff<double>);
+  ErrorsAboveBound errors(64 * unit_roundoff<double>);
   for (int i = 0; i < 60; ++i) {
     const views::StereoRig rig = random_rig(random);
     const views::Matches matches = calibrated(matches_of(random, rig, 20, 0.5), rig);
-    errors.see(views::demazure<double>(estimator(matches).normalized()).norm());
+    errors.add(views::demazure<double>(estimator(matches).normalized()).norm());
   }
   return errors.outcome("matrices");
 }
@@ -37,16 +37,16 @@ ExtremeCase c106_rank_first() {
       .name = "Rank before transforming back",
       .construction = "60 pairs of cameras, 20 calibrated matches with the noise of 1/2 px",
       .stage = "two views",
-      .right =
+      .right_answer =
           "2 E E^T E = tr(E E^T) E for |E| = 1, to 64 u: two equal singular values and a 0, which "
           "a "
           "similarity does not keep",
       .unit = "of |E|^3",
       .oracle = Oracle::kAnalytic,
-      .ours = {"transformed back, then made essential", [] { return judge(after); }},
+      .ours = {"transformed back, then made essential", [] { return measure_error(after); }},
       .naive = {"made essential, then transformed back",
-                [] { return judge(naive::essential_made_before_carrying_back); }},
-      .mutants = {{"rank 2 alone", [] { return judge(naive::essential_of_rank_two); }}},
+                [] { return measure_error(naive::essential_made_before_carrying_back); }},
+      .mutants = {{"rank 2 alone", [] { return measure_error(naive::essential_of_rank_two); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -1,4 +1,4 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 
@@ -20,7 +20,7 @@ bool is_right(const views::Triangulated& found, double disparity) {
   return found.in_front_of_both && std::abs(found.point.z() - depth) <= bound;
 }
 
-Outcome judge(Triangulation triangulation) {
+Outcome measure_error(Triangulation triangulation) {
   int wrong = 0, tried = 0;
   for (const double disparity : {40.0, 1.0, 0.015625, 0.0, -0.015625, -1.0, -40.0}) {
     for (const double x : {320.0, 400.0, 37.5}) {
@@ -33,15 +33,15 @@ Outcome judge(Triangulation triangulation) {
   Random random(107);
   for (int i = 0; i < 20; ++i) {
     views::StereoRig rig = random_rig(random);
-    const views::Vector3d far = 1e3 * point_before(random, rig, 2, 10);
+    const views::Vector3d far = 1e3 * random_visible_point(random, rig, 2, 10);
     const views::Vector3d centre = rig.pose.translation;
     rig.pose.translation.setZero();
-    const views::Match pixels = seen(rig, far);
+    const views::Match pixels = project_match(rig, far);
     rig.pose.translation = centre;
     wrong += !is_right(triangulation(pixels, rig), 0);
     ++tried;
   }
-  return wrong_of(wrong, tried, "points");
+  return wrong_count_outcome(wrong, tried, "points");
 }
 
 views::Triangulated flagged(const views::Match& pixels, const views::StereoRig& rig) {
@@ -71,17 +71,18 @@ ExtremeCase c107_parallel_rays() {
           "disparities from 40 px to -40 px with a 0 in between, focal length 800 px, baseline "
           "0.1; 20 pairs of turned cameras that see infinitely far points",
       .stage = "two views",
-      .right =
+      .right_answer =
           "f B/d in front of the cameras; for 0, a direction with w = 0; below 0, a point that is "
           "reported as behind the cameras; lines are parallel if the sine between them is below 8 "
           "u",
       .unit = "points",
       .oracle = Oracle::kAnalytic,
-      .ours = {"midpoint with a flag", [] { return judge(flagged); }},
-      .naive = {"a quotient", [] { return judge(naive::by_division); }},
-      .mutants = {{"a division by 0 for parallel lines", [] { return judge(never_at_infinity); }},
+      .ours = {"midpoint with a flag", [] { return measure_error(flagged); }},
+      .naive = {"a quotient", [] { return measure_error(naive::by_division); }},
+      .mutants = {{"a division by 0 for parallel lines",
+                   [] { return measure_error(never_at_infinity); }},
                   {"everything beyond 1000 counts as infinitely far",
-                   [] { return judge(at_infinity_too_soon); }}},
+                   [] { return measure_error(at_infinity_too_soon); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

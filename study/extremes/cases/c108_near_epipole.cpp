@@ -1,12 +1,12 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/scenes/two_cameras.h"
 
 namespace glassbox::study {
 namespace c108 {
 
 // Predicts the standard deviation of the depth for noise of `sigma` px.
-using Foretold = double (*)(const views::Vector3d& point, const views::StereoRig& rig,
-                            double sigma);
+using PredictedError = double (*)(const views::Vector3d& point, const views::StereoRig& rig,
+                                  double sigma);
 
 double by_covariance(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return std::sqrt(views::covariance_of(point, rig, sigma)(2, 2));
@@ -29,24 +29,24 @@ constexpr int kSamples = 4000;
 // Compares the prediction with the deviation over 4000 noisy pairs of pixels. That deviation has an
 // uncertainty of 1/sqrt(2 n), of which four are allowed; the noise is so small that the depth is
 // linear in it.
-Outcome judge(Foretold foretold) {
+Outcome measure_error(PredictedError predicted_error) {
   Random random(108);
   constexpr double kSigma = 0.01, kBound = 0.0447;  // 4/sqrt(8000)
   const views::StereoRig rig = rig_at({0, 0, 1});
-  Worst worst;
+  WorstError worst;
   for (const double aside : {0.02, 0.05, 0.1, 0.3}) {
     const views::Vector3d point(5 * aside, 2 * aside, 5);
     double sum = 0, squares = 0;
     for (int i = 0; i < kSamples; ++i) {
-      const views::Match pixels = seen(rig, point, kSigma, random);
+      const views::Match pixels = project_match(rig, point, kSigma, random);
       const double off =
           views::triangulate(views::Triangulator::kLindstrom, pixels, rig).point.z() - point.z();
       sum += off;
       squares += off * off;
     }
     const double measured = std::sqrt((squares - sum * sum / kSamples) / (kSamples - 1));
-    const double said = foretold(point, rig, kSigma);
-    worst.see(
+    const double said = predicted_error(point, rig, kSigma);
+    worst.add(
         std::abs(said / measured - 1), kBound,
         fmt::format("at {:.2g} of the distance from the epipole: {:.3g} measured, {:.3g} predicted",
                     aside, measured, said));
@@ -65,16 +65,16 @@ ExtremeCase c108_near_epipole() {
           "a camera that moves 1 ahead, points at the distance 5 and 0.02 to 0.3 of it to the "
           "side; 4000 pairs of pixels each, with a noise of 1/100 px",
       .stage = "two views",
-      .right =
+      .right_answer =
           "the standard deviation of the depth follows from (J^T J)^-1, to 4/sqrt(8000), where J "
           "has the derivatives of the pixels with respect to the point; it grows without bound "
           "towards the epipole",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"covariance of the point", [] { return judge(by_covariance); }},
-      .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return judge(by_parallel_law); }},
-      .mutants = {{"noise in one picture alone", [] { return judge(one_picture_alone); }},
-                  {"by the sine at the camera", [] { return judge(by_sine_at_camera); }}},
+      .ours = {"covariance of the point", [] { return measure_error(by_covariance); }},
+      .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return measure_error(by_parallel_law); }},
+      .mutants = {{"noise in one picture alone", [] { return measure_error(one_picture_alone); }},
+                  {"by the sine at the camera", [] { return measure_error(by_sine_at_camera); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -1,6 +1,6 @@
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/scenes/two_cameras.h"
 
 namespace glassbox::study {
@@ -9,7 +9,7 @@ namespace c109 {
 constexpr double kSigma = 0.5, kDepth = 5;
 
 // Predicts the standard deviation of the depth.
-using Foretold = double (*)(const views::StereoRig& rig);
+using PredictedError = double (*)(const views::StereoRig& rig);
 
 double by_covariance(const views::StereoRig& rig) {
   const double variance = views::covariance_of({0, 0, kDepth}, rig, kSigma)(2, 2);
@@ -30,17 +30,17 @@ double never_infinite(const views::StereoRig& rig) {
 
 // The formula holds for small angles, with an error of (B/Z)^2; the matrix that is inverted has a
 // condition number of (Z/B)^2.
-Outcome judge(Foretold foretold) {
-  Worst worst;
+Outcome measure_error(PredictedError predicted_error) {
+  WorstError worst;
   for (const double baseline : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     const double law = views::depth_error_of_parallel(kDepth, kSigma, 800, baseline);
     const double ratio = baseline / kDepth, condition = 1 / (ratio * ratio);
-    worst.see(std::abs(foretold(rig_at({baseline, 0, 0})) / law - 1),
+    worst.add(std::abs(predicted_error(rig_at({baseline, 0, 0})) / law - 1),
               4 * ratio * ratio + 16 * unit_roundoff<double> * condition,
               fmt::format("baseline {}", baseline), condition);
   }
-  const bool said = std::isinf(foretold(rig_at({0, 0, 0})));
-  worst.see(said ? 0 : 1, 0, "no baseline: the result does not say that there is no depth");
+  const bool said = std::isinf(predicted_error(rig_at({0, 0, 0})));
+  worst.add(said ? 0 : 1, 0, "no baseline: the result does not say that there is no depth");
   return worst.outcome();
 }
 
@@ -54,16 +54,18 @@ ExtremeCase c109_no_baseline() {
       .construction =
           "a point at the distance 5, a noise of 1/2 px, baselines from 0.1 to 1e-6, and none",
       .stage = "two views",
-      .right =
+      .right_answer =
           "the standard deviation of the depth is Z^2 sqrt(2) sigma/(f B), to 4 (B/Z)^2 for the "
           "angle and 16 u (Z/B)^2 for the inverse; without a baseline it is infinite",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"covariance of the point", [] { return judge(by_covariance); }},
+      .ours = {"covariance of the point", [] { return measure_error(by_covariance); }},
       .naive = {"a small reprojection error counts as a small error of the point",
-                [] { return judge(by_reprojection); }},
-      .mutants = {{"the square root of the baseline", [] { return judge(with_root_of_baseline); }},
-                  {"without a baseline the error is 0", [] { return judge(never_infinite); }}},
+                [] { return measure_error(by_reprojection); }},
+      .mutants = {{"the square root of the baseline",
+                   [] { return measure_error(with_root_of_baseline); }},
+                  {"without a baseline the error is 0",
+                   [] { return measure_error(never_infinite); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/projection.h"
 
 namespace glassbox::study {
@@ -27,9 +27,9 @@ Rational distance_of(const Planes& planes, float depth) {
   return n * f / (n + d * (f - n));
 }
 
-Outcome judge(ReversedDepth depth) {
+Outcome measure_error(ReversedDepth depth) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Worst worst;
+  WorstError worst;
   for (const double far : {100.0, 1e5, 1e8, kInfinity}) {
     const Planes planes{0.125, far};
     for (double z = 0.15; z < std::min(far, 1e7) * 0.9; z *= 1.37) {
@@ -40,18 +40,18 @@ Outcome judge(ReversedDepth depth) {
       // Two rounded entries, a product, a sum and a quotient give 5 u of the two terms n/z and n/f
       // of the depth: dz/z = z (f - n)/(f n) * 5 u (n/z + n/f) < 5 u (1 + z/f).
       const double bound = 5 * unit_roundoff<float> * (1 + z / far) * (1 + 0x1p-20);
-      worst.see(error, bound, fmt::format("far {:g}, distance {:.4g}", far, z), 1 + z / far);
+      worst.add(error, bound, fmt::format("far {:g}, distance {:.4g}", far, z), 1 + z / far);
     }
   }
   return worst.outcome();
 }
 
-float of_clip(const Planes& planes, float distance, DepthRange range) {
+float clip_space_depth(const Planes& planes, float distance, DepthRange range) {
   const auto lens = perspective_degrees(90, 1, {planes.near, planes.far, range}).value();
   return divide(round_to_float(lens) * Point<Eye>(0, 0, -distance)).position.z;
 }
 float ours(const Planes& planes, float distance) {
-  return of_clip(planes, distance, DepthRange::kReversed);
+  return clip_space_depth(planes, distance, DepthRange::kReversed);
 }
 float standard(const Planes& planes, float distance) {
   const double n = planes.near;
@@ -60,7 +60,7 @@ float standard(const Planes& planes, float distance) {
   return naive::depth_reversed_afterwards(lens * Point<Eye>(0, 0, -distance));
 }
 float one_minus_standard(const Planes& planes, float distance) {
-  return 1 - of_clip(planes, distance, DepthRange::kStandard);
+  return 1 - clip_space_depth(planes, distance, DepthRange::kStandard);
 }
 float through_gl(const Planes& planes, float distance) {
   const auto lens =
@@ -70,17 +70,17 @@ float through_gl(const Planes& planes, float distance) {
 
 // Rectangles at right angles to the gaze, and the depths that a run stores for them. All vertices
 // of one have the same depth, so interpolation adds no rounding error.
-Outcome judge_drawn(const Drawer& by) {
-  Worst worst;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  WorstError worst;
   for (const double far : {100.0, 1e5, 1e8, double(HUGE_VAL)}) {
     for (float z = 0.15f; z < 1e7f && double(z) < far; z *= 4) {
       const double n = 0.125;
-      const auto code = pane_code_drawn(by, n, far, DepthFormat::kFloat32Reversed, z);
+      const auto code = pane_code_drawn(engine, n, far, DepthFormat::kFloat32Reversed, z);
       const double depth = depth_of_reversed_code(code), share = std::isinf(far) ? 0 : n / far;
       // depth = (n/z - share) / (1 - share), so z = n / (depth (1 - share) + share).
       const double recovered = n / (depth * (1 - share) + share);
       const double condition = 1 + (std::isinf(far) ? 0 : double(z) / far);
-      worst.see(std::abs(recovered / double(z) - 1),
+      worst.add(std::abs(recovered / double(z) - 1),
                 5 * unit_roundoff<float> * condition * (1 + 0x1p-20),
                 fmt::format("far {:g}, distance {:.4g}", far, z));
     }
@@ -99,14 +99,15 @@ ExtremeCase c10_depth_ratio() {
           "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 times the "
           "last; the distance recovered from the depth as stored",
       .stage = "projection",
-      .right = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (B.3)",
+      .right_answer = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (B.3)",
       .unit = "of the distance",
       .oracle = Oracle::kRational,
-      .ours = {"reversed depth from the matrix", [] { return judge(ours); }},
-      .naive = {"f / (f - n) in float", [] { return judge(standard); }},
-      .mutants = {{"reversed as 1 - depth", [] { return judge(one_minus_standard); }},
-                  {"reversed z through OpenGL's [-1, 1]", [] { return judge(through_gl); }}},
-      .drawn = judge_drawn,
+      .ours = {"reversed depth from the matrix", [] { return measure_error(ours); }},
+      .naive = {"f / (f - n) in float", [] { return measure_error(standard); }},
+      .mutants = {{"reversed as 1 - depth", [] { return measure_error(one_minus_standard); }},
+                  {"reversed z through OpenGL's [-1, 1]",
+                   [] { return measure_error(through_gl); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/matching_pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/matching_pair.h"
 
 namespace glassbox::study {
 namespace c110 {
@@ -37,7 +37,7 @@ double wrong_percent(const views::MatchSettings& settings, bool changed) {
   return 100.0 * wrong / all;
 }
 
-Outcome judge(views::MatchingCost cost, int window) {
+Outcome measure_error(views::MatchingCost cost, int window) {
   views::MatchSettings settings = plain_settings("winner", {0, 20});
   settings.cost = cost;
   settings.window = window;
@@ -62,14 +62,14 @@ ExtremeCase c110_gain_and_offset() {
           "noise of 0 to 127 at disparity 9; the right picture times 1.3, plus 40, and a tenth "
           "darker at its sides",
       .stage = "matching",
-      .right = "at most 0.5 % of the pixels are wrong: a darker pixel stays darker",
+      .right_answer = "at most 0.5 % of the pixels are wrong: a darker pixel stays darker",
       .unit = "per cent",
       .oracle = Oracle::kProperty,
-      .ours = {"census", [] { return judge(MatchingCost::kCensus, 3); }},
-      .naive = {"absolute differences", [] { return judge(MatchingCost::kSad, 3); }},
-      .mutants = {{"squared differences", [] { return judge(MatchingCost::kSsd, 3); }},
+      .ours = {"census", [] { return measure_error(MatchingCost::kCensus, 3); }},
+      .naive = {"absolute differences", [] { return measure_error(MatchingCost::kSad, 3); }},
+      .mutants = {{"squared differences", [] { return measure_error(MatchingCost::kSsd, 3); }},
                   {"absolute differences of a wider square",
-                   [] { return judge(MatchingCost::kSad, 5); }}},
+                   [] { return measure_error(MatchingCost::kSad, 5); }}},
       .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/matching_pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/matching_pair.h"
 #include "views/matching/winner.h"
 
 namespace glassbox::study {
@@ -22,7 +22,7 @@ Image<Rgba8> wall(bool striped, std::uint64_t seed) {
 
 // Counts the pixels of walls that get an answer, and the pixels of clear noise that get none. Every
 // disparity of the range is possible in columns 40 to 69.
-Outcome judge(const views::MatchSettings& settings) {
+Outcome measure_error(const views::MatchSettings& settings) {
   int guessed = 0, silent = 0;
   const auto answered = [&](const Image<Rgba8>& left, const Image<Rgba8>& right) {
     const views::DenseMatch match = matched(left, right, settings);
@@ -61,16 +61,17 @@ ExtremeCase c111_no_texture() {
           "stripes with a period of 8 px and a blank wall, each with noise of one code; 32 "
           "disparities, which are four periods",
       .stage = "matching",
-      .right =
+      .right_answer =
           "no disparity is given: the second-best cost (neighbours excluded) is as good as the "
           "best, except for noise, of which a mean of 121 pixels leaves 1/11; a picture of clear "
           "noise gets a disparity everywhere",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"peak ratio of at least 1/4", [] { return judge(by_confidence(0.25f)); }},
-      .naive = {"the winner", [] { return judge(by_confidence(0)); }},
-      .mutants = {{"only equal costs count as unclear", [] { return judge(by_confidence(1e-6f)); }},
-                  {"peak ratio of 1", [] { return judge(by_confidence(0.9999f)); }}},
+      .ours = {"peak ratio of at least 1/4", [] { return measure_error(by_confidence(0.25f)); }},
+      .naive = {"the winner", [] { return measure_error(by_confidence(0)); }},
+      .mutants = {{"only equal costs count as unclear",
+                   [] { return measure_error(by_confidence(1e-6f)); }},
+                  {"peak ratio of 1", [] { return measure_error(by_confidence(0.9999f)); }}},
       .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }

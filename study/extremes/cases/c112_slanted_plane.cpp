@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/matching_pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/matching_pair.h"
 
 namespace glassbox::study {
 namespace c112 {
@@ -49,11 +49,11 @@ Pictures pictures() {
 }
 
 // Chooses the final disparity from the one with a subpixel part and the one in whole pixels.
-using Answer = double (*)(double refined, double whole);
+using ChooseDisparity = double (*)(double refined, double whole);
 
 // The root mean square error over the pixels that the right picture also shows; a pixel without an
 // answer counts as an error of one pixel.
-Outcome judge(Answer answer) {
+Outcome measure_error(ChooseDisparity answer) {
   const Pictures pair = pictures();
   views::MatchSettings settings = plain_settings("default", {0, 47});
   const views::DenseMatch refined = matched(pair.left, pair.right, settings);
@@ -95,15 +95,15 @@ ExtremeCase c112_slanted_plane() {
       .name = "A slanted plane",
       .construction = "disparities 4 + x/10 + y/20 of smooth noise, 160 x 60 px",
       .stage = "matching",
-      .right =
+      .right_answer =
           "RMS of at most 1/4 px: whole pixels cannot be better than 1/sqrt(12) = 0.289, the error "
           "of a staircase",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
-      .ours = {"fractions of a pixel", [] { return judge(part_of_pixel); }},
-      .naive = {"whole pixels", [] { return judge(whole_pixels); }},
-      .mutants = {{"the fraction with the opposite sign", [] { return judge(other_way); }},
-                  {"the fraction cut off", [] { return judge(cut_off); }}},
+      .ours = {"fractions of a pixel", [] { return measure_error(part_of_pixel); }},
+      .naive = {"whole pixels", [] { return measure_error(whole_pixels); }},
+      .mutants = {{"the fraction with the opposite sign", [] { return measure_error(other_way); }},
+                  {"the fraction cut off", [] { return measure_error(cut_off); }}},
       .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/matching_pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/matching_pair.h"
 #include "study/naive/matching.h"
 #include "views/matching/winner.h"
 
@@ -19,15 +19,15 @@ Image<float> filled(const Image<Rgba8>& left, const Image<Rgba8>& right,
   settings.fill = true;
   return matched(left, right, settings).disparity;
 }
-Image<float> of_positive_ones(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                              const views::DisparityRange& range) {
+Image<float> match_positive_disparities(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                        const views::DisparityRange& range) {
   return ours(left, right, {std::max(0, range.first), range.last});
 }
 
 // Counts three kinds of errors: an answer for a pixel that has no match within the range in the
 // right picture; an answer that is outside the range by more than the half pixel of its refinement;
 // and a pixel of the wall at -4 for which that disparity is not found.
-Outcome judge(Matcher matcher) {
+Outcome measure_error(Matcher matcher) {
   constexpr int kWidth = 60, kHeight = 30;
   const Image<Rgba8> left = grey_noise(kWidth, kHeight, 113);
   int wrong = 0;
@@ -43,7 +43,7 @@ Outcome judge(Matcher matcher) {
         wrong += !(std::abs(behind.at(x, y) + 4) <= 0.5f);
     }
   }
-  return wrong_of(wrong, kWidth * kHeight, "pixels");
+  return wrong_count_outcome(wrong, kWidth * kHeight, "pixels");
 }
 
 }  // namespace c113
@@ -56,15 +56,16 @@ ExtremeCase c113_beside_the_picture() {
       .construction =
           "a wall at disparity 12, searched from 10 to 20; one at -4, searched from -8 to 8",
       .stage = "matching",
-      .right =
+      .right_answer =
           "pixels of the first ten columns, whose matches are outside of the right picture, have "
           "no disparity; negative disparities are found",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"invalid where no match is possible", [] { return judge(ours); }},
-      .naive = {"clamped into the picture", [] { return judge(naive::match_clamped); }},
-      .mutants = {{"holes are filled", [] { return judge(filled); }},
-                  {"only disparities from 0 on", [] { return judge(of_positive_ones); }}},
+      .ours = {"invalid where no match is possible", [] { return measure_error(ours); }},
+      .naive = {"clamped into the picture", [] { return measure_error(naive::match_clamped); }},
+      .mutants = {{"holes are filled", [] { return measure_error(filled); }},
+                  {"only disparities from 0 on",
+                   [] { return measure_error(match_positive_disparities); }}},
       .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }

@@ -1,6 +1,6 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/matching.h"
-#include "views/matching/evaluate.h"
+#include "views/matching/disparity_errors.h"
 #include "views/matching/winner.h"
 
 namespace glassbox::study {
@@ -14,8 +14,8 @@ struct Subject114 {
   double (*depth)(double disparity, const views::Calibration& calibration);
 };
 
-double of_known(const Image<float>& disparity, const Image<float>& truth) {
-  return views::evaluate(disparity, views::known_disparities(truth, 1)).rms;
+double rms_of_known(const Image<float>& disparity, const Image<float>& truth) {
+  return views::disparity_errors(disparity, views::known_disparities(truth, 1)).rms;
 }
 // Follows the documentation of the data set, which says that unknown values are NaN.
 double nan_is_unknown(const Image<float>& disparity, const Image<float>& truth) {
@@ -42,18 +42,18 @@ double with_offset(double disparity, const views::Calibration& calibration) {
 
 // Three of seven pixels are known, and one of them has an error of 3 px. Depths are floats,
 // computed with a sum, a product, a quotient and a final rounding.
-Outcome judge(auto rms_by, auto depth_by) {
+Outcome measure_error(auto rms_by, auto depth_by) {
   const Subject114 subject{rms_by, depth_by};
   Image<float> truth(7, 1), disparity(7, 1);
   truth.pixels = {10, 0, INFINITY, NAN, 20, 2, INFINITY};
   disparity.pixels = {10, 50, 50, 50, 20, 5, 40};
-  Worst worst;
+  WorstError worst;
   const double right = std::sqrt(9.0 / 3), rms = subject.rms(disparity, truth);
-  worst.see(std::abs(rms / right - 1), 0x1p-22,
+  worst.add(std::abs(rms / right - 1), 0x1p-22,
             fmt::format("RMS {:.4g} px instead of {:.4g}", rms, right));
   for (const double d : {100.0, 40.0, 8.0}) {
     const double z = 994.978 * 193.001 / (d + 31.086), said = subject.depth(d, kMotorcycle);
-    worst.see(std::abs(said / z - 1), 0x1p-22,
+    worst.add(std::abs(said / z - 1), 0x1p-22,
               fmt::format("{:.5g} mm instead of {:.5g} mm", said, z));
   }
   return worst.outcome();
@@ -70,16 +70,20 @@ ExtremeCase c114_unknown_truth() {
           "a truth of 10, 0, +inf, NaN, 20, 2, +inf px, where 0 and numbers that are not finite "
           "are unknown; the motorcycle's calibration: f 994.978 px, B 193.001 mm, offset 31.086 px",
       .stage = "matching",
-      .right = "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
+      .right_answer =
+          "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the known pixels, with the offset", [] { return judge(of_known, with_offset); }},
+      .ours = {"the known pixels, with the offset",
+               [] { return measure_error(rms_of_known, with_offset); }},
       .naive = {"all pixels, f B/d",
-                [] { return judge(naive::rms_of_all, naive::depth_without_offset); }},
-      .mutants = {{"only NaN counts as unknown", [] { return judge(nan_is_unknown, with_offset); }},
-                  {"0 counts as a disparity", [] { return judge(zero_is_far, with_offset); }},
+                [] { return measure_error(naive::rms_of_all, naive::depth_without_offset); }},
+      .mutants = {{"only NaN counts as unknown",
+                   [] { return measure_error(nan_is_unknown, with_offset); }},
+                  {"0 counts as a disparity",
+                   [] { return measure_error(zero_is_far, with_offset); }},
                   {"the offset is forgotten",
-                   [] { return judge(of_known, naive::depth_without_offset); }}},
+                   [] { return measure_error(rms_of_known, naive::depth_without_offset); }}},
       .not_drawn = "the pictures are only its input: no engine draws disparities",
   };
 }

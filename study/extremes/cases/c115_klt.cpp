@@ -6,7 +6,7 @@
 #include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/klt.h"
 
 namespace glassbox::study {
@@ -32,7 +32,7 @@ views::Bands empty_bands(int count) {
 
 // The samples are 10^6 + k/16 with small integers k, so that their covariance is a quotient of
 // integers: (N sum kl - sum k sum l)/(16 N)^2.
-void judge_mean(const Subject115& subject, Worst& worst) {
+void measure_mean_error(const Subject115& subject, WorstError& worst) {
   Random random(115);
   views::Bands bands = empty_bands(3);
   const auto pixels = std::int64_t(bands.pixels());
@@ -63,14 +63,14 @@ void judge_mean(const Subject115& subject, Worst& worst) {
   const double u = unit_roundoff<double>, trace = right.trace();
   const double bound = 2 * kSide * u + 4 * u * 1e6 / std::sqrt(trace);
   const double error = (subject.covariance(bands) - right).cwiseAbs().maxCoeff() / trace;
-  worst.see(error, bound, fmt::format("covariance off by {:.3g} of the trace", error),
+  worst.add(error, bound, fmt::format("covariance off by {:.3g} of the trace", error),
             1e12 / trace);
 }
 
 // The variance is the same in two directions of space and smaller in the third; then everything is
 // rotated. The space of the first two components rotates too, while their individual vectors depend
 // on rounding errors in the last digit.
-void judge_space(const Subject115& subject, Worst& worst) {
+void measure_space_error(const Subject115& subject, WorstError& worst) {
   Random random(116);
   for (int turn = 0; turn < 20; ++turn) {
     views::Bands bands = empty_bands(3), turned = bands;
@@ -95,15 +95,15 @@ void judge_space(const Subject115& subject, Worst& worst) {
     // 9 rounding errors of the trace, and the solver to as many again (transform.h).
     const double gap = klt->eigenvalues[1] - klt->eigenvalues[2];
     const double bound = 2 * (2 * kSide + 9) * unit_roundoff<double> * klt->trace() / gap;
-    worst.see(angle, bound, fmt::format("turn {}: {:.3g} radians", turn, angle));
+    worst.add(angle, bound, fmt::format("turn {}: {:.3g} radians", turn, angle));
   }
 }
 
-Outcome judge(auto covariance_by, auto angle_by) {
+Outcome measure_error(auto covariance_by, auto angle_by) {
   const Subject115 subject{covariance_by, angle_by};
-  Worst worst;
-  judge_mean(subject, worst);
-  judge_space(subject, worst);
+  WorstError worst;
+  measure_mean_error(subject, worst);
+  measure_space_error(subject, worst);
   return worst.outcome();
 }
 
@@ -118,31 +118,35 @@ ExtremeCase c115_klt() {
           "three bands of 48 x 48 whose samples are 10^6 + k/16; a cloud that varies equally along "
           "two directions, and the same turned, 20 times",
       .stage = "components of bands",
-      .right =
+      .right_answer =
           "covariance: 2 W rounding errors, and 4 u 10^6 of a deviation for the differences from "
           "the mean; the space of two components: the error of the covariance divided by the gap "
           "between the eigenvalues",
       .unit = "of the trace, radian",
       .oracle = Oracle::kInteger,
       .ours = {"two passes, angles of spaces",
-               [] { return judge(two_passes, views::angle_between); }},
+               [] { return measure_error(two_passes, views::angle_between); }},
       .naive = {"E[xy] - E[x] E[y], angles of vectors",
                 [] {
-                  return judge(naive::covariance_by_moments<double>, naive::angle_of_vectors);
+                  return measure_error(naive::covariance_by_moments<double>,
+                                       naive::angle_of_vectors);
                 }},
-      .mutants = {{"E[xy] - E[x] E[y] in float",
-                   [] { return judge(naive::covariance_by_moments<float>, views::angle_between); }},
-                  {"E[xy] - E[x] E[y] in double",
-                   [] {
-                     return judge(naive::covariance_by_moments<double>, views::angle_between);
-                   }},
-                  {"divided by N - 1",
-                   [] { return judge(naive::covariance_of_a_sample, views::angle_between); }},
-                  {"the mean is not subtracted",
-                   [] { return judge(naive::covariance_about_zero, views::angle_between); }},
-                  {"angles of vectors",
-                   [] { return judge(two_passes, naive::largest_angle_of_vectors); }},
-                  {"arc cosines", [] { return judge(two_passes, naive::angle_by_cosine); }}},
+      .mutants =
+          {{"E[xy] - E[x] E[y] in float",
+            [] {
+              return measure_error(naive::covariance_by_moments<float>, views::angle_between);
+            }},
+           {"E[xy] - E[x] E[y] in double",
+            [] {
+              return measure_error(naive::covariance_by_moments<double>, views::angle_between);
+            }},
+           {"divided by N - 1",
+            [] { return measure_error(naive::covariance_of_a_sample, views::angle_between); }},
+           {"the mean is not subtracted",
+            [] { return measure_error(naive::covariance_about_zero, views::angle_between); }},
+           {"angles of vectors",
+            [] { return measure_error(two_passes, naive::largest_angle_of_vectors); }},
+           {"arc cosines", [] { return measure_error(two_passes, naive::angle_by_cosine); }}},
       .not_drawn = "the input is the numbers of pictures: no engine draws components",
   };
 }

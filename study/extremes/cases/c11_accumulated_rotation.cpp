@@ -2,8 +2,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c11 {
@@ -13,7 +13,7 @@ constexpr int kBetweenRepairs = 1000;
 
 using Repair = glm::mat3 (*)(const glm::mat3&);
 
-Outcome judge(Repair repair) {
+Outcome measure_error(Repair repair) {
   const glm::mat3 step(
       rotate_degrees<World>(WorldVector(1, 2, 3), degrees_from_radians(0.01)).value().columns);
   glm::mat3 turned(1);
@@ -47,14 +47,15 @@ ExtremeCase c11_accumulated_rotation() {
       .name = "A million rotations",
       .construction = "10^6 float products of a rotation by 0.01 rad about (1, 2, 3)",
       .stage = "rotation",
-      .right =
+      .right_answer =
           "R^T R = I to 8 u of float with a repair every 1000 products; without, the drift is "
           "linear, about u/3 each (B.5)",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
-      .ours = {"nearest_rotation every 1000", [] { return judge(nearest); }},
-      .naive = {"never repaired", [] { return judge(nothing); }},
-      .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
+      .ours = {"nearest_rotation every 1000", [] { return measure_error(nearest); }},
+      .naive = {"never repaired", [] { return measure_error(nothing); }},
+      .mutants = {{"only the lengths of the axes repaired",
+                   [] { return measure_error(unit_columns); }}},
       .not_drawn =
           "the program that turns the camera makes the products; make_view refuses a pose that has "
           "drifted as far as the naive one",

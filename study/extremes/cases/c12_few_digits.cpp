@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/view.h>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c12 {
@@ -12,10 +12,10 @@ namespace c12 {
 // Computes the view from a pose as it is stored in a file.
 using ViewOf = EyeFromWorld (*)(const Transform<World, Eye>& pose);
 
-Outcome judge(ViewOf view_of) {
+Outcome measure_error(ViewOf view_of) {
   Random random(712);
   double moved = 0;
-  Worst worst;
+  WorstError worst;
   for (int i = 0; i < 200; ++i) {
     const Vector<Eye, double> axis{random.between(-1, 1), random.between(-1, 1),
                                    random.between(0.1, 1)};
@@ -29,7 +29,7 @@ Outcome judge(ViewOf view_of) {
     const EyeFromWorld view = view_of(printed);
     // The nearest rotation is orthogonal to 8 u; the check itself adds three products and sums of
     // entries of at most 1.
-    worst.see(orthogonality_error(glm::dmat3(view.columns)), 12 * unit_roundoff<double>,
+    worst.add(orthogonality_error(glm::dmat3(view.columns)), 12 * unit_roundoff<double>,
               fmt::format("rotation {}", i));
     // A point at the corner of a picture of 640 x 480 px with a focal length of 1000 px.
     const Point<World, double> p = exact * Point<Eye, double>(0.32, 0.24, -1);
@@ -39,7 +39,7 @@ Outcome judge(ViewOf view_of) {
   }
   // The few digits change each entry by at most 5e-7, and the repair by as much: 1000 px * 3 *
   // 1e-6, and the divide.
-  if (!(moved <= 1000 * 3 * 1e-6 * 2)) worst.see(HUGE_VAL, 0, "the picture moves");
+  if (!(moved <= 1000 * 3 * 1e-6 * 2)) worst.add(HUGE_VAL, 0, "the picture moves");
   return worst.outcome(fmt::format("the picture moves by up to {:.1e} px", moved));
 }
 
@@ -69,14 +69,16 @@ ExtremeCase c12_few_digits() {
       .construction =
           "200 poses whose rotations are printed with six decimals, as data files have them",
       .stage = "view",
-      .right =
+      .right_answer =
           "the view's axes are perpendicular unit vectors to 12 u, and the picture moves by less "
           "than 6e-3 px",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
-      .ours = {"make_view", [] { return judge(ours); }},
-      .naive = {"used as a rotation without a repair", [] { return judge(taken_for_rigid); }},
-      .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
+      .ours = {"make_view", [] { return measure_error(ours); }},
+      .naive = {"used as a rotation without a repair",
+                [] { return measure_error(taken_for_rigid); }},
+      .mutants = {{"only the lengths of the axes repaired",
+                   [] { return measure_error(unit_columns); }}},
       .not_drawn =
           "a rotation of so few digits moves a picture of 16384 px by less than the snap does",
   };

@@ -5,9 +5,9 @@
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/sphere.h>
 #include "exact/camera.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -15,9 +15,9 @@ namespace c13 {
 
 using exact::Decimal;
 
-Outcome judge(ToEye to_eye) {
+Outcome measure_error(ToEye to_eye) {
   Random random(713);
-  Worst worst;
+  WorstError worst;
   for (const double offset : {1e2, 1e4, 1e6, 1e8}) {
     const WorldVector place{offset, -offset, offset * 0.5};
     const WorldPoint eye = WorldPoint{3, 4, 5} + place, target = WorldPoint{0, 0, 0} + place;
@@ -37,18 +37,18 @@ Outcome judge(ToEye to_eye) {
       const double bound =
           9 * (unit_roundoff<float> + gamma<float>(4)) + 24 * 2.3 * offset * unit_roundoff<double>;
       const std::string where = fmt::format("offset {:g}", offset);
-      worst.see(exact::error_of(double(image.x), exact[0]), bound, where);
-      worst.see(exact::error_of(double(image.y), exact[1]), bound, where);
-      worst.see(exact::error_of(double(image.z), exact[2]), bound, where);
+      worst.add(exact::error_of(double(image.x), exact[0]), bound, where);
+      worst.add(exact::error_of(double(image.y), exact[1]), bound, where);
+      worst.add(exact::error_of(double(image.z), exact[2]), bound, where);
     }
   }
   return worst.outcome();
 }
 
 // A ball far from the origin, seen by a camera that is equally far from it.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     for (const double offset : {1e2, 1e4, 1e6}) {
       const WorldVector place{offset, -offset, offset * 0.5};
       Scene ball = make_sphere(6);
@@ -56,11 +56,11 @@ Outcome judge_drawn(const Drawer& by) {
         node.world_from_node = translate<World>(place) * node.world_from_node;
       }
       all.emplace_back(
-          vista_of(ball, camera_at(WorldPoint{2, 3, 4} + place, {-2, -3, -4}), 64, 64));
+          make_ray_scene(ball, camera_at(WorldPoint{2, 3, 4} + place, {-2, -3, -4}), 64, 64));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c13
@@ -72,13 +72,15 @@ ExtremeCase c13_large_offset() {
       .name = "An object far from the origin",
       .construction = "an object of size 2 and an eye 7 from it, both 1e2 .. 1e8 from the origin",
       .stage = "to eye space",
-      .right = "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset in double",
+      .right_answer =
+          "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset in double",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
-      .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
-      .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
-      .mutants = {{"composed in float", [] { return judge(naive::composed_in_float); }}},
-      .drawn = judge_drawn,
+      .ours = {"composed in double, rounded once",
+               [] { return measure_error(composed_in_double); }},
+      .naive = {"float world positions", [] { return measure_error(naive::through_float_world); }},
+      .mutants = {{"composed in float", [] { return measure_error(naive::composed_in_float); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -3,9 +3,9 @@
 
 #include <glassbox/mesh/builtin/cube.h>
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -13,23 +13,23 @@ namespace c14 {
 
 using exact::Rational;
 
-Outcome judge(ToEye to_eye) {
+Outcome measure_error(ToEye to_eye) {
   // The camera's axes are those of the world, and its position needs few bits: everything except
   // the coordinates is exact.
   const WorldVector place{6.378e6, 0, 0};
   const auto view =
       look_at(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0}).value();
-  Worst worst;
+  WorstError worst;
   for (const float half : {0.5f, 0.4f, 0.1f}) {
     for (int corner = 0; corner < 8; ++corner) {
       const Point<Object> p{(corner & 1) != 0 ? half : -half, (corner & 2) != 0 ? half : -half,
                             (corner & 4) != 0 ? half : -half};
       const Point<Eye> image = to_eye(view, translate<World, Object>(place), p);
       const std::string where = fmt::format("a cube of {:.1f} m", 2 * half);
-      worst.see(exact::error_of(double(image.x), Rational(double(p.x))), 0, where);
-      worst.see(exact::error_of(double(image.y), Rational(double(p.y))), 0, where);
+      worst.add(exact::error_of(double(image.x), Rational(double(p.x))), 0, where);
+      worst.add(exact::error_of(double(image.y), Rational(double(p.y))), 0, where);
       // A single rounding of z - 2, whose size is below 4: half an ulp of 2.
-      worst.see(exact::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
+      worst.add(exact::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
                 where);
     }
   }
@@ -44,17 +44,17 @@ Point<Eye> float_view(const Transform<Eye, World>& view, const Transform<World, 
   return round_to_float(rounded * nearly) * Point<Object>(0, p.y, p.z);
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn cube([] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference cube([] {
     const WorldVector place{6.378e6, 0, 0};
     Scene scene = make_cube();
     for (Node& node : scene.nodes) {
       node.world_from_node =
           translate<World>(place) * scale<World>(0.5, 0.5, 0.5) * node.world_from_node;
     }
-    return vista_of(scene, camera_at(WorldPoint{1, 1.5, 2} + place, {-1, -1.5, -2}), 96, 96);
+    return make_ray_scene(scene, camera_at(WorldPoint{1, 1.5, 2} + place, {-1, -1.5, -2}), 96, 96);
   }());
-  return cube.judge(by);
+  return cube.measure_error(engine);
 }
 
 }  // namespace c14
@@ -66,13 +66,15 @@ ExtremeCase c14_planet() {
       .name = "A cube of a metre on a planet",
       .construction = "cubes of 1, 0.8 and 0.2 m at 6.378e6 m from the origin, an eye 2 m away",
       .stage = "to eye space",
-      .right = "x and y exactly as modelled, z - 2 rounded once",
+      .right_answer = "x and y exactly as modelled, z - 2 rounded once",
       .unit = "m",
       .oracle = Oracle::kRational,
-      .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
-      .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
-      .mutants = {{"the vertex placed in the world in float", [] { return judge(float_view); }}},
-      .drawn = judge_drawn,
+      .ours = {"composed in double, rounded once",
+               [] { return measure_error(composed_in_double); }},
+      .naive = {"float world positions", [] { return measure_error(naive::through_float_world); }},
+      .mutants = {{"the vertex placed in the world in float",
+                   [] { return measure_error(float_view); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

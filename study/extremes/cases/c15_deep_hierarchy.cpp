@@ -5,9 +5,9 @@
 #include <glassbox/mesh/builtin/sphere.h>
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c15 {
@@ -32,11 +32,11 @@ std::vector<WorldMap> hierarchy() {
   return levels;
 }
 
-Outcome judge(Compose compose) {
+Outcome measure_error(Compose compose) {
   const std::vector<WorldMap> levels = hierarchy();
   const glm::dmat4 product = compose(levels);
   auto exact = exact::Matrix4<Decimal>::identity();
-  Worst worst;
+  WorstError worst;
   for (const WorldMap& level : levels) {
     exact = exact * exact::exactly<Decimal>(level);
   }
@@ -44,7 +44,7 @@ Outcome judge(Compose compose) {
   // a scale of at most 1.25 carry on. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i)
   // in the last column; over 100 levels: 100 gamma_4 1.25 4 (4 + 100).
   const double bound = kDepth * gamma<double>(4) * 1.25 * 4 * (4 + kDepth);
-  see_entries(worst, WorldMap(product), exact, 4, bound, "object to world");
+  add_entry_errors(worst, WorldMap(product), exact, 4, bound, "object to world");
   // Transforms a point to the world and back again.
   const auto back = inverse_affine(WorldMap(product));
   const WorldPoint p{1, 2, 3};
@@ -52,7 +52,7 @@ Outcome judge(Compose compose) {
   const WorldPoint home =
       back ? *back * WorldPoint(double(there[0]), double(there[1]), double(there[2]))
            : WorldPoint(HUGE_VAL, 0, 0);
-  worst.see(length(home - p), 1e-6, "object to world to object");
+  worst.add(length(home - p), 1e-6, "object to world to object");
   return worst.outcome(fmt::format("{:.1e} there and back", length(home - p)));
 }
 
@@ -72,16 +72,16 @@ glm::dmat4 from_the_leaf(const std::vector<WorldMap>& levels) {
   return product;
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn ball([] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference ball([] {
     Scene scene = make_sphere(6);
     WorldMap product;
     for (const WorldMap& level : hierarchy()) product = product * level;
     for (Node& node : scene.nodes) node.world_from_node = product * node.world_from_node;
     const WorldPoint centre = product * WorldPoint(0, 0, 0);
-    return vista_of(scene, camera_at(centre + WorldVector{1, 2, 4}, {-1, -2, -4}), 96, 96);
+    return make_ray_scene(scene, camera_at(centre + WorldVector{1, 2, 4}, {-1, -2, -4}), 96, 96);
   }());
-  return ball.judge(by);
+  return ball.measure_error(engine);
 }
 
 }  // namespace c15
@@ -95,14 +95,14 @@ ExtremeCase c15_deep_hierarchy() {
           "100 rotations, scales by 1.25 and 0.8 in turn, and translations by up to 1.7, one "
           "inside the other",
       .stage = "to world space",
-      .right =
+      .right_answer =
           "100 gamma_4 |P||M| in double (Higham 3.5); object to world to object returns to 1e-6",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
-      .ours = {"products in double, inverse_affine", [] { return judge(in_double); }},
-      .naive = {"products in float", [] { return judge(in_float); }},
-      .mutants = {{"premultiplied: leaf before root", [] { return judge(from_the_leaf); }}},
-      .drawn = judge_drawn,
+      .ours = {"products in double, inverse_affine", [] { return measure_error(in_double); }},
+      .naive = {"products in float", [] { return measure_error(in_float); }},
+      .mutants = {{"premultiplied: leaf before root", [] { return measure_error(from_the_leaf); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,14 +1,14 @@
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/normals_case.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/normals_case.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
 namespace c16 {
 
-Outcome judge(TransformNormal transform) {
-  Worst worst;
+Outcome measure_error(TransformNormal transform) {
+  WorstError worst;
   for (const double squash : {0.5, 1e-2, 1e-4, 1e-6}) {
     const auto upright = scale<World, Object>(1, 1, squash);
     const auto sheared = shear<World>(Axis::kX, Axis::kY, 0.75) * upright;
@@ -17,7 +17,7 @@ Outcome judge(TransformNormal transform) {
                                       Normal<Object>(0, -0.8f, 0.6f)}) {
         // Entries rounded to float, three products and two sums of two terms of the same size, and
         // the components of the unit vector: 10 u of float covers them (C-16).
-        worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
+        worst.add(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                   fmt::format("scale (1, 1, {:g})", squash));
       }
     }
@@ -26,23 +26,23 @@ Outcome judge(TransformNormal transform) {
 }
 
 // Triangles in the plane that is not squashed, with these normals at their corners.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
-    std::vector<Specimen> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
+    std::vector<NormalTestMesh> all;
     for (const double squash : {0.5, 1e-2, 1e-4, 1e-6}) {
       const auto upright = scale<World, Object>(1, 1, squash);
       for (const auto& map : {upright, shear<World>(Axis::kX, Axis::kY, 0.75) * upright,
                               scale<World>(-1, 1, 1) * upright}) {
         for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
                                         Normal<Object>(0, -0.8f, 0.6f)}) {
-          all.push_back(specimen(triangle_with_normal(n), map, exact_normal(map, n)));
+          all.push_back(make_normal_test_mesh(triangle_with_normal(n), map, exact_normal(map, n)));
         }
       }
     }
     return all;
   }();
   // The bound is 10 u for the normal, plus 4 u for the interpolation of three equal ones.
-  return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
+  return measure_normal_error(engine, meshes, Shading::kPhong, 14.0 * unit_roundoff<float>);
 }
 
 }  // namespace c16
@@ -54,14 +54,14 @@ ExtremeCase c16_squashed_normal() {
       .name = "Normals under non-uniform scale",
       .construction = "scale (1, 1, s) for s = 0.5 .. 1e-6, alone and sheared, on three normals",
       .stage = "normals",
-      .right = "the direction of the exact cofactor matrix times the normal, to 10 u",
+      .right_answer = "the direction of the exact cofactor matrix times the normal, to 10 u",
       .unit = "radian",
       .oracle = Oracle::kRational,
-      .ours = {"normal_transform", [] { return judge(by_cofactors); }},
-      .naive = {"by M itself", [] { return judge(naive::normal_by_matrix); }},
+      .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
+      .naive = {"by M itself", [] { return measure_error(naive::normal_by_matrix); }},
       .mutants = {{"cofactors transposed",
-                   [] { return judge(naive::normal_by_transposed_cofactors); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::normal_by_transposed_cofactors); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -4,10 +4,10 @@
 #include <glassbox/render/staged/staged.h>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/normals_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/normals_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -20,7 +20,7 @@ Vector<World, double> axis_from(Random& random) {
 
 // Culls as if the model were not mirrored.
 class IgnoreMirror : public Observer {
-  void faced(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
+  void facing_tested(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
 };
 
 // Counts the pixels of a mirrored cube whose depth is not that of the nearest face, which is the
@@ -47,7 +47,7 @@ int wrong_faces_seen(Observer* observer) {
 }
 
 // After any map, the outward normals of the cube must point away from the centre of the result.
-Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
+Outcome measure_error(TransformNormal transform, Observer* observer = nullptr) {
   Random random(717);
   int inward = 0, all = 0;
   for (int i = 0; i < 200; ++i) {
@@ -72,15 +72,15 @@ Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
     }
   }
   const int wrong_faces = wrong_faces_seen(observer);
-  Outcome outcome = wrong_of(inward, all, "normals point inwards");
+  Outcome outcome = wrong_count_outcome(inward, all, "normals point inwards");
   outcome.error += wrong_faces;
-  outcome.seen += "; " + std::to_string(wrong_faces) + " pixels show a back face";
+  outcome.summary += "; " + std::to_string(wrong_faces) + " pixels show a back face";
   return outcome;
 }
 
-Outcome judge_without_mirror() {
+Outcome measure_error_without_mirror() {
   IgnoreMirror observer;
-  return judge(by_cofactors, &observer);
+  return measure_error(by_cofactors, &observer);
 }
 
 // The cross product of two edges in world space, as beginners compute it: a mirror reverses the
@@ -96,18 +96,18 @@ Normal<World> by_edges(const Transform<World, Object>& m, const Normal<Object>& 
 
 // A mirrored cube with back-face culling must show exactly one layer everywhere, that of the front
 // faces.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> cubes = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> cubes = [] {
+    std::vector<RayCastReference> all;
     for (const auto& [x, y, z] :
          {std::array{-1.0, 1.0, 1.0}, {1.0, -2.0, 1.0}, {-1.0, -1.0, -0.5}, {-1.0, 1.0, -1.0}}) {
       Scene cube = make_cube();
       for (Node& node : cube.nodes) {
         node.world_from_node = scale<World>(x, y, z) * node.world_from_node;
       }
-      Vista vista = vista_of(cube, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
-      vista.settings.cull = Cull::kBack;
-      all.emplace_back(std::move(vista));
+      RayScene ray_scene = make_ray_scene(cube, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
+      ray_scene.settings.cull = Cull::kBack;
+      all.emplace_back(std::move(ray_scene));
     }
     // Two instances of the same mesh side by side, one of them mirrored.
     Scene both = make_cube();
@@ -120,12 +120,12 @@ Outcome judge_drawn(const Drawer& by) {
                              scale<World>(x / 2, 0.5, 0.5) * node.world_from_node;
       both.instances.push_back({0, std::uint32_t(both.nodes.size() - 1)});
     }
-    Vista vista = vista_of(both, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
-    vista.settings.cull = Cull::kBack;
-    all.emplace_back(std::move(vista));
+    RayScene ray_scene = make_ray_scene(both, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
+    ray_scene.settings.cull = Cull::kBack;
+    all.emplace_back(std::move(ray_scene));
     return all;
   }();
-  return worst_of(cubes, by);
+  return worst_of(cubes, engine);
 }
 
 }  // namespace c17
@@ -138,16 +138,17 @@ ExtremeCase c17_mirrored_model() {
       .construction =
           "cubes under 200 rotations and scales by -3 .. 3 of each axis, half of them mirrors",
       .stage = "normals",
-      .right =
+      .right_answer =
           "every outward normal stays outward, and front faces stay front faces: normals and "
           "winding follow the sign of the determinant",
       .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"normal_transform", [] { return judge(by_cofactors); }},
-      .naive = {"cross product of transformed edges", [] { return judge(by_edges); }},
-      .mutants = {{"no sign of the determinant", [] { return judge(naive::normal_without_sign); }},
-                  {"winding taken as if there were no mirror", judge_without_mirror}},
-      .drawn = judge_drawn,
+      .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
+      .naive = {"cross product of transformed edges", [] { return measure_error(by_edges); }},
+      .mutants = {{"no sign of the determinant",
+                   [] { return measure_error(naive::normal_without_sign); }},
+                  {"winding taken as if there were no mirror", measure_error_without_mirror}},
+      .drawn = measure_drawn_error,
   };
 }
 

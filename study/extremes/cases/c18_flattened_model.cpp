@@ -1,14 +1,14 @@
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/normals_case.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/normals_case.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
 namespace c18 {
 
-Outcome judge(TransformNormal transform) {
-  Worst worst;
+Outcome measure_error(TransformNormal transform) {
+  WorstError worst;
   const auto turn = rotate_degrees<World>(Vector<World, double>(1, 2, 3), 77).value();
   const auto flat = scale<World, Object>(2, 3, 0);
   for (const auto& m : {flat, turn * flat}) {
@@ -16,34 +16,34 @@ Outcome judge(TransformNormal transform) {
                                     Normal<Object>(0, -0.8f, -0.6f)}) {
       // The same bound as in c16_squashed_normal.cpp. Even if the model is also turned, the columns
       // of the rounded matrix span a plane, and the exact cofactors belong to that plane.
-      worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
+      worst.add(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                 fmt::format("normal ({:g}, {:g}, {:g})", n.x, n.y, n.z));
     }
   }
   // A face that is flattened to a line has no normal; the result must not be NaN.
   const Normal<World> none = transform(flat, {1, 0, 0});
-  worst.see(std::isfinite(none.x) && std::isfinite(none.y) && std::isfinite(none.z) ? 0 : HUGE_VAL,
+  worst.add(std::isfinite(none.x) && std::isfinite(none.y) && std::isfinite(none.z) ? 0 : HUGE_VAL,
             0, "a face that has become a line");
   return worst.outcome();
 }
 
-// A triangle in the plane that is left, with these normals at its corners; the last specimen has no
+// A triangle in the plane that is left, with these normals at its corners; the last mesh has no
 // normal.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
-    std::vector<Specimen> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
+    std::vector<NormalTestMesh> all;
     const auto turn = rotate_degrees<World>(Vector<World, double>(1, 2, 3), 77).value();
     const auto flat = scale<World, Object>(0.8, 0.7, 0);
     for (const auto& map : {flat, turn * flat}) {
       for (const Normal<Object>& n : {Normal<Object>(0, 0, 1), Normal<Object>(0.6f, 0, 0.8f),
                                       Normal<Object>(0, -0.8f, -0.6f), Normal<Object>(1, 0, 0)}) {
-        all.push_back(specimen(triangle_with_normal(n), map, exact_normal(map, n)));
+        all.push_back(make_normal_test_mesh(triangle_with_normal(n), map, exact_normal(map, n)));
       }
     }
     return all;
   }();
   // The same bound as in c16_squashed_normal.cpp.
-  return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
+  return measure_normal_error(engine, meshes, Shading::kPhong, 14.0 * unit_roundoff<float>);
 }
 
 }  // namespace c18
@@ -55,17 +55,18 @@ ExtremeCase c18_flattened_model() {
       .name = "A model flattened to a plane",
       .construction = "scale (2, 3, 0), alone and turned by 77 degrees",
       .stage = "normals",
-      .right =
+      .right_answer =
           "a face that still has an area has the plane's normal, to 10 u; a face without area has "
           "the zero vector, not NaN",
       .unit = "radian",
       .oracle = Oracle::kRational,
-      .ours = {"normal_transform", [] { return judge(by_cofactors); }},
-      .naive = {"inverse transpose", [] { return judge(naive::normal_by_inverse_transpose); }},
-      .mutants = {{"by M itself", [] { return judge(naive::normal_by_matrix); }},
+      .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
+      .naive = {"inverse transpose",
+                [] { return measure_error(naive::normal_by_inverse_transpose); }},
+      .mutants = {{"by M itself", [] { return measure_error(naive::normal_by_matrix); }},
                   {"cofactors transposed",
-                   [] { return judge(naive::normal_by_transposed_cofactors); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::normal_by_transposed_cofactors); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

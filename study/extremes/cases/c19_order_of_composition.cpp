@@ -3,10 +3,10 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/screen_scene.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -14,10 +14,10 @@ namespace c19 {
 
 using exact::Rational;
 // Turns the object about its own origin first, then moves it.
-using Place = glm::dmat4 (*)(const WorldMap& turn, const WorldMap& move);
+using ComposeModelMatrix = glm::dmat4 (*)(const WorldMap& turn, const WorldMap& move);
 
-Outcome judge(Place place) {
-  Worst worst;
+Outcome measure_error(ComposeModelMatrix place) {
+  WorstError worst;
   for (const double degrees : {90.0, 180.0, 270.0}) {  // their matrices have exact entries
     const WorldMap turn = rotate_degrees<World>(WorldVector(0, 0, 1), degrees).value();
     const WorldVector offset{3, -5, 8};
@@ -29,7 +29,7 @@ Outcome judge(Place place) {
       const WorldPoint placed = WorldMap(m) * p;
       const double found[] = {placed.x, placed.y, placed.z};
       for (std::size_t k = 0; k < 3; ++k) {
-        worst.see(exact::error_of(found[k], exact[k]), 0, fmt::format("{} degrees", degrees));
+        worst.add(exact::error_of(found[k], exact[k]), 0, fmt::format("{} degrees", degrees));
       }
     }
   }
@@ -51,9 +51,9 @@ glm::dmat4 transposed_storage(const WorldMap& turn, const WorldMap& move) {
 
 // A triangle placed in this way, compared with its exact place in whole numbers: T R p minus the
 // place of the eye.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     const std::array<Point<Object>, 3> corners{Point<Object>{-2, -1, 0}, {3, -1, 0}, {1, 2, 1}};
     for (int quarter = 1; quarter <= 3; ++quarter) {
       const WorldMap turn = rotate_degrees<World>(WorldVector(0, 0, 1), 90.0 * quarter).value();
@@ -62,19 +62,20 @@ Outcome judge_drawn(const Drawer& by) {
       add_triangle(mesh, corners);
       Scene scene = scene_of(std::move(mesh), unlit_material());
       scene.nodes[0].world_from_node = translate<World>(offset) * turn * Transform<World, Object>();
-      Vista vista = vista_of(scene, camera_at(WorldPoint{3, -5, 15}, {0, 0, -1}), 64, 64);
-      vista.triangles.clear();
-      SeenTriangle& seen = vista.triangles.emplace_back();
+      RayScene ray_scene =
+          make_ray_scene(scene, camera_at(WorldPoint{3, -5, 15}, {0, 0, -1}), 64, 64);
+      ray_scene.triangles.clear();
+      ExactEyeTriangle& seen = ray_scene.triangles.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
         long double x = corners[k].x, y = corners[k].y;
         for (int i = 0; i < quarter; ++i) x = std::exchange(y, x) * -1;
         seen.corners[k] = {x, y, static_cast<long double>(corners[k].z) - 7};
       }
-      all.emplace_back(std::move(vista));
+      all.emplace_back(std::move(ray_scene));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c19
@@ -86,14 +87,16 @@ ExtremeCase c19_order_of_composition() {
       .name = "The order of composition",
       .construction = "turns by 90, 180 and 270 degrees and a move by (3, -5, 8)",
       .stage = "to world space",
-      .right = "T R, exactly; R T is off by (R - I) a",
+      .right_answer = "T R, exactly; R T is off by (R - I) a",
       .unit = "world unit",
       .oracle = Oracle::kRational,
-      .ours = {"translate * rotate", [] { return judge(translation_last); }},
-      .naive = {"in reading order: rotate * translate", [] { return judge(in_reading_order); }},
-      .mutants = {{"the product premultiplied", [] { return judge(premultiplied); }},
-                  {"the rotation stored row by row", [] { return judge(transposed_storage); }}},
-      .drawn = judge_drawn,
+      .ours = {"translate * rotate", [] { return measure_error(translation_last); }},
+      .naive = {"in reading order: rotate * translate",
+                [] { return measure_error(in_reading_order); }},
+      .mutants = {{"the product premultiplied", [] { return measure_error(premultiplied); }},
+                  {"the rotation stored row by row",
+                   [] { return measure_error(transposed_storage); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

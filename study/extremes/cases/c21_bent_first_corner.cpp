@@ -1,6 +1,6 @@
-#include "study/extremes/kit/drawn_normals.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
+#include "study/extremes/common/drawn_normals.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
 #include "study/naive/normals.h"
 
 #include <glassbox/base/random.h>
@@ -10,10 +10,10 @@ namespace c21 {
 
 constexpr double kNoise = 1e-4;
 
-Outcome judge(PolygonNormal normal) {
+Outcome measure_error(PolygonNormal normal) {
   Random random(721);
   const Vector<Object, exact::Rational> up(0, 0, 1);
-  Worst worst;
+  WorstError worst;
   for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
     for (int i = 0; i < 50; ++i) {
       // A square of side 2 whose first corners are almost on a line.
@@ -28,7 +28,7 @@ Outcome judge(PolygonNormal normal) {
       // sqrt(3) s, the diagonals add up to at most twice the perimeter of 8.1, and |m| is twice the
       // area of 4. The second-order term is smaller by a factor of s.
       const double bound = std::sqrt(3.0) * kNoise * 2 * 8.1 / 8 * 1.01;
-      worst.see(angle_to(normal(polygon), up), bound, fmt::format("bend {:g}", bend), 1 / bend);
+      worst.add(angle_to(normal(polygon), up), bound, fmt::format("bend {:g}", bend), 1 / bend);
     }
   }
   return worst.outcome();
@@ -36,10 +36,10 @@ Outcome judge(PolygonNormal normal) {
 
 // Such hexagons, each lit with a single normal, compared with the rational Newell vector of the
 // same floats.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
     Random random(821);
-    std::vector<Specimen> all;
+    std::vector<NormalTestMesh> all;
     for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
       for (int i = 0; i < 4; ++i) {
         Polygon polygon;
@@ -53,12 +53,12 @@ Outcome judge_drawn(const Drawer& by) {
           const double dx = noise(), dy = noise();
           polygon.emplace_back(float(x + dx), float(y + dy), float(noise()));
         }
-        all.push_back(specimen(mesh_of(polygon), {}, exact_newell(polygon)));
+        all.push_back(make_normal_test_mesh(mesh_of(polygon), {}, exact_newell(polygon)));
       }
     }
     return all;
   }();
-  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+  return measure_normal_error(engine, meshes, Shading::kFlat, kShownNormal);
 }
 
 }  // namespace c21
@@ -72,16 +72,17 @@ ExtremeCase c21_bent_first_corner() {
           "hexagons of size 2 whose second corner sticks out by 0.1 .. 1e-4, all coordinates moved "
           "by up to 1e-4",
       .stage = "face normals",
-      .right =
+      .right_answer =
           "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not depend on the "
           "size of one corner",
       .unit = "radian",
       .oracle = Oracle::kExtended,
-      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
-      .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
+      .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
+      .naive = {"cross product of the first three",
+                [] { return measure_error(naive::first_corner); }},
       .mutants = {{"one x for a y, and the last edge missing",
-                   [] { return judge(naive::open_newell); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::open_newell); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -2,16 +2,16 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/kit/drawn_normals.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
+#include "study/extremes/common/drawn_normals.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
 namespace c22 {
 
-Outcome judge(PolygonNormal normal) {
-  Worst worst;
+Outcome measure_error(PolygonNormal normal) {
+  WorstError worst;
   for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
     Polygon octagon;
     for (int i = 0; i < 8; ++i) {
@@ -25,7 +25,7 @@ Outcome judge(PolygonNormal normal) {
     // with 8 edges shorter than 1.1 and sums below 5 from the first corner, in three components,
     // over |m| > 5.
     const double bound = gamma<double>(11) * std::sqrt(3.0) * 8 * 1.1 * 5 / 5;
-    worst.see(angle_to(normal(octagon), exact_newell(octagon)), bound,
+    worst.add(angle_to(normal(octagon), exact_newell(octagon)), bound,
               fmt::format("offset {:g}", offset), 1 + offset);
   }
   return worst.outcome();
@@ -37,9 +37,9 @@ Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
 }
 
 // The octagon and similar polygons, which their placement moves back to the origin.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
-    std::vector<Specimen> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
+    std::vector<NormalTestMesh> all;
     for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
       for (const double lean : {0.5, -0.25}) {
         Polygon octagon;
@@ -49,13 +49,13 @@ Outcome judge_drawn(const Drawer& by) {
                                float(offset + lean * turn.cos - 0.25 * turn.sin));
         }
         const Vector<World, double> back{-offset, -offset, -offset};
-        all.push_back(
-            specimen(mesh_of(octagon), translate<World, Object>(back), exact_newell(octagon)));
+        all.push_back(make_normal_test_mesh(mesh_of(octagon), translate<World, Object>(back),
+                                            exact_newell(octagon)));
       }
     }
     return all;
   }();
-  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+  return measure_normal_error(engine, meshes, Shading::kFlat, kShownNormal);
 }
 
 }  // namespace c22
@@ -67,18 +67,19 @@ ExtremeCase c22_far_polygon() {
       .name = "A polygon far from the origin",
       .construction = "a leaning octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
       .stage = "face normals",
-      .right =
+      .right_answer =
           "the rational Newell vector of the same floats, to gamma_11 in double: measured from the "
           "first corner",
       .unit = "radian",
       .oracle = Oracle::kRational,
-      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
-      .naive = {"raw Newell (S4.33) in float", [] { return judge(naive::raw_newell<float>); }},
+      .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
+      .naive = {"raw Newell (S4.33) in float",
+                [] { return measure_error(naive::raw_newell<float>); }},
       .mutants = {{"measured from the first corner, but in float",
-                   [] { return judge(newell_in_float); }},
+                   [] { return measure_error(newell_in_float); }},
                   {"a minus for the plus of the sums",
-                   [] { return judge(naive::newell_of_differences); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::newell_of_differences); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,13 +1,13 @@
 #include <glassbox/pipeline/affine.h>
-#include "study/extremes/kit/drawn_normals.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
+#include "study/extremes/common/drawn_normals.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
 namespace c23 {
 
-Outcome judge(PolygonNormal normal) {
+Outcome measure_error(PolygonNormal normal) {
   // An arrow head, counter-clockwise, starting at each of its corners in turn; in one of these
   // lists the second corner is reflex.
   const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
@@ -25,15 +25,15 @@ Outcome judge(PolygonNormal normal) {
       ++all;
     }
   }
-  return wrong_of(reversed, all, "normals reversed");
+  return wrong_count_outcome(reversed, all, "normals reversed");
 }
 
 // The arrow heads, each starting at each of its corners. They must be visible, because a reversed
 // normal would make them back faces, and they must have their own colour.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
     const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
-    std::vector<Specimen> all;
+    std::vector<NormalTestMesh> all;
     for (const float size : {1.0f, 1e-3f, 1e3f}) {
       for (std::size_t first = 0; first < arrow.size(); ++first) {
         Polygon turned;
@@ -42,15 +42,15 @@ Outcome judge_drawn(const Drawer& by) {
           turned.emplace_back(p.x * size, p.y * size, p.z * size);
         }
         const double back = 1 / double(size);
-        all.push_back(specimen(mesh_of(turned),
-                               translate<World>(Vector<World, double>{-1, -1, 0}) *
-                                   scale<World, Object>(back, back, back),
-                               exact_newell(turned)));
+        all.push_back(make_normal_test_mesh(mesh_of(turned),
+                                            translate<World>(Vector<World, double>{-1, -1, 0}) *
+                                                scale<World, Object>(back, back, back),
+                                            exact_newell(turned)));
       }
     }
     return all;
   }();
-  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+  return measure_normal_error(engine, meshes, Shading::kFlat, kShownNormal);
 }
 
 }  // namespace c23
@@ -62,13 +62,15 @@ ExtremeCase c23_reflex_corner() {
       .name = "A reflex corner",
       .construction = "an arrow head of three sizes, begun at each of its four corners",
       .stage = "face normals",
-      .right = "the side to which the rational Newell vector points, wherever the list begins",
+      .right_answer =
+          "the side to which the rational Newell vector points, wherever the list begins",
       .unit = "normals",
       .oracle = Oracle::kRational,
-      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
-      .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
-      .mutants = {{"(V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }}},
-      .drawn = judge_drawn,
+      .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
+      .naive = {"cross product of the first three",
+                [] { return measure_error(naive::first_corner); }},
+      .mutants = {{"(V1 - V2) x (V3 - V2)", [] { return measure_error(naive::slide_32); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

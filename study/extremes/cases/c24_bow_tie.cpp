@@ -1,10 +1,10 @@
 #include <glassbox/mesh/triangulate.h>
 #include <algorithm>
 
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
+#include "study/extremes/common/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -13,7 +13,7 @@ namespace c24 {
 // Whether the face is thought to have a normal, and so a front.
 using HasNormal = bool (*)(const Polygon&);
 
-Outcome judge(HasNormal has_normal) {
+Outcome measure_error(HasNormal has_normal) {
   const Polygon bow_ties[] = {
       {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
       {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
@@ -30,7 +30,7 @@ Outcome judge(HasNormal has_normal) {
     wrong += has_normal(polygon) == flat;
     ++all;
   }
-  return wrong_of(wrong, all, "faces judged wrongly");
+  return wrong_count_outcome(wrong, all, "faces judged wrongly");
 }
 
 bool ours(const Polygon& polygon) {
@@ -48,7 +48,7 @@ bool by_open_newell(const Polygon& polygon) {
 }
 
 // Each face alone in a picture: without a normal nothing is drawn, with one it is visible.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   const Polygon faces[] = {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
                            {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
                            {{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}},
@@ -64,12 +64,13 @@ Outcome judge_drawn(const Drawer& by) {
     const auto exact = exact_newell(face);
     const bool flat = exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0;
     const auto shown =
-        by.draw(scene_of(mesh_of(face), unlit_material()), view, plain_settings()).buffers.id;
+        engine.draw(scene_of(mesh_of(face), unlit_material()), view, plain_settings()).buffers.id;
     const bool leaves_trace =
         std::ranges::any_of(shown.pixels, [](std::uint32_t id) { return id != 0; });
     wrong += leaves_trace == flat;
   }
-  return wrong_of(wrong, int(std::size(faces)), "faces drawn that have no normal, or not drawn");
+  return wrong_count_outcome(wrong, int(std::size(faces)),
+                             "faces drawn that have no normal, or not drawn");
 }
 
 }  // namespace c24
@@ -81,14 +82,15 @@ ExtremeCase c24_bow_tie() {
       .name = "Bow-ties",
       .construction = "three bow-ties, a figure of eight, three corners on a line, and a square",
       .stage = "face normals",
-      .right = "no normal, and the face reported, exactly where the rational Newell vector is zero",
+      .right_answer =
+          "no normal, and the face reported, exactly where the rational Newell vector is zero",
       .unit = "faces",
       .oracle = Oracle::kRational,
-      .ours = {"face_normal and triangulate", [] { return judge(ours); }},
-      .naive = {"cross product of the first three", [] { return judge(by_first_corner); }},
+      .ours = {"face_normal and triangulate", [] { return measure_error(ours); }},
+      .naive = {"cross product of the first three", [] { return measure_error(by_first_corner); }},
       .mutants = {{"one x for a y, and the last edge missing",
-                   [] { return judge(by_open_newell); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(by_open_newell); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

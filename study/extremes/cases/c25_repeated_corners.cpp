@@ -1,9 +1,9 @@
 #include <glassbox/mesh/triangulate.h>
 
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
+#include "study/extremes/common/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -14,19 +14,19 @@ using Cut = Triangles (*)(const Mesh&);
 
 const Polygon kPositions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}};
 
-struct Repeating {
+struct RepeatingFace {
   std::vector<std::uint32_t> face;
   double area;
 };
 
-Outcome judge(Cut cut) {
+Outcome measure_error(Cut cut) {
   // Faces with repeated indices, with a repeated position (4 is at the same place as 1), with two
   // corners, and with one.
-  const Repeating faces[] = {{{0, 1, 1}, 0},      {{0, 1, 4}, 0},   {{0, 0, 0}, 0},
-                             {{0, 1}, 0},         {{2}, 0},         {{0, 1, 1, 2, 3}, 1},
-                             {{0, 1, 4, 2}, 0.5}, {{0, 1, 2, 3}, 1}};
+  const RepeatingFace faces[] = {{{0, 1, 1}, 0},      {{0, 1, 4}, 0},   {{0, 0, 0}, 0},
+                                 {{0, 1}, 0},         {{2}, 0},         {{0, 1, 1, 2, 3}, 1},
+                                 {{0, 1, 4, 2}, 0.5}, {{0, 1, 2, 3}, 1}};
   int wrong = 0, all = 0;
-  for (const Repeating& repeating : faces) {
+  for (const RepeatingFace& repeating : faces) {
     const Triangles triangles = cut(mesh_of(kPositions, repeating.face));
     double area = 0;
     bool sound = true;
@@ -40,7 +40,7 @@ Outcome judge(Cut cut) {
     wrong += !sound || area != repeating.area;
     ++all;
   }
-  return wrong_of(wrong, all, "faces cut wrongly");
+  return wrong_count_outcome(wrong, all, "faces cut wrongly");
 }
 
 Triangles ours(const Mesh& mesh) {
@@ -74,7 +74,7 @@ Triangles by_index_alone(const Mesh& mesh) {
 // Whether a point of the unit square is inside the face.
 using Inside = bool (*)(double x, double y);
 
-struct Shown {
+struct FaceOutline {
   std::vector<std::uint32_t> face;
   Inside inside;
 };
@@ -82,22 +82,22 @@ struct Shown {
 // Each face alone, half-transparent, with 16 px per unit: every pixel must be covered as often as
 // its centre is inside the face. On the diagonal, where a triangle ends, centres are exactly on the
 // edge and belong to one side or the other.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   const Inside nowhere = [](double, double) { return false; };
   const Inside everywhere = [](double, double) { return true; };
   const Inside below = [](double x, double y) { return y < x; };
-  const Shown faces[] = {{{0, 1, 1}, nowhere},  {{0, 1, 4}, nowhere},
-                         {{0, 0, 0}, nowhere},  {{0, 1}, nowhere},
-                         {{2}, nowhere},        {{0, 1, 1, 2, 3}, everywhere},
-                         {{0, 1, 4, 2}, below}, {{0, 1, 2, 3}, everywhere}};
+  const FaceOutline faces[] = {{{0, 1, 1}, nowhere},  {{0, 1, 4}, nowhere},
+                               {{0, 0, 0}, nowhere},  {{0, 1}, nowhere},
+                               {{2}, nowhere},        {{0, 1, 1, 2, 3}, everywhere},
+                               {{0, 1, 4, 2}, below}, {{0, 1, 2, 3}, everywhere}};
   Camera camera;
   camera.lens = OrthographicLens{2, 0, 2};
   camera.world_from_eye.at(2, 3) = 1;
   const View view = make_view(camera, 64, 64).value();
   int wrong = 0, all = 0;
-  for (const Shown& shown : faces) {
+  for (const FaceOutline& shown : faces) {
     const Scene scene = scene_of(mesh_of(kPositions, shown.face), layer_material());
-    const auto picture = by.draw(scene, view, plain_settings()).buffers.color;
+    const auto picture = engine.draw(scene, view, plain_settings()).buffers.color;
     for (int row = 0; row < 64; ++row) {
       for (int column = 0; column < 64; ++column) {
         const double x = (column + 0.5 - 32) / 16, y = (32 - row - 0.5) / 16;
@@ -108,7 +108,7 @@ Outcome judge_drawn(const Drawer& by) {
       }
     }
   }
-  return wrong_of(wrong, all, "pixels are covered too often or not often enough");
+  return wrong_count_outcome(wrong, all, "pixels are covered too often or not often enough");
 }
 
 }  // namespace c25
@@ -120,13 +120,14 @@ ExtremeCase c25_repeated_corners() {
       .name = "Repeated corners",
       .construction = "eight faces with repeated indices, repeated positions, two corners, one",
       .stage = "triangulation",
-      .right = "triangles with area only, and the whole area of the face",
+      .right_answer = "triangles with area only, and the whole area of the face",
       .unit = "faces",
       .oracle = Oracle::kAnalytic,
-      .ours = {"triangulate", [] { return judge(ours); }},
-      .naive = {"a fan from the first corner", [] { return judge(fan); }},
-      .mutants = {{"repetitions found by index alone", [] { return judge(by_index_alone); }}},
-      .drawn = judge_drawn,
+      .ours = {"triangulate", [] { return measure_error(ours); }},
+      .naive = {"a fan from the first corner", [] { return measure_error(fan); }},
+      .mutants = {{"repetitions found by index alone",
+                   [] { return measure_error(by_index_alone); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <set>
 
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
+#include "study/extremes/common/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -16,14 +16,14 @@ namespace c26 {
 
 using exact::Decimal;
 
-struct Quads {
+struct QuadFunctions {
   double (*deviation)(const Polygon&);                            // distance from the mean plane
   std::array<std::size_t, 2> (*diagonal)(const Polygon& square);  // the two corners that it joins
 };
 
-Outcome judge(auto deviation_by, auto diagonal_by) {
-  const Quads quads{deviation_by, diagonal_by};
-  Worst worst;
+Outcome measure_error(auto deviation_by, auto diagonal_by) {
+  const QuadFunctions quads{deviation_by, diagonal_by};
+  WorstError worst;
   int unsteady = 0;
   for (const float h : {0.5f, 0x1p-5f, 0x1p-10f}) {
     const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
@@ -37,7 +37,7 @@ Outcome judge(auto deviation_by, auto diagonal_by) {
       const Decimal exact =
           height / Decimal(2) / exact::sqrt(Decimal(2) * height * height + Decimal(4));
       // The bound in double: a dozen rounding errors of numbers up to 1.
-      worst.see(exact::error_of(quads.deviation(turned), exact), gamma<double>(12),
+      worst.add(exact::error_of(quads.deviation(turned), exact), gamma<double>(12),
                 fmt::format("corner lifted by {:g}", h));
       const auto [a, b] = quads.diagonal(turned);
       using Corner2 = std::pair<float, float>;
@@ -45,7 +45,7 @@ Outcome judge(auto deviation_by, auto diagonal_by) {
     }
     unsteady += diagonals.size() != 1;
   }
-  if (unsteady > 0) worst.see(HUGE_VAL, 0, "the diagonal depends on where the list begins");
+  if (unsteady > 0) worst.add(HUGE_VAL, 0, "the diagonal depends on where the list begins");
   return worst.outcome(fmt::format("{} of 3 diagonals depend on the first corner", unsteady));
 }
 
@@ -79,27 +79,27 @@ std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
 // Seen from above, with 32 px per side: the stored depths must be those of the square folded along
 // its shorter diagonal, from (1, 0) to (0, 1), wherever the list of corners begins. Depth is 1/2 -
 // z/2, exactly at the corners; the bound is 8 u of it (C-57).
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   Camera camera;
   camera.lens = OrthographicLens{1, 0, 2};
   camera.world_from_eye.at(2, 3) = 1;
   const View view = make_view(camera, 64, 64).value();
   RenderSettings settings = plain_settings();
   settings.want_depth = true;
-  Worst worst;
+  WorstError worst;
   for (const float h : {0.5f, 0x1p-5f, 0x1p-10f}) {
     const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
     for (std::size_t first = 0; first < 4; ++first) {
       Polygon turned;
       for (std::size_t i = 0; i < 4; ++i) turned.push_back(square[(first + i) % 4]);
       const Framebuffer found =
-          by.draw(scene_of(mesh_of(turned), unlit_material()), view, settings).buffers;
+          engine.draw(scene_of(mesh_of(turned), unlit_material()), view, settings).buffers;
       for (int row = 1; row < 31; ++row) {
         for (int column = 33; column < 63; ++column) {
           const double x = (column + 0.5 - 32) / 32, y = (32 - row - 0.5) / 32;
           const double right = 0.5 - double(h) * std::max(0.0, x + y - 1) / 2;
           const auto depth = double(std::bit_cast<float>(found.depth.at(column, row)));
-          worst.see(found.id.at(column, row) == 0 ? HUGE_VAL : std::abs(depth - right) / right,
+          worst.add(found.id.at(column, row) == 0 ? HUGE_VAL : std::abs(depth - right) / right,
                     8 * unit_roundoff<float>, fmt::format("corner lifted by {:g}", h));
         }
       }
@@ -118,18 +118,18 @@ ExtremeCase c26_bent_quad() {
       .construction =
           "a unit square with one corner lifted by 1/2, 1/32, 1/1024, begun at each corner",
       .stage = "triangulation",
-      .right =
+      .right_answer =
           "corners (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; always the shorter "
           "diagonal",
       .unit = "object unit",
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",
-               [] { return judge(deviation_from_mean_plane, shared_corners); }},
+               [] { return measure_error(deviation_from_mean_plane, shared_corners); }},
       .naive = {"plane of the first three corners, diagonal from the first",
-                [] { return judge(deviation_from_first_three, from_the_first_corner); }},
+                [] { return measure_error(deviation_from_first_three, from_the_first_corner); }},
       .mutants = {{"the diagonal from the first corner",
-                   [] { return judge(deviation_from_mean_plane, from_the_first_corner); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(deviation_from_mean_plane, from_the_first_corner); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -2,16 +2,16 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/back_face.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
 namespace c27 {
 
-using Faces = Facing (*)(std::span<const Point<Object>>, const ObjectViewer&);
+using FacingTest = Facing (*)(std::span<const Point<Object>>, const ObjectViewer&);
 
-Outcome judge(Faces facing) {
+Outcome measure_error(FacingTest facing) {
   Random random(727);
   int wrong = 0, culled = 0;
   constexpr int kFaces = 2000;
@@ -37,8 +37,8 @@ Outcome judge(Faces facing) {
     wrong += found != Facing::kEdgeOn;
     culled += found == Facing::kBack;
   }
-  return wrong_of(wrong, kFaces, "edge-on faces judged wrongly",
-                  fmt::format("; {} culled", culled));
+  return wrong_count_outcome(wrong, kFaces, "edge-on faces judged wrongly",
+                             fmt::format("; {} culled", culled));
 }
 
 Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
@@ -53,8 +53,8 @@ Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer&
 // Triangles in front of a wall, with the eye in their plane. Their corners have coordinates that
 // floats hold exactly, at whole pixels of one line on the screen, so that nothing is rounded and no
 // pixel is covered; with every kind of culling, in both stages.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
     Random random(827);
     std::vector<EyeTriangle> triangles;
     for (int i = 0; i < 80; ++i) {
@@ -75,18 +75,19 @@ Outcome judge_drawn(const Drawer& by) {
       if (nx != 0 || ny != 0 || nz != 0) triangles.push_back(t);
     }
     triangles.push_back({Point<Eye>{-20, -20, -8}, {40, -20, -8}, {-20, 40, -8}});
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (const Cull cull : {Cull::kNone, Cull::kBack, Cull::kFront}) {
       for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
-        Vista vista = vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 16.0}, 64);
-        vista.settings.cull = cull;
-        vista.settings.cull_stage = stage;
-        all.emplace_back(std::move(vista));
+        RayScene ray_scene =
+            make_ray_scene(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 16.0}, 64);
+        ray_scene.settings.cull = cull;
+        ray_scene.settings.cull_stage = stage;
+        all.emplace_back(std::move(ray_scene));
       }
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c27
@@ -99,14 +100,14 @@ ExtremeCase c27_edge_on() {
       .construction =
           "2000 triangles of integers times 2^-10, the eye an integer combination of their corners",
       .stage = "back faces",
-      .right = "exactly edge-on, which counts as front, covers no pixel and never flickers",
+      .right_answer = "exactly edge-on, which counts as front, covers no pixel and never flickers",
       .unit = "faces",
       .oracle = Oracle::kRational,
-      .ours = {"test_back_face", [] { return judge(ours); }},
-      .naive = {"(P - eye) . m in float", [] { return judge(naive::facing<float>); }},
+      .ours = {"test_back_face", [] { return measure_error(ours); }},
+      .naive = {"(P - eye) . m in float", [] { return measure_error(naive::facing<float>); }},
       .mutants = {{"no exact sum where the bound is exceeded",
-                   [] { return judge(without_fallback); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(without_fallback); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

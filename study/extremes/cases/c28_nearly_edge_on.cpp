@@ -2,9 +2,9 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/back_face.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
+#include "study/extremes/common/ray_cast.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -16,7 +16,7 @@ struct Answer {
   Facing facing = Facing::kFront;
   bool exactly = false;  // the exact sum decided
 };
-using Faces = Answer (*)(std::span<const Point<Object>>, const ObjectViewer&);
+using FacingTest = Answer (*)(std::span<const Point<Object>>, const ObjectViewer&);
 
 int exact_sign(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
   using V = Vector<Object, Rational>;
@@ -27,7 +27,7 @@ int exact_sign(std::span<const Point<Object>> face, const ObjectViewer& viewer) 
   return dot(sight, exact_newell(face)).sign();
 }
 
-Outcome judge(Faces facing) {
+Outcome measure_error(FacingTest facing) {
   Random random(728);
   int wrong = 0, all = 0, exact = 0;
   for (const double sine : {1e-3, 1e-5, 1e-8, 1e-13, 0.0}) {
@@ -52,7 +52,8 @@ Outcome judge(Faces facing) {
       ++all;
     }
   }
-  return wrong_of(wrong, all, "signs wrong", fmt::format("; {} decided by the exact sum", exact));
+  return wrong_count_outcome(wrong, all, "signs wrong",
+                             fmt::format("; {} decided by the exact sum", exact));
 }
 
 Answer ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
@@ -69,8 +70,8 @@ Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer
 // Large triangles of which little is visible: two corners are anywhere, the third is a few pixels
 // off the line through them, and the distances differ. Front faces or back faces are culled, in
 // both stages.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
     Random random(828);
     std::vector<EyeTriangle> triangles;
     for (int i = 0; i < 120; ++i) {
@@ -86,18 +87,19 @@ Outcome judge_drawn(const Drawer& by) {
       }
       triangles.push_back(t);
     }
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (const Cull cull : {Cull::kBack, Cull::kFront}) {
       for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
-        Vista vista = vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 40.0}, 96);
-        vista.settings.cull = cull;
-        vista.settings.cull_stage = stage;
-        all.emplace_back(std::move(vista));
+        RayScene ray_scene =
+            make_ray_scene(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 40.0}, 96);
+        ray_scene.settings.cull = cull;
+        ray_scene.settings.cull_stage = stage;
+        all.emplace_back(std::move(ray_scene));
       }
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c28
@@ -109,13 +111,13 @@ ExtremeCase c28_nearly_edge_on() {
       .name = "Faces that are nearly edge-on",
       .construction = "1500 random triangles seen from 10^4 away at sines of 1e-3 .. 1e-13 and 0",
       .stage = "back faces",
-      .right = "the sign of rational arithmetic",
+      .right_answer = "the sign of rational arithmetic",
       .unit = "signs",
       .oracle = Oracle::kRational,
-      .ours = {"test_back_face", [] { return judge(ours); }},
-      .naive = {"(P - eye) . m in float", [] { return judge(in_float); }},
-      .mutants = {{"in double, without the exact sum", [] { return judge(in_double); }}},
-      .drawn = judge_drawn,
+      .ours = {"test_back_face", [] { return measure_error(ours); }},
+      .naive = {"(P - eye) . m in float", [] { return measure_error(in_float); }},
+      .mutants = {{"in double, without the exact sum", [] { return measure_error(in_double); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -6,8 +6,8 @@
 #include <glassbox/raster/snap.h>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -15,9 +15,9 @@ namespace c29 {
 
 // Whether a face is culled before anything is transformed. `margin` is the value below which
 // snapping may reverse its winding.
-using Culls = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
+using CullTest = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
 
-Outcome judge(Culls culls) {
+Outcome measure_error(CullTest culls) {
   Random random(729);
   const Viewport viewport{0, 0, 640, 480};
   const auto lens = perspective_degrees(90, 640.0 / 480, {1, 20}).value();
@@ -65,7 +65,7 @@ Outcome judge(Culls culls) {
   }
   // A subject must not pass by culling nothing: about half of the 20000 faces are back faces.
   if (culled < 5000) return must_be_zero(HUGE_VAL, "hardly anything culled");
-  return wrong_of(lost, all, "culled faces would have been drawn as front faces");
+  return wrong_count_outcome(lost, all, "culled faces would have been drawn as front faces");
 }
 
 bool ours(std::span<const Point<Object>> face, const ObjectViewer& viewer, double margin) {
@@ -81,8 +81,8 @@ bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer
 // Slivers that are one or two snapping steps wide, so that snapping may reverse their winding.
 // Those that are certainly back faces are culled before snapping; for the others, the snapped area
 // decides.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<CoverageDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<CoverageReference> pictures = [] {
     Random random(829);
     std::vector<ScreenTriangle> slivers;
     for (int i = 0; i < 2000; ++i) {
@@ -92,7 +92,7 @@ Outcome judge_drawn(const Drawer& by) {
       slivers.push_back({screen_vertex(x, y), screen_vertex(x + dx, y + dy),
                          screen_vertex(x + t * dx + right, y + t * dy + down)});
     }
-    std::vector<CoverageDrawn> all;
+    std::vector<CoverageReference> all;
     for (const Cull cull : {Cull::kBack, Cull::kFront}) {
       for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
         all.emplace_back(slivers, 256, Culling{cull, stage});
@@ -100,7 +100,7 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c29
@@ -112,15 +112,15 @@ ExtremeCase c29_world_test_and_area() {
       .name = "The test in space against the area on the screen",
       .construction = "20000 random triangles of 1 .. 2^-12 units, 3 .. 8 away, in 640 x 480 px",
       .stage = "back faces",
-      .right =
+      .right_answer =
           "no face is culled whose snapped triangle would be drawn as a front face: the test in "
           "space keeps a margin for the snap",
       .unit = "faces",
       .oracle = Oracle::kInteger,
-      .ours = {"certainly_back with snapping_margin", [] { return judge(ours); }},
-      .naive = {"(P - eye) . m > 0 in float", [] { return judge(any_back_in_float); }},
-      .mutants = {{"no margin for the snap", [] { return judge(exact_but_no_margin); }}},
-      .drawn = judge_drawn,
+      .ours = {"certainly_back with snapping_margin", [] { return measure_error(ours); }},
+      .naive = {"(P - eye) . m > 0 in float", [] { return measure_error(any_back_in_float); }},
+      .mutants = {{"no margin for the snap", [] { return measure_error(exact_but_no_margin); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -4,9 +4,9 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/staged.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/world.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -29,7 +29,7 @@ public:
     }
     culls_ = rule_(face, eye_, gaze_);
   }
-  void faced(const TriangleSetup&, bool, bool& culled) override { culled = culls_; }
+  void facing_tested(const TriangleSetup&, bool, bool& culled) override { culled = culls_; }
 
 private:
   Rule rule_;
@@ -39,7 +39,7 @@ private:
   bool culls_ = false;
 };
 
-Outcome judge(CullBy::Rule rule) {
+Outcome measure_error(CullBy::Rule rule) {
   const Scene ball = make_sphere(8);
   int different = 0, covered = 0;
   // From beside the ball, many lines of sight differ much from the gaze: the picture is 108 degrees
@@ -67,7 +67,7 @@ Outcome judge(CullBy::Rule rule) {
       covered += before;
     }
   }
-  return wrong_of(different, covered, "covered pixels lost");
+  return wrong_count_outcome(different, covered, "covered pixels lost");
 }
 
 // The test of the slide with the camera's gaze instead of the line of sight: it is right only for
@@ -89,23 +89,23 @@ bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
 // The ball from the same places. With back faces culled exactly one layer is visible, with front
 // faces culled the other one. Culling is done on the screen, or in object space where that is
 // certain.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> balls = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> balls = [] {
+    std::vector<RayCastReference> all;
     for (const Cull cull : {Cull::kBack, Cull::kFront, Cull::kNone}) {
       for (const WorldPoint& eye : {WorldPoint{0, 0, 1.3}, {1.2, 0.7, 0.9}, {-2, 3, 1}}) {
         Camera camera = camera_at(eye, {0.2 - eye.x, -eye.y, -eye.z});
         camera.lens = PerspectiveLens{1.6, 0.05, 10.0};
-        Vista vista = vista_of(make_sphere(8), camera, 64, 48);
-        vista.settings.cull = cull;
-        all.emplace_back(vista);
-        vista.settings.cull_stage = CullStage::kObject;
-        all.emplace_back(std::move(vista));
+        RayScene ray_scene = make_ray_scene(make_sphere(8), camera, 64, 48);
+        ray_scene.settings.cull = cull;
+        all.emplace_back(ray_scene);
+        ray_scene.settings.cull_stage = CullStage::kObject;
+        all.emplace_back(std::move(ray_scene));
       }
     }
     return all;
   }();
-  return worst_of(balls, by);
+  return worst_of(balls, engine);
 }
 
 }  // namespace c30
@@ -118,13 +118,14 @@ ExtremeCase c30_closed_solid() {
       .construction =
           "a ball of 8 stacks seen from four places near it, along and past it, 128 x 96 px",
       .stage = "back faces",
-      .right = "the same pixels covered with and without culling",
+      .right_answer = "the same pixels covered with and without culling",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"the sign of the snapped area", [] { return judge(nullptr); }},
-      .naive = {"normal against the camera's gaze", [] { return judge(by_gaze); }},
-      .mutants = {{"culled from six degrees before edge-on", [] { return judge(before_edge_on); }}},
-      .drawn = judge_drawn,
+      .ours = {"the sign of the snapped area", [] { return measure_error(nullptr); }},
+      .naive = {"normal against the camera's gaze", [] { return measure_error(by_gaze); }},
+      .mutants = {{"culled from six degrees before edge-on",
+                   [] { return measure_error(before_edge_on); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -2,15 +2,15 @@
 #include <glassbox/mesh/normals.h>
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/kit/drawn_normals.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/polygons.h"
+#include "study/extremes/common/drawn_normals.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/polygons.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
 namespace c31 {
 
-Outcome judge(PolygonNormal normal) {
+Outcome measure_error(PolygonNormal normal) {
   Random random(731);
   int opposite = 0;
   constexpr int kTriangles = 1000;
@@ -25,7 +25,7 @@ Outcome judge(PolygonNormal normal) {
     const auto m = normal(triangle);
     opposite += m.x != double(exact.x) || m.y != double(exact.y) || m.z != double(exact.z);
   }
-  return wrong_of(opposite, kTriangles, "vectors differ from Newell's");
+  return wrong_count_outcome(opposite, kTriangles, "vectors differ from Newell's");
 }
 
 Vector<Object, double> ours(std::span<const Point<Object>> t) {
@@ -39,10 +39,10 @@ Vector<Object, double> factors_exchanged(std::span<const Point<Object>> t) {
 
 // Triangles turned so that Newell's vector points to the viewer: all must be visible, in the colour
 // of that vector.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<Specimen> specimens = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<NormalTestMesh> meshes = [] {
     Random random(831);
-    std::vector<Specimen> all;
+    std::vector<NormalTestMesh> all;
     while (all.size() < 49) {
       Polygon triangle(3);
       for (Point<Object>& p : triangle) {
@@ -52,12 +52,12 @@ Outcome judge_drawn(const Drawer& by) {
       auto normal = exact_newell(triangle);
       if (abs(normal.z) < exact::Rational(4000)) continue;  // smaller than a fifth of the square
       if (normal.z.sign() < 0) std::swap(triangle[0], triangle[1]);
-      all.push_back(specimen(mesh_of(triangle), scale<World, Object>(0.01, 0.01, 0.01),
-                             exact_newell(triangle)));
+      all.push_back(make_normal_test_mesh(mesh_of(triangle), scale<World, Object>(0.01, 0.01, 0.01),
+                                          exact_newell(triangle)));
     }
     return all;
   }();
-  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+  return measure_normal_error(engine, meshes, Shading::kFlat, kShownNormal);
 }
 
 }  // namespace c31
@@ -69,13 +69,14 @@ ExtremeCase c31_sign_conflict() {
       .name = "Two formulas of one deck with opposite signs",
       .construction = "1000 triangles of integers, by S4.32's cross product and S4.33's sums",
       .stage = "face normals",
-      .right = "the cross product (V2 - V1) x (V3 - V2) equals Newell's vector exactly (E11)",
+      .right_answer =
+          "the cross product (V2 - V1) x (V3 - V2) equals Newell's vector exactly (E11)",
       .unit = "triangles",
       .oracle = Oracle::kRational,
-      .ours = {"three_point_normal", [] { return judge(ours); }},
-      .naive = {"S4.32: (V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }},
-      .mutants = {{"the factors exchanged", [] { return judge(factors_exchanged); }}},
-      .drawn = judge_drawn,
+      .ours = {"three_point_normal", [] { return measure_error(ours); }},
+      .naive = {"S4.32: (V1 - V2) x (V3 - V2)", [] { return measure_error(naive::slide_32); }},
+      .mutants = {{"the factors exchanged", [] { return measure_error(factors_exchanged); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,23 +1,23 @@
 #include <glassbox/base/trig.h>
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c32 {
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   // z - w is -1/2 everywhere, so z = 0 at w = 1/2 and all crossings need few bits: nothing is
   // rounded.
   const std::vector<ClipPlane> near{frustum_planes()[0]};
   const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
   const Point<Clip> behind{-1, -1, -1.5f, -1}, behind2{1, -1, -1.5f, -1};
-  Worst worst;
+  WorstError worst;
   for (const ClipTriangle& t :
        {clip_corners(front, behind, behind2), clip_corners(behind, behind2, front),
         clip_corners(front, front2, behind), clip_corners(behind, front, front2)}) {
     const Outline outline = clips(t, near);
-    worst.see(area_error(outline, t, near), 0, std::to_string(outline.size()) + " vertices");
+    worst.add(area_error(outline, t, near), 0, std::to_string(outline.size()) + " vertices");
   }
   return worst.outcome();
 }
@@ -38,9 +38,9 @@ Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 
 // The same triangles, each alone in a picture, and versions of them with corners at other distances
 // behind the eye.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     const Point<Eye> front{0, 0.25f, -1}, front2{0.5f, 0, -1};
     for (const float w : {1.0f, 0.25f, 16.0f}) {
       const Point<Eye> behind{-w, -w, w}, behind2{w, -w, w};
@@ -48,12 +48,13 @@ Outcome judge_drawn(const Drawer& by) {
                                    {behind, behind2, front},
                                    {front, front2, behind},
                                    {behind, front, front2}}) {
-        all.emplace_back(vista_of({t}, PerspectiveLens{radians_from_degrees(90), 0.5, 8.0}, 48));
+        all.emplace_back(
+            make_ray_scene({t}, PerspectiveLens{radians_from_degrees(90), 0.5, 8.0}, 48));
       }
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c32
@@ -65,14 +66,16 @@ ExtremeCase c32_through_the_eye() {
       .name = "A triangle through the eye plane",
       .construction = "corners with w = 1, -1, -1 and 1, 1, -1, whose crossings have few bits",
       .stage = "clip",
-      .right = "the area of what lies in front, exactly",
+      .right_answer = "the area of what lies in front, exactly",
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
-      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
-      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
-      .mutants = {{"a quadrilateral drawn as one triangle", [] { return judge(one_triangle); }},
-                  {"the crossing measured from the wrong end", [] { return judge(wrong_end); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
+      .mutants = {{"a quadrilateral drawn as one triangle",
+                   [] { return measure_error(one_triangle); }},
+                  {"the crossing measured from the wrong end",
+                   [] { return measure_error(wrong_end); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

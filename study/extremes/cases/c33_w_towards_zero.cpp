@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/viewport.h>
 
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c33 {
@@ -16,7 +16,7 @@ View view_1080() {
   return view;
 }
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   const View view = view_1080();
   const auto planes = render_planes(view);
   int wrong = 0, vertices = 0;
@@ -37,7 +37,7 @@ Outcome judge(Clips clips) {
       }
     }
   }
-  return wrong_of(wrong, vertices, "vertices are no pixels");
+  return wrong_count_outcome(wrong, vertices, "vertices are no pixels");
 }
 
 Outline without_eye_plane(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -51,18 +51,19 @@ Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> pla
 
 // The same corners in eye space, where the distance along the gaze is w; each triangle is in a
 // picture of its own.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     for (const float w : {0.5f, 1e-2f, 1e-10f, 1e-38f, 1e-45f, 0.0f, -1e-45f}) {
       for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {1.0f, -1.0f}, {1e6f, 1.0f}, {w, w}}) {
-        all.emplace_back(vista_of({{Point<Eye>{x, y, -w}, {0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}}},
-                                  PerspectiveLens{radians_from_degrees(90), 0.01, 8.0}, 32));
+        all.emplace_back(
+            make_ray_scene({{Point<Eye>{x, y, -w}, {0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}}},
+                           PerspectiveLens{radians_from_degrees(90), 0.01, 8.0}, 32));
       }
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c33
@@ -74,16 +75,16 @@ ExtremeCase c33_w_towards_zero() {
       .name = "w towards zero",
       .construction = "a corner with w = 0.5 .. 1e-45, 0 and -1e-45, in four places; near 0.01",
       .stage = "clip",
-      .right =
+      .right_answer =
           "after clipping w >= near/2, and every vertex within the guard band: no infinity, no "
           "NaN, no overflow",
       .unit = "vertices",
       .oracle = Oracle::kProperty,
-      .ours = {"clip_triangle by render_planes", [] { return judge(pipeline_clips); }},
-      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
-      .mutants = {{"no eye plane", [] { return judge(without_eye_plane); }},
-                  {"no guard band", [] { return judge(without_guard_band); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle by render_planes", [] { return measure_error(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
+      .mutants = {{"no eye plane", [] { return measure_error(without_eye_plane); }},
+                  {"no guard band", [] { return measure_error(without_guard_band); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

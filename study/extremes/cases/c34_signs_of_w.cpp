@@ -1,11 +1,11 @@
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c34 {
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   Random random(734);
   const std::vector<ClipPlane> planes = planes_without_far();
   // Coordinates are below 1.5, and w is at least 1/16 where it matters, so one rounding error moves
@@ -13,7 +13,7 @@ Outcome judge(Clips clips) {
   // planes. Moving the edges of a polygon inside the NDC square (perimeter at most 8) by 5 * 48 u
   // sqrt(2) changes twice its area by less than 16 * 340 u.
   constexpr double kBound = 16 * 340 * 0x1p-24;
-  Worst worst;
+  WorstError worst;
   for (int signs = 0; signs < 8; ++signs) {
     for (int i = 0; i < 150; ++i) {
       std::array<Point<Clip>, 3> p;
@@ -28,7 +28,7 @@ Outcome judge(Clips clips) {
       if (too_near) continue;
       const Outline outline = clips(t, planes);
       const bool nothing_left = exact.empty() && outline.empty();
-      worst.see(nothing_left ? 0 : area_error(outline, t, planes), kBound,
+      worst.add(nothing_left ? 0 : area_error(outline, t, planes), kBound,
                 fmt::format("signs of w {:03b}", signs));
     }
   }
@@ -55,10 +55,10 @@ Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> pla
 }
 
 // Random triangles on both sides of the eye, each alone in a picture of 48 x 48 pixels.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
     Random random(834);
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (int i = 0; i < 96; ++i) {
       EyeTriangle t;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -66,7 +66,7 @@ Outcome judge_drawn(const Drawer& by) {
         const double z = behind ? random.between(0, 6) : random.between(-6, -0.1);
         t[k] = {float(random.between(-4, 4)), float(random.between(-4, 4)), float(z)};
       }
-      all.emplace_back(vista_of({t}, PerspectiveLens{1.0, 0.5, 5.0}, 48));
+      all.emplace_back(make_ray_scene({t}, PerspectiveLens{1.0, 0.5, 5.0}, 48));
     }
     // Then 400 small triangles on both sides of the near plane and of the far plane.
     std::vector<EyeTriangle> small;
@@ -80,10 +80,10 @@ Outcome judge_drawn(const Drawer& by) {
                        {around(x), around(y), around(z)},
                        {around(x), around(y), around(z)}});
     }
-    all.emplace_back(vista_of(small, PerspectiveLens{1.0, 0.5, 5.0}, 192));
+    all.emplace_back(make_ray_scene(small, PerspectiveLens{1.0, 0.5, 5.0}, 192));
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c34
@@ -95,15 +95,15 @@ ExtremeCase c34_signs_of_w() {
       .name = "All patterns of the signs of w",
       .construction = "150 random triangles for each of the eight patterns",
       .stage = "clip",
-      .right = "the rational area of what is in the picture, 0 where all w < 0",
+      .right_answer = "the rational area of what is in the picture, 0 where all w < 0",
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
-      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
-      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
+      .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
       .mutants = {{"no test for w > 0: clipped after the divide",
-                   [] { return judge(sides_after_divide); }},
-                  {"|w| for w", [] { return judge(absolute_w); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(sides_after_divide); }},
+                  {"|w| for w", [] { return measure_error(absolute_w); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

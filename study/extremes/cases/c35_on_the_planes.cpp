@@ -1,6 +1,6 @@
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c35 {
@@ -12,7 +12,7 @@ bool repeats_a_vertex(const Outline& outline) {
   return false;
 }
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   Random random(735);
   const auto planes = frustum_planes();
   // The same bound as in c34_signs_of_w.cpp, here with w >= 1: coordinates below 2 over 1, five
@@ -34,8 +34,8 @@ Outcome judge(Clips clips) {
     wrong += repeats || outline.size() > 9 || outline.size() == 1 || outline.size() == 2 ||
              !(area_error(outline, t, planes) <= kBound);
   }
-  return wrong_of(wrong, kTriangles, "polygons wrong",
-                  fmt::format("; {} with repeated vertices", repeated));
+  return wrong_count_outcome(wrong, kTriangles, "polygons wrong",
+                             fmt::format("; {} with repeated vertices", repeated));
 }
 
 Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -54,9 +54,9 @@ Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> plane
 }
 
 // Corners exactly on the planes, where z = 0 or w = z exactly, and at the edges of the picture.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     const OrthographicLens lens{2, 1, 3};
     const Point<Eye> corners[] = {{-2, -2, -1}, {2, -2, -1}, {2, 2, -3},  {-2, 2, -3},
                                   {0, -2, -3},  {2, 0, -1},  {-1, 1, -2}, {0, 3, -1},
@@ -64,11 +64,11 @@ Outcome judge_drawn(const Drawer& by) {
     Random random(835);
     for (int i = 0; i < 24; ++i) {
       const auto corner = [&] { return corners[random.integer(0, 10)]; };
-      all.emplace_back(vista_of({{corner(), corner(), corner()}}, lens, 32));
+      all.emplace_back(make_ray_scene({{corner(), corner(), corner()}}, lens, 32));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c35
@@ -80,14 +80,14 @@ ExtremeCase c35_on_the_planes() {
       .name = "Vertices exactly on the planes",
       .construction = "1500 triangles on a lattice of halves that reaches beyond the frustum",
       .stage = "clip",
-      .right =
+      .right_answer =
           "the rational area, at most nine vertices, no vertex twice, nothing less than a triangle",
       .unit = "polygons",
       .oracle = Oracle::kRational,
-      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
-      .naive = {"distance > 0 for inside", [] { return judge(on_the_plane_is_outside); }},
-      .mutants = {{"repeated vertices kept", [] { return judge(repetitions_kept); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
+      .naive = {"distance > 0 for inside", [] { return measure_error(on_the_plane_is_outside); }},
+      .mutants = {{"repeated vertices kept", [] { return measure_error(repetitions_kept); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

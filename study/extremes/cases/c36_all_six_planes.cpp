@@ -1,11 +1,11 @@
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c36 {
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   const auto planes = frustum_planes();
   // The plane x + y + z' = 0 (z' = 2z - 1) cuts the box in a regular hexagon, and this triangle
   // cuts off three corners of it.
@@ -16,7 +16,7 @@ Outcome judge(Clips clips) {
       clip_corners(nine[1].position, nine[2].position, nine[0].position);
   const ClipTriangle screen =
       clip_corners({-64, -64, 0.5f, 1}, {192, -64, 0.5f, 1}, {-64, 192, 0.5f, 1});
-  Worst worst;
+  WorstError worst;
   for (const auto& [t, bound] :
        {// crossings are rounded: 6 planes, u per coordinate below 2, over a perimeter below 8
         std::pair{nine, 6 * 2 * 8 * 0x1p-24},
@@ -24,7 +24,7 @@ Outcome judge(Clips clips) {
         // The whole screen, from coordinates with few bits: twice its area is 8, exactly.
         {screen, 0.0}}) {
     const Outline outline = clips(t, planes);
-    worst.see(area_error(outline, t, planes), bound, fmt::format("{} vertices", outline.size()));
+    worst.add(area_error(outline, t, planes), bound, fmt::format("{} vertices", outline.size()));
   }
   return worst.outcome();
 }
@@ -37,21 +37,21 @@ Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 }
 
 // Triangles that are larger than the frustum on all sides.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
     Random random(836);
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (int i = 0; i < 40; ++i) {
       EyeTriangle t;
       for (Point<Eye>& p : t) {
         p = {float(random.between(-30, 30)), float(random.between(-30, 30)),
              float(random.between(-30, 20))};
       }
-      all.emplace_back(vista_of({t}, PerspectiveLens{1.2, 0.5, 8.0}, 64));
+      all.emplace_back(make_ray_scene({t}, PerspectiveLens{1.2, 0.5, 8.0}, 64));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c36
@@ -65,13 +65,13 @@ ExtremeCase c36_all_six_planes() {
           "a triangle across the frustum's diagonal that gets nine corners, and one that contains "
           "the whole screen",
       .stage = "clip",
-      .right = "the rational area: three and six vertices (Sutherland and Hodgman 1974)",
+      .right_answer = "the rational area: three and six vertices (Sutherland and Hodgman 1974)",
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
-      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
-      .naive = {"a fixed array of 8", [] { return judge(array_of_eight); }},
-      .mutants = {{"the last plane forgotten", [] { return judge(five_planes); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
+      .naive = {"a fixed array of 8", [] { return measure_error(array_of_eight); }},
+      .mutants = {{"the last plane forgotten", [] { return measure_error(five_planes); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

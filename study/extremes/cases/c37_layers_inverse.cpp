@@ -4,7 +4,7 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "views/layers/layer_camera.h"
 
 namespace glassbox::study {
@@ -27,19 +27,19 @@ struct Stored {
 };
 
 // How points are stored, and how a point of the first picture is warped to the second.
-struct Way {
+struct StoreAndWarp {
   Stored (*store)(const Eigen::Vector4d& in_first);
   Eigen::Vector4d (*warp)(const Eigen::Matrix4d& to, const Eigen::Matrix4d& from,
                           const Stored& sample);
 };
 
-Outcome judge(auto store_by, auto warp_by) {
-  const Way way{store_by, warp_by};
+Outcome measure_error(auto store_by, auto warp_by) {
+  const StoreAndWarp method{store_by, warp_by};
   const Eigen::Matrix4d from = views::layer_camera(view_from({0, 0, 0})).screen_from_world;
   const Eigen::Matrix4d to = views::layer_camera(view_from({120, 40, -60})).screen_from_world;
   const Eigen::Matrix4d warp = to * from.inverse();
   const double condition = from.norm() * from.inverse().norm();
-  Worst worst;
+  WorstError worst;
   Random random(37);
   for (int i = 0; i < 400; ++i) {
     // Distances along the gaze from 100 to 900 units, evenly spaced in the logarithm.
@@ -48,8 +48,8 @@ Outcome judge(auto store_by, auto warp_by) {
                                 1};
     const Eigen::Vector4d first = from * world, second = to * world;
     if (!(second.w() > 40)) continue;
-    const Stored sample = way.store(first);
-    const Eigen::Vector4d there = way.warp(to, from, sample);
+    const Stored sample = method.store(first);
+    const Eigen::Vector4d there = method.warp(to, from, sample);
     const double error = std::max(std::abs(there.x() / there.w() - second.x() / second.w()),
                                   std::abs(there.y() / there.w() - second.y() / second.w()));
     // An error of 2^-24 of the depth moves x2 = (a + b z)/(c + d z) by 2^-24 |z dx2/dz|, with z
@@ -61,7 +61,7 @@ Outcome judge(auto store_by, auto warp_by) {
     // The inverse and three products in double: 32 rounding errors of 2^-53, multiplied by the
     // condition number of C1.
     const double bound = unit_roundoff<float> * moved + 0x1p-48 * condition * kWidth;
-    worst.see(error, bound, fmt::format("distance {:.4g}", z), condition);
+    worst.add(error, bound, fmt::format("distance {:.4g}", z), condition);
   }
   return worst.outcome();
 }
@@ -111,19 +111,20 @@ ExtremeCase c37_layers_inverse() {
           "near 0.01, far 1000, 640 x 480 px: 400 points 100 .. 900 units away, kept as pixel and "
           "float depth, and warped to an eye 140 units off",
       .stage = "layers",
-      .right =
+      .right_answer =
           "2^-24 of the distance by which the depth moves the point, for the rounding of the "
           "depth, and 2^-48 of the condition number of C1 for an inverse in double; depth is "
           "near/distance",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"near/distance, C1^-1 in double",
-               [] { return judge(near_over_distance, in_double); }},
-      .naive = {"0..1 depth, all in float", [] { return judge(standard_depth, all_in_float); }},
+               [] { return measure_error(near_over_distance, in_double); }},
+      .naive = {"0..1 depth, all in float",
+                [] { return measure_error(standard_depth, all_in_float); }},
       .mutants = {{"0..1 depth, C1^-1 in double",
-                   [] { return judge(standard_depth, standard_in_double); }},
+                   [] { return measure_error(standard_depth, standard_in_double); }},
                   {"near/distance, C1^-1 in float",
-                   [] { return judge(near_over_distance, inverse_in_float); }}},
+                   [] { return measure_error(near_over_distance, inverse_in_float); }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

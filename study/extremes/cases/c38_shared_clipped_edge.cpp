@@ -1,14 +1,14 @@
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 #include <glassbox/base/trig.h>
 
 namespace glassbox::study {
 namespace c38 {
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   Random random(738);
   const std::vector<ClipPlane> near{frustum_planes()[0]};
   int mismatches = 0, edges = 0;
@@ -43,8 +43,8 @@ Outcome judge(Clips clips) {
   }
   const std::string how_far =
       fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
-  return wrong_of(mismatches, edges, "shared edges cut at two different places",
-                  mismatches > 0 ? how_far : "");
+  return wrong_count_outcome(mismatches, edges, "shared edges cut at two different places",
+                             mismatches > 0 ? how_far : "");
 }
 
 Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -66,7 +66,7 @@ Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 
 // Cones of 400 triangles around the line of sight that reach behind the eye. The near plane cuts
 // every shared edge, and the whole picture is inside, so every pixel must be covered once.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   Watertightness all;
   for (std::uint64_t seed = 838; seed < 858; ++seed) {
     Random random(seed);
@@ -81,9 +81,9 @@ Outcome judge_drawn(const Drawer& by) {
     for (std::size_t i = 0; i < rim.size(); ++i) {
       triangles.push_back({hub, rim[i], rim[(i + 1) % rim.size()]});
     }
-    Vista cone = vista_of(triangles, PerspectiveLens{1.8, 1.0, 40.0}, 128);
+    RayScene cone = make_ray_scene(triangles, PerspectiveLens{1.8, 1.0, 40.0}, 128);
     cone.scene.materials = {layer_material()};
-    const auto colors = by.draw(cone.scene, cone.view, cone.settings).buffers.color;
+    const auto colors = engine.draw(cone.scene, cone.view, cone.settings).buffers.color;
     Image<int> times(colors.width, colors.height);
     std::ranges::transform(colors.pixels, times.pixels.begin(), layers_of);
     all.add(times);
@@ -102,15 +102,15 @@ ExtremeCase c38_shared_clipped_edge() {
           "50000 edges through the near plane, each shared by two triangles that pass it in "
           "opposite directions",
       .stage = "clip",
-      .right =
+      .right_answer =
           "both cut it at the same point, bit for bit: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
       .unit = "edges",
       .oracle = Oracle::kInteger,
-      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
-      .naive = {"a + t (b - a)", [] { return judge(asymmetric); }},
-      .mutants = {{"(1 - t) a + t b", [] { return judge(one_minus_t); }},
-                  {"t in double, then rounded", [] { return judge(t_in_double); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
+      .naive = {"a + t (b - a)", [] { return measure_error(asymmetric); }},
+      .mutants = {{"(1 - t) a + t b", [] { return measure_error(one_minus_t); }},
+                  {"t in double, then rounded", [] { return measure_error(t_in_double); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

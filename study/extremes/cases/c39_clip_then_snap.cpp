@@ -2,9 +2,9 @@
 #include <glassbox/raster/outline.h>
 
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c39 {
@@ -15,7 +15,7 @@ constexpr int kFans = 12, kSlivers = 200;
 
 // Counts how often each pixel is covered by a fan of slivers around a point of the picture. Their
 // outer corners are 1e5 to 1e7 px away, so 200 edges cross the guard band.
-Image<int> times_covered_by_fan(Clips clips, int fan) {
+Image<int> times_covered_by_fan(ClipFunction clips, int fan) {
   Random random(739 + std::uint64_t(fan));
   const float hub_x = float(random.between(-0.9, 0.9)), hub_y = float(random.between(-0.9, 0.9));
   const Point<Clip> hub{hub_x, hub_y, 0.5f, 1};
@@ -40,13 +40,13 @@ Image<int> times_covered_by_fan(Clips clips, int fan) {
   return times;
 }
 
-Outcome judge(Clips clips) {
+Outcome measure_error(ClipFunction clips) {
   Watertightness all;
   for (int fan = 0; fan < kFans; ++fan) all.add(times_covered_by_fan(clips, fan));
   return all.outcome();
 }
 
-std::string picture(Clips clips) {
+std::string picture(ClipFunction clips) {
   return coverage_png(times_covered_by_fan(clips, 0), 6);
 }
 
@@ -61,9 +61,9 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 }
 
 // Two such fans in eye space: every pixel must have one layer, that of the sliver at that place.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     for (int fan = 0; fan < 2; ++fan) {
       Random random(839 + std::uint64_t(fan));
       const float hub_x = float(random.between(-0.9, 0.9)),
@@ -81,11 +81,11 @@ Outcome judge_drawn(const Drawer& by) {
         slivers.push_back(i % 2 == 0 ? EyeTriangle{hub, a, b} : EyeTriangle{b, hub, a});
       }
       all.emplace_back(
-          vista_of(slivers, PerspectiveLens{radians_from_degrees(90), 0.1, 100.0}, kSide));
+          make_ray_scene(slivers, PerspectiveLens{radians_from_degrees(90), 0.1, 100.0}, kSide));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c39
@@ -99,13 +99,15 @@ ExtremeCase c39_clip_then_snap() {
           "12 fans of 200 slivers around a point of a 64 x 64 picture, outer corners 1e5 .. 1e7 px "
           "away",
       .stage = "clip",
-      .right = "every pixel covered exactly once",
+      .right_answer = "every pixel covered exactly once",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"clip_triangle by the guard band", [] { return judge(pipeline_clips); }},
-      .naive = {"a + t (b - a), cut at the picture's edge", [] { return judge(at_the_screen); }},
-      .mutants = {{"asymmetric crossings at the guard band", [] { return judge(asymmetric); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle by the guard band", [] { return measure_error(pipeline_clips); }},
+      .naive = {"a + t (b - a), cut at the picture's edge",
+                [] { return measure_error(at_the_screen); }},
+      .mutants = {{"asymmetric crossings at the guard band",
+                   [] { return measure_error(asymmetric); }}},
+      .drawn = measure_drawn_error,
       .pictures = {{"ours", [] { return picture(pipeline_clips); }},
                    {"naive", [] { return picture(at_the_screen); }}},
   };

@@ -4,8 +4,8 @@
 
 #include "exact/coverage.h"
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c40 {
@@ -39,7 +39,7 @@ int exact_side(const std::array<std::array<Decimal, 2>, 3>& corners, int x, int 
   return signs[0] == signs[1] && signs[1] == signs[2] ? 1 : -1;
 }
 
-Outcome judge(Covers covers) {
+Outcome measure_error(Covers covers) {
   const Viewport viewport{0, 0, kSide, kSide};
   int wrong = 0, samples = 0;
   double worst_px = 0;
@@ -70,8 +70,9 @@ Outcome judge(Covers covers) {
       }
     }
   }
-  return wrong_of(wrong, samples, "pixels differ from the exact ones",
-                  wrong > 0 ? fmt::format("; corners up to {:g} px away", worst_px) : "");
+  return wrong_count_outcome(
+      wrong, samples, "pixels differ from the exact ones",
+      wrong > 0 ? fmt::format("; corners up to {:g} px away", worst_px) : "");
 }
 
 Pixels covered_by(const Outline& outline, const Viewport& viewport) {
@@ -121,10 +122,10 @@ Pixels kept_to_24_bits(const ClipTriangle& t, const Viewport&) {
 }
 
 // Triangles with far corners in eye space, up to 10^9 px outside the picture.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
     Random random(840);
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (int i = 0; i < 48; ++i) {
       // Corners far away to all sides, to the left and right, or up and down.
       EyeTriangle t;
@@ -133,11 +134,11 @@ Outcome judge_drawn(const Drawer& by) {
         p = {float(random.between(-1, 1) * (i % 3 == 2 ? 1 : far)),
              float(random.between(-1, 1) * (i % 3 == 1 ? 1 : far)), float(random.between(-4, -1))};
       }
-      all.emplace_back(vista_of({t}, PerspectiveLens{1.0, 0.5, 8.0}, 64));
+      all.emplace_back(make_ray_scene({t}, PerspectiveLens{1.0, 0.5, 8.0}, 64));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c40
@@ -151,14 +152,14 @@ ExtremeCase c40_guard_band() {
           "triangles with corners 32767.99 .. 1e30 px from the centre of a 256 x 256 picture, "
           "every eighth pixel",
       .stage = "clip",
-      .right = "the exact triangle's pixels, except those within 2^-7 px of its edges",
+      .right_answer = "the exact triangle's pixels, except those within 2^-7 px of its edges",
       .unit = "pixels",
       .oracle = Oracle::kExtended,
-      .ours = {"clip_triangle by the guard band", [] { return judge(ours); }},
-      .naive = {"no guard band, 32-bit integers", [] { return judge(as_x86_converts); }},
-      .mutants = {{"coordinates clamped to the guard band", [] { return judge(clamped); }},
-                  {"coordinates kept to 24 bits", [] { return judge(kept_to_24_bits); }}},
-      .drawn = judge_drawn,
+      .ours = {"clip_triangle by the guard band", [] { return measure_error(ours); }},
+      .naive = {"no guard band, 32-bit integers", [] { return measure_error(as_x86_converts); }},
+      .mutants = {{"coordinates clamped to the guard band", [] { return measure_error(clamped); }},
+                  {"coordinates kept to 24 bits", [] { return measure_error(kept_to_24_bits); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,7 +1,7 @@
 #include <glassbox/pipeline/api_dialects.h>
 #include <glassbox/pipeline/clip.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 
 namespace glassbox::study {
 namespace c41 {
@@ -9,7 +9,7 @@ namespace c41 {
 // Chooses the near plane for vertices that follow the conventions of an API.
 using NearPlane = ClipPlane (*)(const ApiDialect&);
 
-Outcome judge(NearPlane near_plane) {
+Outcome measure_error(NearPlane near_plane) {
   constexpr double n = 1, f = 1024;
   int wrong = 0, points = 0;
   for (const char* name : {"opengl", "d3d"}) {
@@ -23,10 +23,10 @@ Outcome judge(NearPlane near_plane) {
       ++points;
     }
   }
-  return wrong_of(wrong, points, "points on the wrong side");
+  return wrong_count_outcome(wrong, points, "points on the wrong side");
 }
 
-ClipPlane of_the_dialect(const ApiDialect& dialect) {
+ClipPlane near_plane_of_dialect(const ApiDialect& dialect) {
   return clip_planes(dialect)[0];
 }
 ClipPlane always_zero(const ApiDialect&) {
@@ -46,14 +46,14 @@ ExtremeCase c41_near_plane_dialects() {
       .construction =
           "near 1, far 1024: points at depths 0.25 .. 1e30 by OpenGL's and Direct3D's projections",
       .stage = "clip",
-      .right =
+      .right_answer =
           "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at n f/(2 f - "
           "n) (erratum E16)",
       .unit = "points",
       .oracle = Oracle::kRational,
-      .ours = {"clip_planes of the dialect", [] { return judge(of_the_dialect); }},
-      .naive = {"z >= 0 for every dialect", [] { return judge(always_zero); }},
-      .mutants = {{"z >= -w for every dialect", [] { return judge(always_minus_w); }}},
+      .ours = {"clip_planes of the dialect", [] { return measure_error(near_plane_of_dialect); }},
+      .naive = {"z >= 0 for every dialect", [] { return measure_error(always_zero); }},
+      .mutants = {{"z >= -w for every dialect", [] { return measure_error(always_minus_w); }}},
       .not_drawn = "the renderer has one dialect of matrices, and draws no picture in the other",
   };
 }

@@ -1,11 +1,11 @@
 #include <array>
 
 #include "study/extremes/cases/clip_case.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/far_panes.h"
-#include "study/extremes/kit/screen_scene.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/world.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/far_panes.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/screen_scene.h"
+#include "study/extremes/common/world.h"
 
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/mesh/builtin/sphere.h>
@@ -16,7 +16,7 @@ namespace c42 {
 
 using Verdict = ClipVerdict (*)(std::span<const Outcode>);
 
-Outcome judge(Verdict verdict) {
+Outcome measure_error(Verdict verdict) {
   Random random(742);
   const auto planes = frustum_planes();
   int wrong = 0, spared = 0;
@@ -41,8 +41,8 @@ Outcome judge(Verdict verdict) {
     spared += found != ClipVerdict::kClip;
   }
   if (spared < kTriangles / 10) return must_be_zero(HUGE_VAL, "hardly any clipping avoided");
-  return wrong_of(wrong, kTriangles, "triangles differ from the clipped ones",
-                  fmt::format("; clipping avoided for {}", spared));
+  return wrong_count_outcome(wrong, kTriangles, "triangles differ from the clipped ones",
+                             fmt::format("; clipping avoided for {}", spared));
 }
 
 // Rejects a triangle if each corner is outside some plane, not the same one: it loses triangles
@@ -80,7 +80,7 @@ Camera from_before() {
 }
 
 // 60 cubes around the eye, few of them in the picture, and two walls.
-Vista cubes_and_walls() {
+RayScene cubes_and_walls() {
   Random random(842);
   Scene scene = no_cubes();
   for (int i = 0; i < 60; ++i) {
@@ -89,12 +89,12 @@ Vista cubes_and_walls() {
     add_cube(scene, {coordinate(), coordinate(), coordinate()}, {size, size, size});
   }
   for (const double x : {-4.5, 5.5}) add_cube(scene, {x, 0.0, -3.0}, {4, 5, 0.1});
-  return vista_of(scene, from_before(), 96, 96);
+  return make_ray_scene(scene, from_before(), 96, 96);
 }
 
 // Two rectangles with a gap of ten pixels between them, and 104 cubes that are behind them, partly
 // visible beside them, or stick through them.
-Vista cubes_behind_panes() {
+RayScene cubes_behind_panes() {
   Random random(942);
   Scene scene = no_cubes();
   Mesh panes;
@@ -115,7 +115,7 @@ Vista cubes_behind_panes() {
     const double x = random.between(-3, 3), y = random.between(-2, 2);
     add_cube(scene, {x, y, 2}, {0.2, 0.2, 0.2});
   }
-  return vista_of(scene, from_before(), 128, 128);
+  return make_ray_scene(scene, from_before(), 128, 128);
 }
 
 Scene pane() {
@@ -129,7 +129,7 @@ Scene pane() {
 
 // 1280 rectangles around the eye: so many are planned in groups. Most groups extend beyond the
 // picture, and some to behind the eye.
-Vista panes_in_groups() {
+RayScene panes_in_groups() {
   Random random(1042);
   Scene scene = pane();
   for (int i = 0; i < 1280; ++i) {
@@ -142,49 +142,49 @@ Vista panes_in_groups() {
                       rotate_degrees<World>({0, 1, 0}, turn).value() *
                       scale<World, Object>(size, size, size));
   }
-  return vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);
+  return make_ray_scene(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);
 }
 
 // A copy that is flattened into the plane where w is 1, so that it needs no divide. The copy behind
 // it needs one, and shows its texture in perspective.
-Vista panes_with_and_without_divide() {
+RayScene panes_with_and_without_divide() {
   Scene scene = pane();
   add_at(scene, translate<World>(WorldVector{-0.25, 0, -1}) * scale<World, Object>(0.2, 0.2, 0));
   add_at(scene, translate<World>(WorldVector{0.75, 0, -3}) *
                     rotate_degrees<World>({0, 1, 0}, 60).value() *
                     scale<World, Object>(0.75, 0.75, 1));
-  Vista vista = vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 64, 64);
-  lay_texels(vista, {8, 8});
-  return vista;
+  RayScene ray_scene = make_ray_scene(scene, camera_at({0, 0, 0}, {0, 0, -1}), 64, 64);
+  add_numbered_texels(ray_scene, {8, 8});
+  return ray_scene;
 }
 
 // A ball of 2,208 triangles, seen from so near that it extends beyond the picture.
-Vista near_ball(const WorldPoint& eye) {
-  Vista vista = vista_of(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
-  vista.settings.cull = Cull::kBack;
-  return vista;
+RayScene near_ball(const WorldPoint& eye) {
+  RayScene ray_scene = make_ray_scene(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
+  ray_scene.settings.cull = Cull::kBack;
+  return ray_scene;
 }
 
 // Rectangles at the near plane. Some have their exact place before the plane, and the computed
 // place on it or behind it.
-Outcome judge_panes_at_the_near_plane(const Drawer& by) {
-  Company all;
+Outcome measure_near_pane_error(const TestedEngine& engine) {
+  PixelChanges all;
   for (int i = 0; i < 200; ++i) {
     const float z = 1e6f + float(i) * 0.0625f;
     const double scale = 1 + i * 1e-7;
-    const Company found =
-        changed_by_company(by, {{z, 1e-5 * scale, (double(z) * scale - 1e6) * 1e-5}});
+    const PixelChanges found =
+        compare_with_added_triangle(engine, {{z, 1e-5 * scale, (double(z) * scale - 1e6) * 1e-5}});
     all.changed += found.changed;
     all.shown += found.shown;
   }
   if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
-  return wrong_of(int(all.changed), int(all.shown),
-                  "pixels of panes depend on what else their mesh has");
+  return wrong_count_outcome(int(all.changed), int(all.shown),
+                             "pixels of panes depend on what else their mesh has");
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     all.emplace_back(cubes_and_walls());
     all.emplace_back(cubes_behind_panes());
     all.emplace_back(panes_in_groups());
@@ -194,7 +194,7 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  return worse_of(worst_of(pictures, by), judge_panes_at_the_near_plane(by));
+  return worse_of(worst_of(pictures, engine), measure_near_pane_error(engine));
 }
 
 }  // namespace c42
@@ -206,16 +206,17 @@ ExtremeCase c42_trivial_accept() {
       .name = "Clipping that is not needed",
       .construction = "20000 small triangles in and around the frustum",
       .stage = "clip",
-      .right =
+      .right_answer =
           "for an accepted triangle clipping returns the same, bit for bit; for a rejected one it "
           "returns nothing",
       .unit = "triangles",
       .oracle = Oracle::kProperty,
-      .ours = {"trivial_verdict of the outcodes", [] { return judge(trivial_verdict); }},
+      .ours = {"trivial_verdict of the outcodes", [] { return measure_error(trivial_verdict); }},
       .naive = {"rejected where every corner is outside",
-                [] { return judge(all_corners_outside); }},
-      .mutants = {{"accepted where one corner is inside", [] { return judge(one_corner_inside); }}},
-      .drawn = judge_drawn,
+                [] { return measure_error(all_corners_outside); }},
+      .mutants = {{"accepted where one corner is inside",
+                   [] { return measure_error(one_corner_inside); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

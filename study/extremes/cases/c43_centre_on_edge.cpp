@@ -1,6 +1,6 @@
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -11,7 +11,7 @@ namespace c43 {
 // The example of Direct3D: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres
 // at halves. Its vertices are pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each.
 // The pair of triangles over (0,0)-(5,5) has 15 and 10 pixels.
-std::int64_t fixture_faults(const Covers& covers) {
+std::int64_t fixture_faults(const CoverageFunction& covers) {
   const auto v = [](double x, double y) { return screen_vertex(x, y); };
   const Image<int> rectangle = times_covered(
       covers, {{v(1.5, 1.5), v(3.5, 1.5), v(3.5, 5.5)}, {v(1.5, 1.5), v(3.5, 5.5), v(1.5, 5.5)}}, 8,
@@ -33,7 +33,7 @@ std::int64_t fixture_faults(const Covers& covers) {
   return wrong;
 }
 
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   CoverageFaults faults;
   Random random(43);
   for (int i = 0; i < 20000; ++i) {
@@ -49,14 +49,14 @@ Outcome judge(const Covers& covers) {
   return outcome;
 }
 
-Image<int> drawn(const Covers& covers) {
+Image<int> drawn(const CoverageFunction& covers) {
   const auto v = [](double x, double y) { return screen_vertex(x, y); };
   return times_covered(covers, {{v(0, 0), v(8, 0), v(8, 8)}, {v(0, 8), v(0, 0), v(8, 8)}}, 8, 8);
 }
 
 // 4,096 such triangles side by side in one picture.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn cells(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference cells(
       [] {
         Random random(143);
         std::vector<ScreenTriangle> triangles;
@@ -71,7 +71,7 @@ Outcome judge_drawn(const Drawer& by) {
         return triangles;
       }(),
       512);
-  return cells.judge(by);
+  return cells.measure_error(engine);
 }
 
 }  // namespace c43
@@ -79,7 +79,7 @@ Outcome judge_drawn(const Drawer& by) {
 ExtremeCase c43_centre_on_edge() {
   using namespace c43;
   const auto with = [](const naive::CoverageParts& parts) {
-    return [parts] { return judge(naive::covers_with(parts)); };
+    return [parts] { return measure_error(naive::covers_with(parts)); };
   };
   return {
       .id = "C-43",
@@ -89,17 +89,19 @@ ExtremeCase c43_centre_on_edge() {
           "rectangle (1.5,1.5)-(3.5,5.5); the halves of the square (0,0)-(5,5), which have 15 and "
           "10 pixels",
       .stage = "coverage",
-      .right = "the top-left rule, by a sample moved by (e, e^2) in 128 bits: no pixel differs",
+      .right_answer =
+          "the top-left rule, by a sample moved by (e, e^2) in 128 bits: no pixel differs",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
-      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .ours = {"integer edge functions, top-left rule",
+               [] { return measure_error(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"the tie rule is missing: no triangle owns an edge",
                    with({.owns = naive::owns_none})},
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},
                   {"top edges are forgotten", with({.owns = naive::left_only})}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
       .pictures = {{"naive", [] { return coverage_png(drawn(naive::float_covers), 32); }},
                    {"ours", [] { return coverage_png(drawn(pipeline_covers), 32); }}},
   };

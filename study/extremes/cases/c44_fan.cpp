@@ -2,9 +2,9 @@
 
 #include <glassbox/base/trig.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
@@ -27,7 +27,7 @@ std::vector<ScreenTriangle> fan(int n) {
   return triangles;
 }
 
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   int worst = 0, worst_fan = 3, fans = 0, wrong = 0;
   for (int n = 3; n <= 256; ++n) {
     int hits = 0;
@@ -47,8 +47,8 @@ Outcome judge(const Covers& covers) {
 }
 
 // All fans side by side in one picture.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn fans(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference fans(
       [] {
         std::vector<ScreenTriangle> triangles;
         for (int n = 3; n <= 256; ++n) {
@@ -63,7 +63,7 @@ Outcome judge_drawn(const Drawer& by) {
         return triangles;
       }(),
       512);
-  return fans.judge(by);
+  return fans.measure_error(engine);
 }
 
 }  // namespace c44
@@ -71,23 +71,24 @@ Outcome judge_drawn(const Drawer& by) {
 ExtremeCase c44_fan() {
   using namespace c44;
   const auto with = [](const naive::CoverageParts& parts) {
-    return [parts] { return judge(naive::covers_with(parts)); };
+    return [parts] { return measure_error(naive::covers_with(parts)); };
   };
   return {
       .id = "C-44",
       .name = "Fan around a pixel centre",
       .construction = "3 to 256 triangles that meet at (10.5, 10.5), radius 8 px",
       .stage = "coverage",
-      .right = "the centre belongs to exactly one of them",
+      .right_answer = "the centre belongs to exactly one of them",
       .unit = "hits too many or too few",
       .oracle = Oracle::kInteger,
-      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
-      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .ours = {"integer edge functions, top-left rule",
+               [] { return measure_error(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"the tie rule is missing: no triangle owns an edge",
                    with({.owns = naive::owns_none})},
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"top edges are forgotten", with({.owns = naive::left_only})}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
       .pictures =
           {{"naive",
             [] { return coverage_png(times_covered(naive::float_covers, fan(16), 21, 21), 16); }},

@@ -1,9 +1,9 @@
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/ray_cast.h"
 
 #include <glassbox/mesh/builtin/teapot.h>
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -38,21 +38,22 @@ const std::vector<std::vector<ScreenTriangle>>& meshes() {
   return all;
 }
 
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   Watertightness found;
   for (const auto& mesh : meshes()) found.add(times_covered(covers, mesh, kSide, kSide));
   return found.outcome();
 }
 
 Outcome with(const naive::CoverageParts& parts) {
-  return judge(naive::covers_with(parts));
+  return measure_error(naive::covers_with(parts));
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn grid(meshes()[0], kSide), slanted(meshes()[1], kSide);
-  static const SightDrawn teapot(
-      vista_of(make_teapot(12), camera_at({3, 4, 7}, {-3, -2.8, -7}), 192, 192));
-  return worse_of(teapot.judge(by), worse_of(slanted.judge(by), grid.judge(by)));
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference grid(meshes()[0], kSide), slanted(meshes()[1], kSide);
+  static const RayCastReference teapot(
+      make_ray_scene(make_teapot(12), camera_at({3, 4, 7}, {-3, -2.8, -7}), 192, 192));
+  return worse_of(teapot.measure_error(engine),
+                  worse_of(slanted.measure_error(engine), grid.measure_error(engine)));
 }
 
 }  // namespace c45
@@ -67,16 +68,18 @@ ExtremeCase c45_watertight_mesh() {
           "cell; 32 slanted triangles 34,000 px long; drawn, a "
           "teapot of 9,000 triangles as well",
       .stage = "coverage",
-      .right = "every pixel exactly once: edge functions are integers, and one side owns each edge",
+      .right_answer =
+          "every pixel exactly once: edge functions are integers, and one side owns each edge",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
-      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .ours = {"integer edge functions, top-left rule",
+               [] { return measure_error(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"float edges: differences from each edge's first vertex",
                    [] { return with({.inside = naive::float_difference_inside}); }},
                   {"the tie rule is missing: no triangle owns an edge",
                    [] { return with({.owns = naive::owns_none}); }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

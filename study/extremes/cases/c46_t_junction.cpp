@@ -1,8 +1,8 @@
 #include <cstdlib>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 
 #include <glassbox/base/random.h>
 
@@ -55,7 +55,7 @@ int predicted(const Junction& j) {
   return pixels;
 }
 
-Outcome judge(bool insert_the_vertex, bool predict) {
+Outcome measure_error(bool insert_the_vertex, bool predict) {
   Random random(46);
   int faults = 0, foretold = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -70,10 +70,10 @@ Outcome judge(bool insert_the_vertex, bool predict) {
 
 // Pictures with the vertex inserted, and without it: no rasterizer can repair a T-junction, but its
 // pixels are predictable.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<CoverageDrawn> junctions = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<CoverageReference> junctions = [] {
     Random random(146);
-    std::vector<CoverageDrawn> all;
+    std::vector<CoverageReference> all;
     for (int i = 0; i < 24; ++i) {
       const Junction j = random_junction(random);
       all.emplace_back(j.with_vertex_inserted(), kSide);
@@ -81,12 +81,12 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  return worst_of(junctions, by);
+  return worst_of(junctions, engine);
 }
 
 // The vertex is inserted on both sides, but one side has a copy of it that is one snapping step
 // lower.
-Outcome judge_copies() {
+Outcome measure_copies_error() {
   Random random(46);
   int faults = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -110,15 +110,15 @@ ExtremeCase c46_t_junction() {
           "2,000 long edges with two triangles on one side that meet in a vertex on the edge, and "
           "one triangle on the other side",
       .stage = "coverage",
-      .right =
+      .right_answer =
           "none if the vertex is inserted into the long edge; otherwise exactly the pixels of the "
           "sliver between the snapped vertex and the edge, which no rasterizer can close",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the vertex inserted on both sides", [] { return judge(true, true); }},
-      .naive = {"a mesh with T-junctions", [] { return judge(false, false); }},
-      .mutants = {{"one side has a copy of the vertex 1/256 px lower", judge_copies}},
-      .drawn = judge_drawn,
+      .ours = {"the vertex inserted on both sides", [] { return measure_error(true, true); }},
+      .naive = {"a mesh with T-junctions", [] { return measure_error(false, false); }},
+      .mutants = {{"one side has a copy of the vertex 1/256 px lower", measure_copies_error}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -2,9 +2,9 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
@@ -21,7 +21,7 @@ ScreenTriangle sliver(int k, Random& random) {
 }
 
 // Looks only at pixels whose centres can be inside: in each column, those beside the long edge.
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   Random random(47);
   CoverageFaults faults;
   std::int64_t covered = 0;
@@ -37,13 +37,13 @@ Outcome judge(const Covers& covers) {
     }
   }
   Outcome outcome = faults.outcome();
-  outcome.seen += fmt::format("; {} covered", covered);
+  outcome.summary += fmt::format("; {} covered", covered);
   return outcome;
 }
 
 // In the pipeline, the weights of the fragments must also be finite and between 0 and 1.
-Outcome judge_ours() {
-  Outcome outcome = judge(pipeline_covers);
+Outcome measure_our_error() {
+  Outcome outcome = measure_error(pipeline_covers);
   Random random(47);
   for (int k = 8; k <= 20; ++k) {
     const auto setup = setup_triangle(sliver(k, random));
@@ -59,8 +59,8 @@ Outcome judge_ours() {
 }
 
 // Slivers a quarter as long, 1/256 to 4/256 px wide.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn slivers(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference slivers(
       [] {
         Random random(147);
         std::vector<ScreenTriangle> all;
@@ -74,7 +74,7 @@ Outcome judge_drawn(const Drawer& by) {
         return all;
       }(),
       1024);
-  return slivers.judge(by);
+  return slivers.measure_error(engine);
 }
 
 }  // namespace c47
@@ -86,18 +86,19 @@ ExtremeCase c47_slivers() {
       .name = "Slivers",
       .construction = "triangles 4,000 px long and 2^-8 to 2^-20 px wide, in four directions each",
       .stage = "coverage",
-      .right =
+      .right_answer =
           "exactly the pixels of the snapped triangle, and none if its area is zero; weights in "
           "[0, 1], because 1/area is computed from an integer of at least 1",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"integer edge functions", judge_ours},
-      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .ours = {"integer edge functions", measure_our_error},
+      .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"float edges: differences from each edge's first vertex",
                    [] {
-                     return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                     return measure_error(
+                         naive::covers_with({.inside = naive::float_difference_inside}));
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

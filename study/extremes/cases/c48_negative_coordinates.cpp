@@ -1,6 +1,6 @@
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -17,7 +17,7 @@ ScreenTriangle random_triangle(Random& random) {
   return t;
 }
 
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   Random random(48);
   CoverageFaults faults;
   for (int i = 0; i < 4000; ++i) {
@@ -28,25 +28,27 @@ Outcome judge(const Covers& covers) {
 
 // Visits the pixels whose float coordinates truncate to integers inside the triangle's box: both
 // -0.3 and 0.3 become column 0.
-void truncating_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+void truncating_covers(const ScreenTriangle& t, const PixelRect& window,
+                       const PixelVisitor& visit) {
   naive::covers_with({}, t, window, [&](int x, int y) {
     const auto truncated = [](int i) { return int(float(i) + 0.5f); };
     visit(truncated(x), truncated(y));
   });
 }
 
-Outcome judge_naive() {
+Outcome measure_naive_error() {
   // Pixels outside the window are lost, as they would be on a screen.
-  return judge([](const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
-    truncating_covers(t, window, [&](int x, int y) {
-      if (x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1) visit(x, y);
-    });
-  });
+  return measure_error(
+      [](const ScreenTriangle& t, const PixelRect& window, const PixelVisitor& visit) {
+        truncating_covers(t, window, [&](int x, int y) {
+          if (x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1) visit(x, y);
+        });
+      });
 }
 
 // Triangles across the left and the upper edge of a picture.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn across(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference across(
       [] {
         Random random(148);
         std::vector<ScreenTriangle> all;
@@ -58,7 +60,7 @@ Outcome judge_drawn(const Drawer& by) {
         return all;
       }(),
       512);
-  return across.judge(by);
+  return across.measure_error(engine);
 }
 
 }  // namespace c48
@@ -71,16 +73,18 @@ ExtremeCase c48_negative_coordinates() {
       .construction =
           "4,000 random triangles across both axes of the screen, on columns and rows -8 to 7",
       .stage = "snap, coverage",
-      .right =
+      .right_answer =
           "floor everywhere: shifts of integers round down, so column -1 is a column like any "
           "other",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"floor", [] { return judge(pipeline_covers); }},
-      .naive = {"(int) of the pixel's position", judge_naive},
+      .ours = {"floor", [] { return measure_error(pipeline_covers); }},
+      .naive = {"(int) of the pixel's position", measure_naive_error},
       .mutants = {{"the snap truncates in place of rounding by floor",
-                   [] { return judge(naive::covers_with({.snap = naive::snap_truncating})); }}},
-      .drawn = judge_drawn,
+                   [] {
+                     return measure_error(naive::covers_with({.snap = naive::snap_truncating}));
+                   }}},
+      .drawn = measure_drawn_error,
   };
 }
 

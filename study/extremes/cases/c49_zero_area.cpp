@@ -2,9 +2,9 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
@@ -66,7 +66,7 @@ void drops_small_ones(const ScreenTriangle& t, const std::function<void(int, int
   if (std::abs(area) >= std::int64_t(512) * kSubpixels * kSubpixels) pipeline_draws(t, visit);
 }
 
-Outcome judge(const Draws& draws) {
+Outcome measure_error(const Draws& draws) {
   Random random(49);
   Watertightness found;
   std::int64_t lines = 0, not_numbers = 0;
@@ -91,14 +91,14 @@ Outcome judge(const Draws& draws) {
           lines, faults, not_numbers));
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<CoverageDrawn> meshes = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<CoverageReference> meshes = [] {
     Random random(149);
-    std::vector<CoverageDrawn> all;
+    std::vector<CoverageReference> all;
     for (int i = 0; i < 24; ++i) all.emplace_back(mesh(random), kSide);
     return all;
   }();
-  return worst_of(meshes, by);
+  return worst_of(meshes, engine);
 }
 
 }  // namespace c49
@@ -112,16 +112,16 @@ ExtremeCase c49_zero_area() {
           "200 meshes of eight triangles, two of which are 2^-11 px high and 68 px long, so that "
           "the snap turns most of them into lines",
       .stage = "setup",
-      .right =
+      .right_answer =
           "such triangles are dropped, because they cover no pixel; their neighbours stay "
           "watertight",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"dropped at setup", [] { return judge(pipeline_draws); }},
-      .naive = {"not dropped", [] { return judge(draws_without_dropping); }},
+      .ours = {"dropped at setup", [] { return measure_error(pipeline_draws); }},
+      .naive = {"not dropped", [] { return measure_error(draws_without_dropping); }},
       .mutants = {{"triangles of less than 256 px are dropped",
-                   [] { return judge(drops_small_ones); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(drops_small_ones); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

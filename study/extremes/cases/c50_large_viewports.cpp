@@ -1,6 +1,6 @@
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -10,7 +10,7 @@ namespace c50 {
 
 // Large triangles with random snapped vertices, tested only beside points on their edges: pictures
 // of this size are sampled, not allocated.
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   Random random(50);
   CoverageFaults faults;
   for (const int width : {7680, 32767}) {
@@ -33,8 +33,8 @@ Outcome judge(const Covers& covers) {
 }
 
 // In a picture 4,096 px wide, edge functions need 40 bits.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn large(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference large(
       [] {
         Random random(150);
         std::vector<ScreenTriangle> all;
@@ -56,7 +56,7 @@ Outcome judge_drawn(const Drawer& by) {
         return all;
       }(),
       4096);
-  return large.judge(by);
+  return large.measure_error(engine);
 }
 
 }  // namespace c50
@@ -70,18 +70,21 @@ ExtremeCase c50_large_viewports() {
           "4,000 random triangles each over 7,680 and 32,767 px, asked at four places along an "
           "edge, 3 x 3 pixels around each",
       .stage = "coverage",
-      .right = "exact: edge functions have at most 52 of 63 bits",
+      .right_answer = "exact: edge functions have at most 52 of 63 bits",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"64-bit edge functions", [] { return judge(pipeline_covers); }},
-      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .ours = {"64-bit edge functions", [] { return measure_error(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"32-bit edge functions",
-                   [] { return judge(naive::covers_with({.inside = naive::int32_inside})); }},
+                   [] {
+                     return measure_error(naive::covers_with({.inside = naive::int32_inside}));
+                   }},
                   {"float edges: differences from each edge's first vertex",
                    [] {
-                     return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                     return measure_error(
+                         naive::covers_with({.inside = naive::float_difference_inside}));
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

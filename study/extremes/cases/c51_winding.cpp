@@ -1,6 +1,6 @@
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -27,11 +27,11 @@ std::vector<ScreenTriangle> mixed_grid() {
   return triangles;
 }
 
-Image<int> drawn(const Covers& covers) {
+Image<int> drawn(const CoverageFunction& covers) {
   return times_covered(covers, mixed_grid(), kSide, kSide);
 }
 
-Outcome judge(const Covers& covers) {
+Outcome measure_error(const CoverageFunction& covers) {
   Watertightness found;
   found.add(drawn(covers));
   return found.outcome();
@@ -39,9 +39,9 @@ Outcome judge(const Covers& covers) {
 
 const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
 
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn grid(mixed_grid(), kSide);
-  return grid.judge(by);
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference grid(mixed_grid(), kSide);
+  return grid.measure_error(engine);
 }
 
 }  // namespace c51
@@ -55,15 +55,16 @@ ExtremeCase c51_winding() {
           "a double-sided grid of 34 x 34 quads with vertices at pixel centres, every triangle "
           "wound at random",
       .stage = "setup",
-      .right = "every pixel once: triangles are turned clockwise before their edges are classified",
+      .right_answer =
+          "every pixel once: triangles are turned clockwise before their edges are classified",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"rule after orientation", [] { return judge(pipeline_covers); }},
+      .ours = {"rule after orientation", [] { return measure_error(pipeline_covers); }},
       .naive = {"edges classified before the triangle is turned",
-                [] { return judge(naive::covers_with(kRuleFirst)); }},
+                [] { return measure_error(naive::covers_with(kRuleFirst)); }},
       .mutants = {{"every edge owns its points",
-                   [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::covers_with({.owns = naive::owns_all})); }}},
+      .drawn = measure_drawn_error,
       .pictures = {{"naive",
                     [] { return coverage_png(drawn(naive::covers_with(kRuleFirst)), 12); }},
                    {"ours", [] { return coverage_png(drawn(pipeline_covers), 12); }}},

@@ -1,8 +1,8 @@
 #include <cstdlib>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -12,11 +12,11 @@ namespace c52 {
 
 // Tests every k/512 px near 0 and the neighbouring floats; then the same at 2^10 and 2^15 px, where
 // floats are coarse.
-Outcome judge(std::int32_t (*snap)(float)) {
-  ErrorsBeyond errors(0);
+Outcome measure_error(std::int32_t (*snap)(float)) {
+  ErrorsAboveBound errors(0);
   const auto ask = [&](float pixels) {
     const auto right = std::int64_t(std::floor(double(pixels) * 256 + 0.5));
-    errors.see(double(std::abs(std::int64_t(snap(pixels)) - right)));
+    errors.add(double(std::abs(std::int64_t(snap(pixels)) - right)));
   };
   for (const float base : {0.0f, 1024.0f, 32768.0f, -1024.0f}) {
     for (int k = -2048; k <= 2048; ++k) {
@@ -32,8 +32,8 @@ Outcome judge(std::int32_t (*snap)(float)) {
 // 4,096 small triangles whose corners are up to 3/4 of a snapping step away from pixel centres,
 // including exactly half a step. A corner that is snapped to the wrong side changes pixels, because
 // their centres are on the edges of the right triangle.
-Outcome judge_drawn(const Drawer& by) {
-  static const CoverageDrawn ties(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const CoverageReference ties(
       [] {
         Random random(152);
         std::vector<ScreenTriangle> all;
@@ -51,7 +51,7 @@ Outcome judge_drawn(const Drawer& by) {
         return all;
       }(),
       512);
-  return ties.judge(by);
+  return ties.measure_error(engine);
 }
 
 }  // namespace c52
@@ -64,17 +64,18 @@ ExtremeCase c52_snap_ties() {
       .construction =
           "positions k/512 px around 0, +-1024 and 32768 px, and their neighbours in float",
       .stage = "snap",
-      .right = "floor(256 v + 1/2), the same everywhere: halves go up",
+      .right_answer = "floor(256 v + 1/2), the same everywhere: halves go up",
       .unit = "1/256 px",
       .oracle = Oracle::kInteger,
-      .ours = {"halves up, exactly", [] { return judge(glassbox::snap); }},
-      .naive = {"std::round: halves away from zero", [] { return judge(naive::snap_away); }},
+      .ours = {"halves up, exactly", [] { return measure_error(glassbox::snap); }},
+      .naive = {"std::round: halves away from zero",
+                [] { return measure_error(naive::snap_away); }},
       .mutants = {{"halves to even, as the processor rounds",
-                   [] { return judge(naive::snap_to_even); }},
+                   [] { return measure_error(naive::snap_to_even); }},
                   {"floor(256 v + 0.5) with a rounded sum",
-                   [] { return judge(naive::snap_float_half); }},
-                  {"truncation", [] { return judge(naive::snap_truncating); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::snap_float_half); }},
+                  {"truncation", [] { return measure_error(naive::snap_truncating); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

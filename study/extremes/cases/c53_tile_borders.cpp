@@ -1,9 +1,9 @@
 #include <cstdlib>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/screen_scene.h"
 #include "study/naive/tiles.h"
 
 #include <glassbox/base/random.h>
@@ -38,12 +38,12 @@ std::vector<std::vector<ScreenTriangle>> triangle_lists() {
 
 // Draws triangles tile by tile.
 using Tiled =
-    std::function<TrianglesDrawn(const std::vector<ScreenTriangle>&, int side, int threads)>;
+    std::function<TriangleCoverage(const std::vector<ScreenTriangle>&, int side, int threads)>;
 
-Outcome judge(const Tiled& tiled) {
+Outcome measure_error(const Tiled& tiled) {
   Outcome worst;
   for (const std::vector<ScreenTriangle>& all : triangle_lists()) {
-    const TrianglesDrawn whole = covered_exactly(all, kSide);
+    const TriangleCoverage whole = covered_exactly(all, kSide);
     for (const auto& [side, threads] : std::initializer_list<std::pair<int, int>>{
              {16, 1}, {16, 16}, {32, 3}, {64, 1}, {64, 8}, {128, 2}, {256, 4}}) {
       worst = worse_of(compare(tiled(all, side, threads), whole), worst);
@@ -52,25 +52,26 @@ Outcome judge(const Tiled& tiled) {
   return worst;
 }
 
-TrianglesDrawn engine(const std::vector<ScreenTriangle>& all, int side, int threads) {
-  return drawn_by(tile_engine("", {.threads = threads, .tile_side = side}), all, kSide);
+TriangleCoverage tile_engine_coverage(const std::vector<ScreenTriangle>& all, int side,
+                                      int threads) {
+  return draw_coverage(tile_engine("", {.threads = threads, .tile_side = side}), all, kSide);
 }
 
 Tiled naive_tiles(const naive::TileRules& rules) {
   return [rules](const std::vector<ScreenTriangle>& all, int side, int) {
-    TrianglesDrawn drawn = naive::drawn_by_tiles(all, kSide, side, rules);
+    TriangleCoverage drawn = naive::drawn_by_tiles(all, kSide, side, rules);
     for (int& times : drawn.times.pixels) times = std::min(times, kMostLayers);
     return drawn;
   };
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<CoverageDrawn> pictures = [] {
-    std::vector<CoverageDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<CoverageReference> pictures = [] {
+    std::vector<CoverageReference> all;
     for (const auto& triangles : triangle_lists()) all.emplace_back(triangles, kSide);
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c53
@@ -85,17 +86,17 @@ ExtremeCase c53_tile_borders() {
           "beside them; "
           "tiles of 16 to 256 px, 1 to 16 threads",
       .stage = "tiles",
-      .right = "every pixel as often as in 128 bits, without tiles",
+      .right_answer = "every pixel as often as in 128 bits, without tiles",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the tile engine", [] { return judge(engine); }},
+      .ours = {"the tile engine", [] { return measure_error(tile_engine_coverage); }},
       .naive = {"a triangle goes to the tiles that hold its vertices",
-                [] { return judge(naive_tiles({.only_tiles_of_vertices = true})); }},
+                [] { return measure_error(naive_tiles({.only_tiles_of_vertices = true})); }},
       .mutants = {{"tiles reach one pixel too far",
-                   [] { return judge(naive_tiles({.pixels_too_far = 1})); }},
+                   [] { return measure_error(naive_tiles({.pixels_too_far = 1})); }},
                   {"tiles end one pixel too early",
-                   [] { return judge(naive_tiles({.pixels_too_far = -1})); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive_tiles({.pixels_too_far = -1})); }}},
+      .drawn = measure_drawn_error,
       .pictures = {{"naive",
                     [] {
                       const std::vector<ScreenTriangle> first{triangle_lists()[0][0]};

@@ -2,9 +2,9 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c54 {
@@ -47,7 +47,7 @@ void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
   }
 }
 
-Outcome judge(const Span& span) {
+Outcome measure_error(const Span& span) {
   double worst = 0;
   int worst_x = 0, pixels = 0;
   span([&](int x, float u) {
@@ -69,19 +69,19 @@ Outcome judge(const Span& span) {
 
 // A row as wide as a picture may be, with a texture that has as many texels: each pixel has its own
 // texel, so no step may be lost.
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn row = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference row = [] {
     const float half = float(kMaxImageSide) / 2;
     const Lens lens = OrthographicLens{0.5, 0, 2};
-    Vista vista = textured_vista({{Point<Eye>{-half, -1.5f, -1}, {half, 0, -1}, {-half, 1.5f, -1}}},
-                                 {{{{0, 0}, {1, 0.5f}, {0, 1}}}}, lens, 1, {kMaxImageSide, 1},
-                                 Wrap::kClampToEdge);
+    RayScene ray_scene = textured_ray_scene(
+        {{Point<Eye>{-half, -1.5f, -1}, {half, 0, -1}, {-half, 1.5f, -1}}},
+        {{{{0, 0}, {1, 0.5f}, {0, 1}}}}, lens, 1, {kMaxImageSide, 1}, Wrap::kClampToEdge);
     Camera camera;
     camera.lens = lens;
-    vista.view = make_view(camera, kMaxImageSide, 1).value();
-    return SightDrawn(std::move(vista));
+    ray_scene.view = make_view(camera, kMaxImageSide, 1).value();
+    return RayCastReference(std::move(ray_scene));
   }();
-  return row.judge(by);
+  return row.measure_error(engine);
 }
 
 }  // namespace c54
@@ -93,16 +93,19 @@ ExtremeCase c54_stepping() {
       .name = "Incremental stepping over 32 K",
       .construction = "u from 0 to 1 over a span of 32,767 px",
       .stage = "interpolate",
-      .right =
+      .right_answer =
           "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
           "stepped as integers, and the weights of every pixel are computed from them",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
-      .ours = {"integers stepped, floats computed anew", [] { return judge(pipeline_span); }},
-      .naive = {"u += du in float", [] { return judge(stepped_span); }},
+      .ours = {"integers stepped, floats computed anew",
+               [] { return measure_error(pipeline_span); }},
+      .naive = {"u += du in float", [] { return measure_error(stepped_span); }},
       .mutants = {{"restarted only every 1024 pixels",
-                   [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}},
-      .drawn = judge_drawn,
+                   [] {
+                     return measure_error([](const auto& visit) { anchored_span(1024, visit); });
+                   }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -4,10 +4,10 @@
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/screen_scene.h"
 #include "study/naive/lines.h"
 
 namespace glassbox::study {
@@ -15,12 +15,12 @@ namespace c55 {
 
 constexpr PixelRect kWindow{0, 0, 24, 24};
 
-void pipeline_line(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+void pipeline_line(const SnappedVertex& a, const SnappedVertex& b, const PixelVisitor& visit) {
   for_each_line_pixel(a, b, kWindow, [&](const LinePixel& pixel) { visit(pixel.x, pixel.y); });
 }
 
 using DrawsLine =
-    std::function<void(const SnappedVertex&, const SnappedVertex&, const Visit& visit)>;
+    std::function<void(const SnappedVertex&, const SnappedVertex&, const PixelVisitor& visit)>;
 
 // Draws a line whose points at whole steps are on the lattice, as one line and as two lines that
 // meet on it: the pixels must be the same, and none may be drawn twice. There are horizontal,
@@ -70,7 +70,7 @@ std::int64_t fixture_faults(const DrawsLine& draws) {
   return faults;
 }
 
-Outcome judge(const DrawsLine& draws) {
+Outcome measure_error(const DrawsLine& draws) {
   const std::int64_t joints = joint_faults(draws), fixtures = fixture_faults(draws);
   return must_be_zero(double(joints + fixtures),
                       fmt::format("{} pixels wrong at joints of 4,000 lines, {} in the fixtures",
@@ -79,8 +79,8 @@ Outcome judge(const DrawsLine& draws) {
 
 // Points at quarters of pixels: each covers the one pixel whose centre c has p - 1/2 <= c < p +
 // 1/2.
-Outcome judge_ours() {
-  Outcome outcome = judge(pipeline_line);
+Outcome measure_our_error() {
+  Outcome outcome = measure_error(pipeline_line);
   for (std::int32_t x = -1024; x <= 1024; x += 64) {
     const int column = point_pixel({x, 128}).x;
     const double centre = column + 0.5, p = x / 256.0;
@@ -109,13 +109,13 @@ ScreenScene screen_lines(const std::vector<ScreenLine>& lines,
   return made;
 }
 
-Image<Rgba8> drawn_by(const Drawer& drawer, const ScreenScene& scene) {
-  return drawer.draw(scene.scene, scene.view, plain_settings()).buffers.color;
+Image<Rgba8> drawn_by(const TestedEngine& engine, const ScreenScene& scene) {
+  return engine.draw(scene.scene, scene.view, plain_settings()).buffers.color;
 }
 
 // The lines of joint_faults, each in a cell of its own, and a row of points, each of which covers
 // one pixel according to the rule.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   Random random(55);
   std::vector<ScreenLine> whole, parts;
   constexpr int kColumns = kSide / kCell;
@@ -132,8 +132,8 @@ Outcome judge_drawn(const Drawer& by) {
     whole.push_back({a, at(steps)});
     parts.insert(parts.end(), {{a, at(cut)}, {at(cut), at(steps)}});
   }
-  const Image<Rgba8> one = drawn_by(by, screen_lines(whole, {}));
-  const Image<Rgba8> two = drawn_by(by, screen_lines(parts, {}));
+  const Image<Rgba8> one = drawn_by(engine, screen_lines(whole, {}));
+  const Image<Rgba8> two = drawn_by(engine, screen_lines(parts, {}));
   std::int64_t joints = 0, lit = 0, points = 0;
   for (std::size_t p = 0; p < one.pixels.size(); ++p) {
     joints += one.pixels[p] != two.pixels[p] || layers_of(one.pixels[p]) > 1;
@@ -141,7 +141,7 @@ Outcome judge_drawn(const Drawer& by) {
   }
   for (std::int32_t quarter = 0; quarter < 16; ++quarter) {
     const SnappedVertex at{512 + quarter * 64, 640};
-    const Image<Rgba8> shown = drawn_by(by, screen_lines({}, {at}));
+    const Image<Rgba8> shown = drawn_by(engine, screen_lines({}, {at}));
     for (int x = 0; x < 10; ++x) {
       const double centre = x + 0.5, p = at.x / 256.0;
       const bool is_lit = p - 0.5 <= centre && centre < p + 0.5;
@@ -166,18 +166,18 @@ ExtremeCase c55_lines_and_points() {
           "4,000 lines with ends on quarters of pixels, whole and cut in two on a lattice point; "
           "lines of four pixels in six directions; points on quarters of pixels",
       .stage = "lines",
-      .right =
+      .right_answer =
           "diamond exit: cut or whole, the same pixels, none twice; four of the five pixels from "
           "centre to centre",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"diamond exit on integers", judge_ours},
-      .naive = {"Bresenham with both ends", [] { return judge(naive::bresenham); }},
+      .ours = {"diamond exit on integers", measure_our_error},
+      .naive = {"Bresenham with both ends", [] { return measure_error(naive::bresenham); }},
       .mutants = {{"the last pixel is drawn as well",
-                   [] { return judge(naive::line_with_last_pixel); }},
+                   [] { return measure_error(naive::line_with_last_pixel); }},
                   {"the first pixel only where its centre is passed",
-                   [] { return judge(naive::line_without_start); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::line_without_start); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

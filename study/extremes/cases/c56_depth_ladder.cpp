@@ -1,8 +1,8 @@
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 #include <glassbox/base/random.h>
 
@@ -13,15 +13,15 @@ namespace c56 {
 // which confuses depths at relative separations up to 2 u z/f + 4 u (1 - z/f).
 constexpr double kBound = 4 * double(unit_roundoff<float>);
 
-Outcome judge(const DepthPath& path) {
-  Worst worst;
+Outcome measure_error(const DepthPath& path) {
+  WorstError worst;
   for (const double distance : {0.2, 1.0, 10.0, 100.0, 1000.0, 9000.0}) {
     const double around =
         path.format == DepthFormat::kFloat32Reversed && path.detour == DepthPath::kNone
             ? 1e-7
             : distance * 0x1p-24 / path.near;
     const double confused = coarsest_confused(path, distance, around);
-    worst.see(confused, kBound,
+    worst.add(confused, kBound,
               fmt::format("depths that are {:.2g} apart are confused at the distance {}", confused,
                           distance));
   }
@@ -30,9 +30,9 @@ Outcome judge(const DepthPath& path) {
 
 // 300 triangles of all sizes, tilted and intersecting each other, at distances from a hundredth of
 // their width to ten times their width: the nearest one must be visible, in any order of drawing.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> pictures = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> pictures = [] {
+    std::vector<RayCastReference> all;
     for (std::uint64_t seed = 856; seed < 860; ++seed) {
       Random random(seed);
       std::vector<EyeTriangle> triangles;
@@ -49,33 +49,33 @@ Outcome judge_drawn(const Drawer& by) {
         }
         triangles.push_back(t);
       }
-      Vista vista = vista_of(triangles, PerspectiveLens{0.9, 0.5, 16.0}, 256);
-      vista.separation = 1e-5;
-      all.emplace_back(std::move(vista));
+      RayScene ray_scene = make_ray_scene(triangles, PerspectiveLens{0.9, 0.5, 16.0}, 256);
+      ray_scene.separation = 1e-5;
+      all.emplace_back(std::move(ray_scene));
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worst_of(pictures, engine);
 }
 
 }  // namespace c56
 
 ExtremeCase c56_depth_ladder() {
   using namespace c56;
-  const auto with = [](const DepthPath& path) { return [path] { return judge(path); }; };
+  const auto with = [](const DepthPath& path) { return [path] { return measure_error(path); }; };
   return {
       .id = "C-56",
       .name = "Ladder of nearly equal depths",
       .construction = "near 0.1, far 10,000; pairs of depths at 0.2 to 9,000, closer and closer",
       .stage = "projection, depth",
-      .right = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere",
+      .right_answer = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere",
       .unit = "relative separation",
       .oracle = Oracle::kAnalytic,
       .ours = {"float, reversed range", with({.format = DepthFormat::kFloat32Reversed})},
       .naive = {"24 bits, standard range", with({.format = DepthFormat::kUnorm24})},
       .mutants = {{"16 bits", with({.format = DepthFormat::kUnorm16})},
                   {"the range is not reversed", with({.format = DepthFormat::kFloat32})}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,6 +1,6 @@
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/far_panes.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/far_panes.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>
@@ -24,9 +24,9 @@ ScreenTriangle random_triangle(Random& random) {
   return t;
 }
 
-Outcome judge(const DepthAt& depth) {
+Outcome measure_error(const DepthAt& depth) {
   Random random(57);
-  ErrorsBeyond errors(8);
+  ErrorsAboveBound errors(8);
   for (int i = 0; i < 300; ++i) {
     const auto setup = setup_triangle(random_triangle(random));
     if (!setup) continue;
@@ -35,7 +35,7 @@ Outcome judge(const DepthAt& depth) {
       const int y = int(random.integer(0, kSide - 1));
       for_each_covered(*setup, {0, y, kSide, y + 1}, [&](const Coverage& pixel) {
         const double exact = plane_at(pixel.x + 0.5, pixel.y + 0.5);
-        errors.see(std::abs(double(depth(*setup, pixel)) - exact) / exact * 0x1p24);
+        errors.add(std::abs(double(depth(*setup, pixel)) - exact) / exact * 0x1p24);
       });
     }
   }
@@ -45,8 +45,8 @@ Outcome judge(const DepthAt& depth) {
 // 64 triangles whose farthest edge goes through pixel centres, and a wall that is as far away as
 // that edge or a rounding error or two farther, so that rounding may put the edge behind the wall.
 // The reference applies the depth formulas pixel by pixel, without boxes, blocks, tiles or an order
-// of draws. Both answers are within the bound, but all drawers must give the same one.
-Outcome judge_ties(const Drawer& by) {
+// of draws. Both answers are within the bound, but all engines must give the same one.
+Outcome measure_tie_error(const TestedEngine& engine) {
   Random random(257);
   std::int64_t wrong = 0, all = 0;
   for (int i = 0; i < 64; ++i) {
@@ -59,8 +59,8 @@ Outcome judge_ties(const Drawer& by) {
                               screen_vertex(-200, 800, wall)};
     for (const auto& triangles : {std::vector{edge, flat}, {flat, edge}}) {
       const Image<int> right = z_buffered(triangles, 128, {});
-      for (const Draws draws : {Draws::kOne, Draws::kEach}) {
-        const Image<int> found = shown_by(by, triangles, 128, draws);
+      for (const DrawGrouping draws : {DrawGrouping::kOne, DrawGrouping::kEach}) {
+        const Image<int> found = visible_triangles(engine, triangles, 128, draws);
         for (std::size_t p = 0; p < right.pixels.size(); ++p) {
           wrong += found.pixels[p] != right.pixels[p];
         }
@@ -74,8 +74,8 @@ Outcome judge_ties(const Drawer& by) {
 
 // Two rectangles with the same computed depth; by exact numbers, the second one is nearer. The
 // first one must stay, as it does if nothing is known about their bounding boxes.
-Outcome judge_order_of_panes(const Drawer& by) {
-  Company all;
+Outcome measure_pane_order_error(const TestedEngine& engine) {
+  PixelChanges all;
   for (int i = 0; i + 1 < 200; ++i) {
     std::vector<FarPane> panes;
     for (const int k : {i, i + 1}) {
@@ -84,18 +84,18 @@ Outcome judge_order_of_panes(const Drawer& by) {
                        5e-4 + k * 0.0625 * 1e-5 - (k - i) * 2e-8,
                        {k == i ? 1.0f : 0.0f, 0, 1}});
     }
-    const Company found = changed_by_company(by, panes);
+    const PixelChanges found = compare_with_added_triangle(engine, panes);
     all.changed += found.changed;
     all.shown += found.shown;
   }
   if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
-  return wrong_of(int(all.changed), int(all.shown),
-                  "pixels of panes show the pane that was drawn second");
+  return wrong_count_outcome(int(all.changed), int(all.shown),
+                             "pixels of panes show the pane that was drawn second");
 }
 
 // Triangles of the plane in a picture of 256 x 256 pixels; the depths that the engine stores are
 // checked.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   Random random(157);
   std::vector<ScreenTriangle> triangles;
   for (int i = 0; i < 60; ++i) {
@@ -109,10 +109,11 @@ Outcome judge_drawn(const Drawer& by) {
     }
     triangles.push_back(t);
   }
-  const Outcome depths = judge_depths(by, triangles, 256, 8, [](int x, int y, std::size_t) {
-    return static_cast<long double>(plane_at(x + 0.5, y + 0.5));
-  });
-  const Outcome order = worse_of(judge_ties(by), judge_order_of_panes(by));
+  const Outcome depths =
+      measure_depth_error(engine, triangles, 256, 8, [](int x, int y, std::size_t) {
+        return static_cast<long double>(plane_at(x + 0.5, y + 0.5));
+      });
+  const Outcome order = worse_of(measure_tie_error(engine), measure_pane_order_error(engine));
   return order.passes() ? depths : order;
 }
 
@@ -127,17 +128,17 @@ ExtremeCase c57_coplanar() {
           "300 random triangles of the plane 1/4 + x/2^14 + y/2^15, with vertices on whole pixels "
           "of 4096 x 4096, where depth is exact",
       .stage = "interpolate",
-      .right =
+      .right_answer =
           "8 u of the plane (raster/interpolate.h), so two triangles differ by 16 u at most; with "
           "equal depths the first one stays",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours = {"weights, differences from the nearest vertex",
-               [] { return judge(pipeline_depth); }},
-      .naive = {"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }},
+               [] { return measure_error(pipeline_depth); }},
+      .naive = {"d = A x + B y + C in float", [] { return measure_error(naive::plane_depth); }},
       .mutants = {{"gradients from the corner of the box",
-                   [] { return judge(naive::depth_from_corner); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::depth_from_corner); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>
@@ -36,7 +36,7 @@ std::vector<ScreenTriangle> pairs() {
 }
 
 // Copies have even numbers.
-Outcome judge(const Image<int>& seen) {
+Outcome measure_error(const Image<int>& seen) {
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });
   const auto drawn = std::ranges::count_if(seen.pixels, [](int id) { return id > 0; });
@@ -57,8 +57,8 @@ Image<Rgba8> stipple(const Image<int>& seen) {
 
 const ZBuffer kGivenOrder{.depth = naive::depth_in_given_order};
 
-Outcome judge_drawn(const Drawer& by) {
-  return judge(shown_by(by, pairs(), kSide));
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  return measure_error(visible_triangles(engine, pairs(), kSide));
 }
 
 }  // namespace c58
@@ -72,23 +72,27 @@ ExtremeCase c58_same_twice() {
           "60 random triangles, a third of them small, each drawn again beginning at another "
           "vertex",
       .stage = "depth test",
-      .right =
+      .right_answer =
           "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
           "first, and the test is strict",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the staged reference", [] { return judge_drawn(drawers()[0]); }},
+      .ours = {"the staged reference", [] { return measure_drawn_error(tested_engines()[0]); }},
       .naive = {"depth summed in the order of the vertices",
-                [] { return judge(z_buffered(pairs(), kSide, kGivenOrder)); }},
+                [] { return measure_error(z_buffered(pairs(), kSide, kGivenOrder)); }},
       .mutants = {{"equal depths pass the test",
                    [] {
-                     return judge(z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
+                     return measure_error(
+                         z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
       .pictures = {{"naive",
                     [] { return png_of(stipple(z_buffered(pairs(), kSide, kGivenOrder)), 2); }},
                    {"ours",
-                    [] { return png_of(stipple(shown_by(drawers()[0], pairs(), kSide)), 2); }}},
+                    [] {
+                      return png_of(stipple(visible_triangles(tested_engines()[0], pairs(), kSide)),
+                                    2);
+                    }}},
   };
 }
 

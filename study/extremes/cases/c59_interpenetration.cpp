@@ -1,8 +1,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
 
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
 
 namespace glassbox::study {
 namespace c59 {
@@ -30,8 +30,8 @@ std::vector<ScreenTriangle> crossing(double slope) {
 
 using Draws = std::function<Image<int>(const std::vector<ScreenTriangle>&)>;
 
-Outcome judge(const Draws& draws) {
-  Worst worst;
+Outcome measure_error(const Draws& draws) {
+  WorstError worst;
   for (const double degrees : {90.0, 1.0, 0.01}) {
     const double slope = tan_half_degrees(degrees) / kDepthOfView;
     const Image<int> seen = draws(crossing(slope));
@@ -46,7 +46,7 @@ Outcome judge(const Draws& draws) {
         if (first != (beyond < 0)) farthest = std::max(farthest, std::abs(beyond));
       }
     }
-    worst.see(farthest, bound, fmt::format("{:.3g} px off at {} degrees", farthest, degrees));
+    worst.add(farthest, bound, fmt::format("{:.3g} px off at {} degrees", farthest, degrees));
   }
   return worst.outcome();
 }
@@ -62,8 +62,10 @@ Image<int> in_16_bits(const std::vector<ScreenTriangle>& triangles) {
   return z_buffered(triangles, kSide, {.format = DepthFormat::kUnorm16});
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  return judge([&](const std::vector<ScreenTriangle>& all) { return shown_by(by, all, kSide); });
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  return measure_error([&](const std::vector<ScreenTriangle>& all) {
+    return visible_triangles(engine, all, kSide);
+  });
 }
 
 }  // namespace c59
@@ -77,15 +79,16 @@ ExtremeCase c59_interpenetration() {
           "two rectangles over 256 x 256 px that cross at 90, 1 and 0.01 degrees along a slanted "
           "line",
       .stage = "depth test",
-      .right =
+      .right_answer =
           "the crossing is at the right place, within 18 u d/|difference of the slopes| and half a "
           "pixel",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the staged reference, float depth", [] { return judge_drawn(drawers()[0]); }},
-      .naive = {"painter's algorithm", [] { return judge(painted); }},
-      .mutants = {{"16 bits of depth", [] { return judge(in_16_bits); }}},
-      .drawn = judge_drawn,
+      .ours = {"the staged reference, float depth",
+               [] { return measure_drawn_error(tested_engines()[0]); }},
+      .naive = {"painter's algorithm", [] { return measure_error(painted); }},
+      .mutants = {{"16 bits of depth", [] { return measure_error(in_16_bits); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>
@@ -19,16 +19,16 @@ ScreenTriangle sliver(Random& random) {
           screen_vertex(x + width, y - width, 1)};
 }
 
-Outcome judge(const DepthAt& depth) {
+Outcome measure_error(const DepthAt& depth) {
   Random random(60);
-  ErrorsBeyond errors(8);
+  ErrorsAboveBound errors(8);
   for (int i = 0; i < 30; ++i) {
     const auto setup = setup_triangle(sliver(random));
     if (!setup) continue;
     for_each_covered(*setup, {0, 0, 2100, 2100}, [&](const Coverage& pixel) {
       const auto found = static_cast<long double>(depth(*setup, pixel));
       const long double exact = exact_depth(*setup, pixel);
-      errors.see(exact == 0 ? 0 : double(std::abs(found - exact) / exact) * 0x1p24);
+      errors.add(exact == 0 ? 0 : double(std::abs(found - exact) / exact) * 0x1p24);
     });
   }
   return errors.outcome("pixels beyond 8 u");
@@ -36,7 +36,7 @@ Outcome judge(const DepthAt& depth) {
 
 // Such slivers, a quarter as long, on separate rows; only a few are drawn together, so that none
 // hides another.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   Random random(160);
   std::vector<ScreenTriangle> triangles;
   for (int i = 0; i < 16; ++i) {
@@ -47,7 +47,7 @@ Outcome judge_drawn(const Drawer& by) {
     triangles.push_back({screen_vertex(x, y, 0), screen_vertex(x + 480, y + dy, 1),
                          screen_vertex(x + width, y - width, 1)});
   }
-  return judge_depths(by, triangles, 512, 8, [&](int x, int y, std::size_t triangle) {
+  return measure_depth_error(engine, triangles, 512, 8, [&](int x, int y, std::size_t triangle) {
     const auto setup = setup_triangle(triangles[triangle]);
     long double depth = 0;
     for_each_covered(*setup, {x, y, x + 1, y + 1},
@@ -66,16 +66,16 @@ ExtremeCase c60_depth_extrapolation() {
       .construction =
           "30 triangles 2,000 px long and 1/256 to 4/256 px wide, with the depths 0, 1, 1",
       .stage = "interpolate",
-      .right =
+      .right_answer =
           "8 u relative (raster/interpolate.h): weights are between 0 and 1, so depth stays "
           "between the vertices'",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
-      .ours = {"weights from integers", [] { return judge(pipeline_depth); }},
+      .ours = {"weights from integers", [] { return measure_error(pipeline_depth); }},
       .naive = {"gradients from the corner of the box",
-                [] { return judge(naive::depth_from_corner); }},
-      .mutants = {{"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }}},
-      .drawn = judge_drawn,
+                [] { return measure_error(naive::depth_from_corner); }},
+      .mutants = {{"d = A x + B y + C in float", [] { return measure_error(naive::plane_depth); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,8 +1,8 @@
 #include <cstdlib>
 
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/drawn_coverage.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/drawn_coverage.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>
@@ -21,10 +21,10 @@ std::int64_t exact_code(float z) {
   return std::int64_t((2 * Int128(m) * 16777215 + (Int128(1) << shift)) >> (shift + 1));
 }
 
-Outcome judge(std::uint32_t (*code)(float)) {
-  ErrorsBeyond errors(0);
+Outcome measure_error(std::uint32_t (*code)(float)) {
+  ErrorsAboveBound errors(0);
   const auto ask = [&](float z) {
-    errors.see(double(std::abs(std::int64_t(code(z)) - exact_code(z))));
+    errors.add(double(std::abs(std::int64_t(code(z)) - exact_code(z))));
   };
   for (const float z : {0.0f, 1.0f, 1.0f - 0x1p-24f, 0x1p-24f, 0x1p-25f, 0.5f, 0x1p-149f}) ask(z);
   Random random(61);
@@ -43,7 +43,7 @@ std::uint32_t pipeline_code(float z) {
 
 // Flat triangles, whose depth is that of their corners: checks the stored codes in both integer
 // formats.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   int wrong = 0, all = 0;
   for (const auto& [format, steps] :
        {std::pair{DepthFormat::kUnorm24, 0xffffff}, {DepthFormat::kUnorm16, 0xffff}}) {
@@ -56,13 +56,13 @@ Outcome judge_drawn(const Drawer& by) {
         RenderSettings settings = plain_settings();
         settings.depth = format;
         settings.want_depth = true;
-        const auto code = by.draw(flat.scene, flat.view, settings).buffers.depth.at(1, 1);
+        const auto code = engine.draw(flat.scene, flat.view, settings).buffers.depth.at(1, 1);
         wrong += double(code) != std::floor(double(depth) * steps + 0.5);
         ++all;
       }
     }
   }
-  return wrong_of(wrong, all, "codes are not the nearest");
+  return wrong_count_outcome(wrong, all, "codes are not the nearest");
 }
 
 }  // namespace c61
@@ -75,15 +75,15 @@ ExtremeCase c61_unorm24_ends() {
       .construction =
           "0, 1, 1 - 2^-24, the smallest float, 100,000 random depths, halves between codes",
       .stage = "depth",
-      .right = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff",
+      .right_answer = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff",
       .unit = "codes",
       .oracle = Oracle::kInteger,
-      .ours = {"in double", [] { return judge(pipeline_code); }},
-      .naive = {"z 2^24, 24 bits kept", [] { return judge(naive::unorm24_wrapping); }},
+      .ours = {"in double", [] { return measure_error(pipeline_code); }},
+      .naive = {"z 2^24, 24 bits kept", [] { return measure_error(naive::unorm24_wrapping); }},
       .mutants = {{"depth end points: truncated in place of rounded",
-                   [] { return judge(naive::unorm24_truncating); }},
-                  {"in float", [] { return judge(naive::unorm24_in_float); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(naive::unorm24_truncating); }},
+                  {"in float", [] { return measure_error(naive::unorm24_in_float); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -2,9 +2,9 @@
 
 #include <glassbox/render/tile/tile_engine.h>
 
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/screen_scene.h"
 
 namespace glassbox::study {
 namespace c62 {
@@ -21,7 +21,7 @@ constexpr DepthFormat kFormats[] = {DepthFormat::kFloat32, DepthFormat::kFloat32
 
 // In an empty frame every triangle must be visible, from the near plane to the far plane itself; of
 // two triangles the nearer one must be visible, in either order of drawing.
-Outcome judge(const DepthTest& test) {
+Outcome measure_error(const DepthTest& test) {
   int wrong = 0, questions = 0;
   for (const DepthFormat format : kFormats) {
     const bool reversed = format == DepthFormat::kFloat32Reversed;
@@ -37,13 +37,13 @@ Outcome judge(const DepthTest& test) {
       }
     }
   }
-  return wrong_of(wrong, questions, "answers of the depth test wrong");
+  return wrong_count_outcome(wrong, questions, "answers of the depth test wrong");
 }
 
 // Draws a picture of 16 x 16 pixels in this format and returns the number of the triangle in each
 // pixel, counted from 1.
-LineVector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
-                                   const std::vector<ScreenTriangle>& triangles) {
+CacheAlignedVector<std::uint32_t> shown_in(DepthFormat format, const TestedEngine& engine,
+                                           const std::vector<ScreenTriangle>& triangles) {
   const bool reversed = format == DepthFormat::kFloat32Reversed;
   Camera camera;
   camera.lens = OrthographicLens{8, 0, 1};
@@ -52,7 +52,7 @@ LineVector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
   RenderSettings settings;
   settings.depth = format;
   settings.want_id = true;
-  return by.draw(screen_scene(triangles, 16, unlit_material()).scene, view, settings)
+  return engine.draw(screen_scene(triangles, 16, unlit_material()).scene, view, settings)
       .buffers.id.pixels;
 }
 
@@ -62,11 +62,11 @@ ScreenTriangle corner_triangle(double size, float depth) {
 
 // Counts the pictures that stay black. Each has a single triangle over the whole picture, at one
 // end of the depth range or in the middle.
-int runs_without_a_picture(const Drawer& by) {
+int runs_without_a_picture(const TestedEngine& engine) {
   int black = 0;
   for (const DepthFormat format : kFormats) {
     for (const float depth : {0.0f, 0.5f, 1.0f}) {
-      black += shown_in(format, by, {corner_triangle(32, depth)})[0] != 1;
+      black += shown_in(format, engine, {corner_triangle(32, depth)})[0] != 1;
     }
   }
   return black;
@@ -74,12 +74,13 @@ int runs_without_a_picture(const Drawer& by) {
 
 // Draws a near and a far triangle, in both orders, small and large. Counts the pixels that show the
 // far one, and the corner pixel if it shows none.
-int pixels_that_show_the_far_one(const Drawer& by) {
+int pixels_that_show_the_far_one(const TestedEngine& engine) {
   int wrong = 0;
   for (const DepthFormat format : kFormats) {
     for (const double size : {16.0, 300.0}) {
       const ScreenTriangle near = corner_triangle(size, 0.25f), far = corner_triangle(size, 0.75f);
-      const auto one = shown_in(format, by, {near, far}), other = shown_in(format, by, {far, near});
+      const auto one = shown_in(format, engine, {near, far}),
+                 other = shown_in(format, engine, {far, near});
       wrong += int(std::ranges::count(one, 2u) + std::ranges::count(other, 1u));
       wrong += int(one[0] == 0) + int(other[0] == 0);
     }
@@ -91,8 +92,8 @@ std::uint32_t raw_bits(DepthFormat, float depth) {
   return std::bit_cast<std::uint32_t>(depth);
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  const int black = runs_without_a_picture(by), far = pixels_that_show_the_far_one(by);
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  const int black = runs_without_a_picture(engine), far = pixels_that_show_the_far_one(engine);
   return must_be_zero(
       black + far,
       fmt::format("{} pictures stay black, {} pixels show the farther of two triangles", black,
@@ -110,23 +111,24 @@ ExtremeCase c62_reversed_clear() {
           "in each depth format an empty frame and one triangle, at the near plane, at the far "
           "plane and between; then two triangles in both orders",
       .stage = "depth test",
-      .right = "a single triangle is always seen, and of two triangles the nearer one",
+      .right_answer = "a single triangle is always seen, and of two triangles the nearer one",
       .unit = "wrong answers",
       .oracle = Oracle::kProperty,
       .ours = {"codes that grow with distance, an empty frame behind all of them",
-               [] { return judge({}); }},
+               [] { return measure_error({}); }},
       .naive = {"depth cleared to 1 and tested with <, for reversed depth too",
                 [] {
-                  return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
+                  return measure_error(
+                      {.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
                 }},
       .mutants = {{"cleared to the far plane's depth, which hides triangles on this plane",
-                   [] { return judge({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
+                   [] { return measure_error({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
                   {"the test is reversed",
                    [] {
-                     return judge(
+                     return measure_error(
                          {.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

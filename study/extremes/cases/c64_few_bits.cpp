@@ -1,6 +1,6 @@
 #include <glassbox/base/rounding.h>
-#include "study/extremes/kit/depth.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/depth.h"
+#include "study/extremes/common/extreme_case.h"
 
 namespace glassbox::study {
 namespace c64 {
@@ -8,8 +8,8 @@ namespace c64 {
 // Predicts the relative separation that a format can tell apart at a distance.
 using Expected = double (*)(const DepthPath&, double distance, double step);
 
-Outcome judge(Expected expected) {
-  Worst worst;
+Outcome measure_error(Expected expected) {
+  WorstError worst;
   for (const auto& [format, step] : {std::pair{DepthFormat::kUnorm16, 1 / 65535.0},
                                      std::pair{DepthFormat::kUnorm24, 1 / 16777215.0}}) {
     const DepthPath path{.format = format};
@@ -17,7 +17,7 @@ Outcome judge(Expected expected) {
       const double really = standard_separation(distance, path.near, path.far, step);
       const double confused = coarsest_confused(path, distance, really);
       const double said = expected(path, distance, step);
-      worst.see(
+      worst.add(
           std::max(confused / said, said / confused), 2,
           fmt::format("{:.2g} at the distance {}, expected {:.2g}", confused, distance, said));
     }
@@ -39,17 +39,17 @@ double without_near_plane(const DepthPath&, double distance, double step) {
 // Rectangles at right angles to the gaze: compares the stored codes with depth computed by the
 // formula. In float, depth is (alpha z + beta)/z with rounded numbers: 3 u |alpha|, 2 u |beta|/z
 // and 2 u of the quotient; then half a step.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   const double near = 0.1, far = 1e4;
-  Worst worst;
+  WorstError worst;
   for (const auto& [format, steps] :
        {std::pair{DepthFormat::kUnorm16, 65535.0}, {DepthFormat::kUnorm24, 16777215.0}}) {
     for (const float z : {0.125f, 1.0f, 10.0f, 100.0f, 1000.0f, 9000.0f}) {
       const double alpha = far / (far - near), beta = near * far / (far - near) / double(z);
       const double u = unit_roundoff<float>, depth = alpha - beta;
       const double bound = 0.5 + steps * u * (3 * alpha + 2 * beta + 2 * depth);
-      worst.see(std::abs(double(pane_code_drawn(by, near, far, format, z)) - depth * steps), bound,
-                fmt::format("distance {:g}", z));
+      worst.add(std::abs(double(pane_code_drawn(engine, near, far, format, z)) - depth * steps),
+                bound, fmt::format("distance {:g}", z));
     }
   }
   return worst.outcome();
@@ -64,15 +64,16 @@ ExtremeCase c64_few_bits() {
       .name = "16 and 24 bits in a large scene",
       .construction = "near 0.1, far 10,000; pairs of depths at 1 to 1,000",
       .stage = "depth",
-      .right =
+      .right_answer =
           "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
           "rounding of the depths themselves: 0.18 in 16 bits at 1,000",
       .unit = "times what was expected, or the inverse",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the formula", [] { return judge(by_formula); }},
-      .naive = {"steps spread evenly between the planes", [] { return judge(evenly); }},
-      .mutants = {{"the near plane is forgotten", [] { return judge(without_near_plane); }}},
-      .drawn = judge_drawn,
+      .ours = {"the formula", [] { return measure_error(by_formula); }},
+      .naive = {"steps spread evenly between the planes", [] { return measure_error(evenly); }},
+      .mutants = {{"the near plane is forgotten",
+                   [] { return measure_error(without_near_plane); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

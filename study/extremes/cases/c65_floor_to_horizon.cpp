@@ -1,6 +1,6 @@
-#include "study/extremes/kit/attribute.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/attribute.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
@@ -10,7 +10,7 @@ constexpr int kSide = 512;
 
 // A floor 1.5 below the eye, from 4 to 4,000 away: its far end is seen at an angle of 0.02 degrees.
 // u runs along the gaze.
-JudgedTriangle floor_triangle() {
+AttributeTriangle floor_triangle() {
   Camera camera;
   camera.lens = PerspectiveLens{1.0, 0.5, 8192};
   const View view = make_view(camera, kSide, kSide).value();
@@ -19,12 +19,12 @@ JudgedTriangle floor_triangle() {
           {0, 0, 1}};
 }
 
-Outcome judge(const AttributeAt& at) {
-  return judge_attribute(at, floor_triangle(), kSide, 1);
+Outcome measure_error(const AttributeAt& at) {
+  return measure_attribute_error(at, floor_triangle(), kSide, 1);
 }
 
 Image<Rgba8> checks(const AttributeAt& at) {
-  const JudgedTriangle floor = floor_triangle();
+  const AttributeTriangle floor = floor_triangle();
   const auto setup = setup_triangle(floor.triangle);
   Image<Rgba8> picture(kSide, kSide, {200, 220, 235, 255});
   std::array<float, 3> values;
@@ -38,7 +38,7 @@ Image<Rgba8> checks(const AttributeAt& at) {
 
 // A floor of 60 x 20 squares with two small triangles each; every 2 x 2 squares share a texture of
 // 16 x 16 texels.
-Vista tiled_floor() {
+RayScene tiled_floor() {
   std::vector<EyeTriangle> triangles;
   std::vector<Texcoords> texcoords;
   for (int row = 0; row < 60; ++row) {
@@ -61,28 +61,28 @@ Vista tiled_floor() {
       texcoords.push_back({uv(0, 0), uv(1, 1), uv(0, 1)});
     }
   }
-  return textured_vista(triangles, texcoords, PerspectiveLens{1.0, 0.5, 64.0}, 256, {16, 16},
-                        Wrap::kRepeat);
+  return textured_ray_scene(triangles, texcoords, PerspectiveLens{1.0, 0.5, 64.0}, 256, {16, 16},
+                            Wrap::kRepeat);
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn tiles(tiled_floor());
-  static const std::vector<SightDrawn> floors = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference tiles(tiled_floor());
+  static const std::vector<RayCastReference> floors = [] {
     // A long floor with 2,048 texels along it, each with its own colour. The triangle starts at
     // each of its corners in turn, so that the order of two vertices with equal w is not always the
     // same.
     EyeTriangle floor{Point<Eye>{-2, -1.5f, -4}, {2, -1.5f, -4}, {0, -1.5f, -4000}};
     Texcoords texcoords{{{0, 0}, {0, 1}, {1, 0.5f}}};
-    std::vector<SightDrawn> all;
+    std::vector<RayCastReference> all;
     for (int turn = 0; turn < 3; ++turn) {
-      all.emplace_back(textured_vista({floor}, {texcoords}, PerspectiveLens{1.0, 0.5, 8192.0}, 128,
-                                      {2048, 4}, Wrap::kClampToEdge));
+      all.emplace_back(textured_ray_scene({floor}, {texcoords}, PerspectiveLens{1.0, 0.5, 8192.0},
+                                          128, {2048, 4}, Wrap::kClampToEdge));
       std::rotate(floor.begin(), floor.begin() + 1, floor.end());
       std::rotate(texcoords.begin(), texcoords.begin() + 1, texcoords.end());
     }
     return all;
   }();
-  return worse_of(tiles.judge(by), worst_of(floors, by));
+  return worse_of(tiles.measure_error(engine), worst_of(floors, engine));
 }
 
 }  // namespace c65
@@ -94,15 +94,16 @@ ExtremeCase c65_floor_to_horizon() {
       .name = "Floor to the horizon",
       .construction = "a floor 1.5 under the eye, from 4 to 4,000 away, u from 0 to 1 along it",
       .stage = "interpolate",
-      .right =
+      .right_answer =
           "13 u (w1 |u1 - u0| + w2 |u2 - u0|) + u |u| (raster/interpolate.h). Without perspective "
           "up to (sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)",
       .unit = "of the texture",
       .oracle = Oracle::kRational,
-      .ours = {"u/w over 1/w", [] { return judge(pipeline_attribute); }},
-      .naive = {"affine interpolation", [] { return judge(naive::affine); }},
-      .mutants = {{"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }}},
-      .drawn = judge_drawn,
+      .ours = {"u/w over 1/w", [] { return measure_error(pipeline_attribute); }},
+      .naive = {"affine interpolation", [] { return measure_error(naive::affine); }},
+      .mutants = {{"u/w times an interpolated w",
+                   [] { return measure_error(naive::with_linear_w); }}},
+      .drawn = measure_drawn_error,
       .pictures = {{"naive", [] { return png_of(checks(naive::affine)); }},
                    {"ours", [] { return png_of(checks(pipeline_attribute)); }}},
   };

@@ -1,6 +1,6 @@
-#include "study/extremes/kit/attribute.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/attribute.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
@@ -9,20 +9,20 @@ namespace c66 {
 constexpr int kSide = 256;
 
 // The corners are 1e-3, 1 and 1e6 away; there are 1024 texels from the first corner to the others.
-Outcome judge(const AttributeAt& at) {
-  const JudgedTriangle judged{
+Outcome measure_error(const AttributeAt& at) {
+  const AttributeTriangle judged{
       {screen_vertex(-200, -180, 0.5f, 1e3f), screen_vertex(700, 20, 0.5f, 1),
        screen_vertex(40, 900, 0.5f, 1e-6f)},
       {0, 1, 1}};
-  return judge_attribute(at, judged, kSide, 1024);
+  return measure_attribute_error(at, judged, kSide, 1024);
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn picture(textured_vista(
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference picture(textured_ray_scene(
       {{Point<Eye>{-0.0006f, -0.0004f, -0.001f}, {0.6f, -0.1f, -1}, {-1e5f, 9e5f, -1e6f}}},
       {{{{0, 0}, {1, 0}, {1, 1}}}}, PerspectiveLens{1.0, 0.0005, 2e6}, 128, {1024, 64},
       Wrap::kClampToEdge));
-  return picture.judge(by);
+  return picture.measure_error(engine);
 }
 
 }  // namespace c66
@@ -34,16 +34,17 @@ ExtremeCase c66_inverse_w() {
       .name = "Distances from 0.001 to a million in one triangle",
       .construction = "w = 1e-3, 1, 1e6 at the corners, 1,024 texels between them",
       .stage = "interpolate",
-      .right =
+      .right_answer =
           "1/w is a sum of positive numbers, so nothing cancels: 13 u (w1 |u1 - u0| + ...) + u "
           "|u|, at most 14 u of 1,024 texels = 8.5e-4",
       .unit = "texel",
       .oracle = Oracle::kRational,
-      .ours = {"a full division", [] { return judge(pipeline_attribute); }},
-      .naive = {"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }},
-      .mutants = {{"raw reciprocal of 12 bits", [] { return judge(naive::with_raw_reciprocal); }},
-                  {"affine interpolation", [] { return judge(naive::affine); }}},
-      .drawn = judge_drawn,
+      .ours = {"a full division", [] { return measure_error(pipeline_attribute); }},
+      .naive = {"u/w times an interpolated w", [] { return measure_error(naive::with_linear_w); }},
+      .mutants = {{"raw reciprocal of 12 bits",
+                   [] { return measure_error(naive::with_raw_reciprocal); }},
+                  {"affine interpolation", [] { return measure_error(naive::affine); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,6 +1,6 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/texel.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/texel.h"
 #include "study/naive/attribute.h"
 
 #include <glassbox/base/random.h>
@@ -12,8 +12,8 @@ constexpr int kSize = 1024;
 
 // The distance in texels between the place of the coordinate (exact in double: floats below 2^24)
 // and the sampled texel.
-Outcome judge(const TexelAt& texel_at) {
-  Worst worst;
+Outcome measure_error(const TexelAt& texel_at) {
+  WorstError worst;
   Random random(67);
   for (const double large : {1.0, 1e2, 1e4, 1e6, 8e6}) {
     for (int i = 0; i < 200; ++i) {
@@ -22,7 +22,7 @@ Outcome judge(const TexelAt& texel_at) {
       const int texel = texel_at(Wrap::kRepeat, t, kSize);
       const double beside = std::max({texel - place, place - (texel + 1), 0.0});
       // A negative coordinate near 0 may be rounded when 1 is added, by 2^-25 of the texture.
-      worst.see(std::min(beside, kSize - beside), kSize * 0x1p-25,
+      worst.add(std::min(beside, kSize - beside), kSize * 0x1p-25,
                 fmt::format("texel {} instead of {:.2f} at u = {}", texel, place, t),
                 std::abs(double(t)));
     }
@@ -32,12 +32,12 @@ Outcome judge(const TexelAt& texel_at) {
 
 // A wall whose coordinates span 4 textures and start 4,096 textures from the origin, where floats
 // still have eleven bits for the place within a texture.
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn wall(textured_vista({{Point<Eye>{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}},
-                                              {{{{4096, -4096}, {4100, -4096}, {4098, -4100}}}},
-                                              PerspectiveLens{0.9, 0.5, 8.0}, 128, {16, 16},
-                                              Wrap::kRepeat));
-  return wall.judge(by);
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference wall(
+      textured_ray_scene({{Point<Eye>{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}},
+                         {{{{4096, -4096}, {4100, -4096}, {4098, -4100}}}},
+                         PerspectiveLens{0.9, 0.5, 8.0}, 128, {16, 16}, Wrap::kRepeat));
+  return wall.measure_error(engine);
 }
 
 }  // namespace c67
@@ -50,18 +50,20 @@ ExtremeCase c67_huge_texcoords() {
       .construction =
           "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it",
       .stage = "texture",
-      .right =
+      .right_answer =
           "the texel of the exact fraction, or one that is 2^-25 of the texture away: the integer "
           "part is subtracted before scaling. The digits of u that a float cannot hold (the "
           "condition number is |u|) are lost before that",
       .unit = "texel",
       .oracle = Oracle::kRational,
-      .ours = {"wrapped, then scaled", [] { return judge(pipeline_texel); }},
+      .ours = {"wrapped, then scaled", [] { return measure_error(pipeline_texel); }},
       .naive = {"scaled to a 32-bit integer, then wrapped",
-                [] { return judge(naive::scaled_then_wrapped); }},
-      .mutants = {{"scaled in float, then wrapped", [] { return judge(naive::scaled_in_float); }},
-                  {"truncated in place of rounded down", [] { return judge(naive::truncated); }}},
-      .drawn = judge_drawn,
+                [] { return measure_error(naive::scaled_then_wrapped); }},
+      .mutants = {{"scaled in float, then wrapped",
+                   [] { return measure_error(naive::scaled_in_float); }},
+                  {"truncated in place of rounded down",
+                   [] { return measure_error(naive::truncated); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,6 +1,6 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
-#include "study/extremes/kit/texel.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
+#include "study/extremes/common/texel.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
@@ -28,7 +28,7 @@ int exact_texel(Wrap wrap, int k) {
   return 0;
 }
 
-Outcome judge(const TexelAt& texel_at) {
+Outcome measure_error(const TexelAt& texel_at) {
   int wrong = 0, all = 0;
   std::string first;
   for (const auto& [wrap, name] : {std::pair{Wrap::kRepeat, "repeated"},
@@ -40,22 +40,22 @@ Outcome judge(const TexelAt& texel_at) {
       if (wrong++ == 0) first = fmt::format(": {} at {}, {}", texel, k / 64.0, name);
     }
   }
-  return wrong_of(wrong, all, "texels wrong" + first);
+  return wrong_count_outcome(wrong, all, "texels wrong" + first);
 }
 
 // A wall with 8 x 8 texels and coordinates from -4 to 4, in each of the three wrap modes.
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<SightDrawn> walls = [] {
-    std::vector<SightDrawn> all;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<RayCastReference> walls = [] {
+    std::vector<RayCastReference> all;
     for (const Wrap wrap : {Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge}) {
       const Point<Eye> a{-1, -1, -2}, b{1, -1, -2.5f}, c{1, 1, -3}, d{-1, 1, -2.5f};
-      all.emplace_back(textured_vista(
+      all.emplace_back(textured_ray_scene(
           {{a, b, c}, {a, c, d}}, {{{{-4, 4}, {4, 4}, {4, -4}}}, {{{-4, 4}, {4, -4}, {-4, -4}}}},
           PerspectiveLens{0.8, 0.5, 8.0}, 256, {kSize, kSize}, wrap));
     }
     return all;
   }();
-  return worst_of(walls, by);
+  return worst_of(walls, engine);
 }
 
 }  // namespace c68
@@ -67,14 +67,17 @@ ExtremeCase c68_texture_wrap() {
       .name = "Wrapping negatives and exactly 1",
       .construction = "-4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored, clamped",
       .stage = "texture",
-      .right = "floor, then the remainder that is not negative; a mirror lies between texels",
+      .right_answer =
+          "floor, then the remainder that is not negative; a mirror lies between texels",
       .unit = "texels wrong",
       .oracle = Oracle::kInteger,
-      .ours = {"floor", [] { return judge(pipeline_texel); }},
-      .naive = {"(int)(u size) % size", [] { return judge(naive::scaled_then_wrapped); }},
-      .mutants = {{"truncated in place of rounded down", [] { return judge(naive::truncated); }},
-                  {"mirrored about texels", [] { return judge(naive::mirrored_about_texels); }}},
-      .drawn = judge_drawn,
+      .ours = {"floor", [] { return measure_error(pipeline_texel); }},
+      .naive = {"(int)(u size) % size", [] { return measure_error(naive::scaled_then_wrapped); }},
+      .mutants = {{"truncated in place of rounded down",
+                   [] { return measure_error(naive::truncated); }},
+                  {"mirrored about texels",
+                   [] { return measure_error(naive::mirrored_about_texels); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,9 +1,9 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/raster/texture.h>
 
-#include "study/extremes/kit/attribute.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/sight.h"
+#include "study/extremes/common/attribute.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/ray_cast.h"
 
 namespace glassbox::study {
 namespace c69 {
@@ -118,8 +118,8 @@ Image<std::array<float, 2>> texcoord_picture() {
   return picture;
 }
 
-Outcome judge(const LevelAt& level_at) {
-  Worst worst;
+Outcome measure_error(const LevelAt& level_at) {
+  WorstError worst;
   for (const Sheet& sheet : sheets()) {
     for_each_covered(sheet.setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
       const ExactLevel exact = exact_level(sheet, pixel);
@@ -129,7 +129,7 @@ Outcome judge(const LevelAt& level_at) {
       const double u = double(unit_roundoff<float>);
       const double bound = 34 * u * exact.condition / 0.693 + 5e-8 + 4 * u * std::abs(exact.level);
       const auto level = level_at(sheet, pixel);
-      worst.see(level ? std::abs(double(*level) - exact.level) : HUGE_VAL, bound,
+      worst.add(level ? std::abs(double(*level) - exact.level) : HUGE_VAL, bound,
                 fmt::format("level {:.4f} instead of {:.4f}", level.value_or(0), exact.level),
                 exact.condition);
     });
@@ -137,9 +137,9 @@ Outcome judge(const LevelAt& level_at) {
   return worst.outcome();
 }
 
-Outcome judge_naive() {
+Outcome measure_naive_error() {
   const auto texcoords = texcoord_picture();
-  return judge([&](const Sheet&, const Coverage& pixel) {
+  return measure_error([&](const Sheet&, const Coverage& pixel) {
     return level_by_neighbours(texcoords, pixel.x, pixel.y);
   });
 }
@@ -156,8 +156,8 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
 }
 
 // The level of detail shows in the stripes of a texture that remain visible.
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn strips([] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference strips([] {
     std::vector<EyeTriangle> triangles;
     std::vector<Texcoords> texcoords;
     for (int i = 0; i < 12; ++i) {
@@ -171,9 +171,9 @@ Outcome judge_drawn(const Drawer& by) {
     const Point<Eye> a{-3, 0, -3}, b{3, 0.2f, -4}, c{0, 2.5f, -9};
     triangles.push_back({a, b, c});
     texcoords.push_back({{{0, 0}, {0.4f, 0.1f}, {0.3f, 0.7f}}});
-    return striped_vista(triangles, texcoords, PerspectiveLens{1.0, 0.5, 1024.0}, 128, kTexels);
+    return striped_ray_scene(triangles, texcoords, PerspectiveLens{1.0, 0.5, 1024.0}, 128, kTexels);
   }());
-  return strips.judge(by);
+  return strips.measure_error(engine);
 }
 
 }  // namespace c69
@@ -186,15 +186,16 @@ ExtremeCase c69_level_of_detail() {
       .construction =
           "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between",
       .stage = "texture",
-      .right =
+      .right_answer =
           "the derivative of the plane equations, 34 u of its terms: no pixel looks at its "
           "neighbours",
       .unit = "levels",
       .oracle = Oracle::kRational,
-      .ours = {"analytic derivatives", [] { return judge(pipeline_level); }},
-      .naive = {"differences to neighbours in the picture", judge_naive},
-      .mutants = {{"1/w is taken as constant", [] { return judge(level_without_perspective); }}},
-      .drawn = judge_drawn,
+      .ours = {"analytic derivatives", [] { return measure_error(pipeline_level); }},
+      .naive = {"differences to neighbours in the picture", measure_naive_error},
+      .mutants = {{"1/w is taken as constant",
+                   [] { return measure_error(level_without_perspective); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

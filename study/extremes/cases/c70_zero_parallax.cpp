@@ -2,9 +2,9 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
-#include "study/extremes/kit/attribute.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/attribute.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c70 {
@@ -16,7 +16,7 @@ constexpr double kBound = 1.0 / 256;
 using XOf = std::function<double(Side, const Point<Eye>&)>;
 
 // Tests a grid of points at the distance of the stereo window, over the whole picture.
-Outcome judge(const XOf& x_of) {
+Outcome measure_error(const XOf& x_of) {
   double worst = 0;
   int flipped = 0, points = 0;
   for (int i = -40; i <= 40; ++i) {
@@ -43,12 +43,12 @@ XOf through(const View& left, const View& right) {
 }
 
 // Uses parallel cameras and shifts the pictures by whole pixels until the window coincides.
-Outcome judge_pushed() {
+Outcome measure_parallax_error() {
   const StereoPair parallel{kPair.half_separation};
   const View left = eye_view(centre(), parallel, Side::kLeft);
   const View right = eye_view(centre(), parallel, Side::kRight);
   const double pushed = std::round(-parallax_at(centre(), parallel, kPair.window).px);
-  return judge([=](Side side, const Point<Eye>& point) {
+  return measure_error([=](Side side, const Point<Eye>& point) {
     return through(left, right)(side, point) + (side == Side::kRight ? pushed : 0);
   });
 }
@@ -63,7 +63,7 @@ View with_sign_turned(Side side) {
 
 // A mosaic in the plane of the window, of triangles with corners at any place: each eye must see
 // the same picture as the camera between them.
-Vista mosaic() {
+RayScene mosaic() {
   Random random(70);
   constexpr int kCells = 8;
   Point<Eye> at[kCells + 1][kCells + 1];
@@ -80,14 +80,14 @@ Vista mosaic() {
       triangles.push_back({at[i][j], at[i + 1][j + 1], at[i][j + 1]});
     }
   }
-  return vista_of(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160);
+  return make_ray_scene(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160);
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const SightDrawn seen(mosaic());
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const RayCastReference seen(mosaic());
   const StereoPair pair{0.3, 10};
-  return worse_of(seen.judge(eye_of(by, pair, Side::kLeft)),
-                  seen.judge(eye_of(by, pair, Side::kRight)));
+  return worse_of(seen.measure_error(engine_for_eye(engine, pair, Side::kLeft)),
+                  seen.measure_error(engine_for_eye(engine, pair, Side::kRight)));
 }
 
 }  // namespace c70
@@ -99,23 +99,23 @@ ExtremeCase c70_zero_parallax() {
       .name = "Nothing moves in the stereo window",
       .construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080",
       .stage = "stereo",
-      .right =
+      .right_answer =
           "no parallax: matrices are composed in double and rounded once; the rounding of x in "
           "float costs at most a step of the snap",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta",
                [] {
-                 return judge(through(eye_view(centre(), kPair, Side::kLeft),
-                                      eye_view(centre(), kPair, Side::kRight)));
+                 return measure_error(through(eye_view(centre(), kPair, Side::kLeft),
+                                              eye_view(centre(), kPair, Side::kRight)));
                }},
-      .naive = {"parallel cameras, pictures pushed by whole pixels", judge_pushed},
+      .naive = {"parallel cameras, pictures pushed by whole pixels", measure_parallax_error},
       .mutants = {{"the skew has the sign of a left-handed eye",
                    [] {
-                     return judge(
+                     return measure_error(
                          through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,8 +1,8 @@
-#include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/parallax.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c72 {
@@ -14,19 +14,20 @@ constexpr int kWidth = 1920;
 // px that is allowed behind the screen.
 using Separation = double (*)(const View&, double window, const DepthSpan&, double budget_px);
 
-Outcome judge(Separation separation) {
+Outcome measure_error(Separation separation) {
   const View centre = view_from_origin(kWidth, 1080, 0.1, std::numeric_limits<double>::infinity());
   const double budget_px = kPupilDistanceMm / kScreen.width_mm * kWidth;
-  Worst worst;
+  WorstError worst;
   int diverging = 0, tried = 0;
   for (const double window : {0.5, 1.0, 3.0, 10.0, 30.0}) {
     for (const double farthest : {2 * window, 100.0, std::numeric_limits<double>::infinity()}) {
       const DepthSpan span{0.8 * window, farthest};
       const StereoPair pair{separation(centre, window, span, budget_px), window};
-      const DisplayedParallax shown = on_display(parallax_at(centre, pair, farthest), kScreen);
+      const DisplayedParallax shown =
+          displayed_parallax(parallax_at(centre, pair, farthest), kScreen);
       diverging += shown.diverges;
       ++tried;
-      worst.see(shown.mm, kPupilDistanceMm,
+      worst.add(shown.mm, kPupilDistanceMm,
                 fmt::format("parallax {:.1f} mm with the window at {}", shown.mm, window));
     }
   }
@@ -59,17 +60,18 @@ ExtremeCase c72_divergence() {
           "a screen 2 m wide, windows at 0.5 to 30, scenes that begin at 0.8 of the window's "
           "distance and end at twice this distance, at 100 or at infinity",
       .stage = "stereo",
-      .right =
+      .right_answer =
           "the parallax of the farthest point on the screen is at most 65 mm, the distance of the "
           "pupils",
       .unit = "mm",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the largest separation within the budget", [] { return judge(within_budget); }},
-      .naive = {"the pupils' own 65 mm", [] { return judge(pupils); }},
+      .ours = {"the largest separation within the budget",
+               [] { return measure_error(within_budget); }},
+      .naive = {"the pupils' own 65 mm", [] { return measure_error(pupils); }},
       .mutants = {{"the whole separation instead of half of it",
-                   [] { return judge(with_diameter_for_radius); }},
+                   [] { return measure_error(with_diameter_for_radius); }},
                   {"only points in front of the window count",
-                   [] { return judge(looking_in_front_only); }}},
+                   [] { return measure_error(looking_in_front_only); }}},
       .not_drawn =
           "the result is a separation, which is chosen before a pair is drawn; a pair with it is "
           "drawn like any other (C-70, C-73)",

@@ -4,16 +4,16 @@
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
-#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/screen_scene.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c73 {
 
 // A wall at the window, 10 away, and small triangles at 0.5, side by side. They are tilted, so that
 // the light gives them different shades; each eye sees some that the other does not.
-PairScene close_things() {
+StereoScene close_things() {
   Mesh mesh;
   add_triangle(
       mesh, {Point<Object>(-20, -20, -10), Point<Object>(20, -20, -10), Point<Object>(0, 30, -10)});
@@ -28,11 +28,11 @@ PairScene close_things() {
 }
 
 // Decides whether a triangle is kept, from its corners in both eyes' clip spaces.
-using Keeps = std::function<bool(const std::array<Point<Clip>, 3>& left,
-                                 const std::array<Point<Clip>, 3>& right, const View& centre)>;
+using KeepTest = std::function<bool(const std::array<Point<Clip>, 3>& left,
+                                    const std::array<Point<Clip>, 3>& right, const View& centre)>;
 
-PairScene culled(const PairScene& whole, const Keeps& keeps) {
-  PairScene rest = whole;
+StereoScene culled(const StereoScene& whole, const KeepTest& keeps) {
+  StereoScene rest = whole;
   Mesh& mesh = rest.scene.meshes[0];
   mesh.faces.clear();
   const auto clip = [&](Side side, const Point<Object>& p) {
@@ -58,35 +58,36 @@ bool seen_by(const std::array<Point<Clip>, 3>& clip) {
   return trivial_verdict(codes) != ClipVerdict::kReject;
 }
 
-Outcome judge(const EyePictures& drawn, const std::string& more = {}) {
-  const std::uint64_t differ = pixels_that_differ(drawn, each_eye_alone(close_things()));
+Outcome measure_error(const EyePictures& drawn, const std::string& more = {}) {
+  const std::uint64_t differ = pixels_that_differ(drawn, draw_eyes_separately(close_things()));
   return must_be_zero(double(differ), fmt::format("{} pixels lost{}", differ, more));
 }
 
-Outcome judge_ours() {
-  const PairScene s = close_things();
+Outcome measure_our_error() {
+  const StereoScene s = close_things();
   StereoSettings settings;
   settings.render.want_distance = true;
   const StereoRendering drawn = render_pair(s.scene, s.centre, s.pair, settings);
   const MonocularMaps maps = monocular_maps(disparity_map(s.centre, s.pair, drawn.left.distance),
                                             disparity_map(s.centre, s.pair, drawn.right.distance));
-  return judge({drawn.left.color, drawn.right.color},
-               fmt::format("; {} pixels reported as seen by one eye alone",
-                           count(maps.left).all() + count(maps.right).all()));
+  return measure_error(
+      {drawn.left.color, drawn.right.color},
+      fmt::format("; {} pixels reported as seen by one eye alone",
+                  count_monocular(maps.left).all() + count_monocular(maps.right).all()));
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const PairDrawn things = [] {
-    const PairScene s = close_things();
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const StereoReference things = [] {
+    const StereoScene s = close_things();
     Camera camera;
     camera.lens = PerspectiveLens{0.785398163397448309616, 0.1, 1000.0};
-    return PairDrawn(vista_of(s.scene, camera, 320, 180), s.pair);
+    return StereoReference(make_ray_scene(s.scene, camera, 320, 180), s.pair);
   }();
-  return things.judge(by);
+  return things.measure_error(engine);
 }
 
-Outcome judge_culled(const Keeps& keeps) {
-  return judge(each_eye_alone(culled(close_things(), keeps)));
+Outcome measure_culling_error(const KeepTest& keeps) {
+  return measure_error(draw_eyes_separately(culled(close_things(), keeps)));
 }
 
 }  // namespace c73
@@ -99,22 +100,23 @@ ExtremeCase c73_one_eye_only() {
       .construction =
           "a wall at the window, 10 away, and 17 small triangles at 0.5; half separation 0.3",
       .stage = "stereo culling",
-      .right = "each eye's picture has the bytes of a run for that eye alone",
+      .right_answer = "each eye's picture has the bytes of a run for that eye alone",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"culled where neither eye sees it", judge_ours},
+      .ours = {"culled where neither eye sees it", measure_our_error},
       .naive = {"kept only where both eyes see it",
                 [] {
-                  return judge_culled([](const auto& left, const auto& right, const View&) {
-                    return seen_by(left) && seen_by(right);
-                  });
+                  return measure_culling_error(
+                      [](const auto& left, const auto& right, const View&) {
+                        return seen_by(left) && seen_by(right);
+                      });
                 }},
       .mutants = {{"the left eye decides for both",
                    [] {
-                     return judge_culled(
+                     return measure_culling_error(
                          [](const auto& left, const auto&, const View&) { return seen_by(left); });
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,17 +1,17 @@
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/render/renderer.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c74 {
 
-Outcome judge(StereoCulling culling, EngineKind engine) {
+Outcome measure_error(StereoCulling culling, EngineKind engine) {
   std::uint64_t lost = 0, triangles = 0, culled = 0, pixels = 0;
   for (const double share : {0.01, 0.03, 0.1}) {
-    const PairScene s = pair_scene("forest", share);
-    const EyePictures right = each_eye_alone(s);
+    const StereoScene s = make_stereo_scene("forest", share);
+    const EyePictures right = draw_eyes_separately(s);
     Renderer renderer(s.scene, Transfer::kSrgb, engine);
     StereoSettings settings;
     settings.culling = culling;
@@ -26,24 +26,24 @@ Outcome judge(StereoCulling culling, EngineKind engine) {
                                   pixels, triangles, culled));
 }
 
-Outcome judge_ours() {
-  return worse_of(judge(StereoCulling::kUnion, EngineKind::kStaged),
-                  judge(StereoCulling::kUnion, EngineKind::kTile));
+Outcome measure_our_error() {
+  return worse_of(measure_error(StereoCulling::kUnion, EngineKind::kStaged),
+                  measure_error(StereoCulling::kUnion, EngineKind::kTile));
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  static const std::vector<PairDrawn> pairs = [] {
-    std::vector<PairDrawn> made;
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const std::vector<StereoReference> pairs = [] {
+    std::vector<StereoReference> made;
     for (const double share : {0.01, 0.03, 0.1}) {
-      const PairScene s = pair_scene("forest", share, 128, 72);
-      const Camera camera =
-          s.scene.cameras.empty() ? frame(s.scene, 128.0 / 72).value() : s.scene.cameras.front();
-      made.emplace_back(vista_of(s.scene, camera, 128, 72), s.pair);
+      const StereoScene s = make_stereo_scene("forest", share, 128, 72);
+      const Camera camera = s.scene.cameras.empty() ? framing_camera(s.scene, 128.0 / 72).value()
+                                                    : s.scene.cameras.front();
+      made.emplace_back(make_ray_scene(s.scene, camera, 128, 72), s.pair);
     }
     return made;
   }();
   Outcome worst;
-  for (const PairDrawn& pair : pairs) worst = worse_of(pair.judge(by), worst);
+  for (const StereoReference& pair : pairs) worst = worse_of(pair.measure_error(engine), worst);
   return worst;
 }
 
@@ -56,15 +56,16 @@ ExtremeCase c74_centre_culling() {
       .name = "Culled by the camera in the middle",
       .construction = "the forest, half separations of 1, 3 and 10 % of the window's distance",
       .stage = "stereo culling",
-      .right = "nothing is lost: each eye's picture has the bytes of a run for that eye alone",
+      .right_answer =
+          "nothing is lost: each eye's picture has the bytes of a run for that eye alone",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the union of both frusta, both engines", judge_ours},
+      .ours = {"the union of both frusta, both engines", measure_our_error},
       .naive = {"centre culling, staged engine",
-                [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }},
+                [] { return measure_error(StereoCulling::kCentre, EngineKind::kStaged); }},
       .mutants = {{"centre culling, tile engine",
-                   [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(StereoCulling::kCentre, EngineKind::kTile); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

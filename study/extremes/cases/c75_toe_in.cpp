@@ -1,9 +1,9 @@
 #include <glassbox/pipeline/stereo/constructions.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
-#include "study/extremes/kit/attribute.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/attribute.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c75 {
@@ -18,7 +18,7 @@ using EyeView = View (*)(const View&, const StereoPair&, Side);
 
 // Tests points all over the picture at three distances. `predicted` is the vertical parallax by the
 // formula for converging cameras (S0-07), upwards.
-Outcome judge(EyeView eye, bool formula) {
+Outcome measure_error(EyeView eye, bool formula) {
   const View left = eye(centre(), kPair, Side::kLeft), right = eye(centre(), kPair, Side::kRight);
   double worst = 0, off_formula = 0;
   for (const double z : {5.0, 10.0, 40.0}) {
@@ -59,18 +59,19 @@ View heights_of_their_own(const View& centre, const StereoPair& pair, Side side)
 
 // Low and wide triangles over the whole picture at the three distances. Their edges are almost
 // horizontal, so they show if one eye's picture is higher than the other's.
-Outcome judge_drawn(const Drawer& by) {
-  static const PairDrawn steps = [] {
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  static const StereoReference steps = [] {
     std::vector<EyeTriangle> triangles;
     const float distances[] = {5, 10, 40};
     for (int row = -12; row < 12; ++row) {
       const float z = distances[(row + 12) % 3], y = float(row) * 0.033f * z;
       triangles.push_back({Point<Eye>{-z, y, -z}, {z, y + 0.002f * z, -z}, {0, y + 0.03f * z, -z}});
     }
-    return PairDrawn(
-        vista_of(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160), kPair);
+    return StereoReference(
+        make_ray_scene(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160),
+        kPair);
   }();
-  return steps.judge(by);
+  return steps.measure_error(engine);
 }
 
 }  // namespace c75
@@ -82,17 +83,17 @@ ExtremeCase c75_toe_in() {
       .name = "Cameras turned towards each other",
       .construction = "points all over 1920 x 1080 at 5, 10 and 40; window 10, half separation 0.3",
       .stage = "stereo",
-      .right =
+      .right_answer =
           "no vertical parallax at all: both eyes share the rows of y and w, so the bits of y are "
           "the same",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
-      .ours = {"skewed frusta", [] { return judge(eye_view, false); }},
-      .naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }},
-      .mutants = {{"one camera toed in", [] { return judge(one_toed_in, false); }},
+      .ours = {"skewed frusta", [] { return measure_error(eye_view, false); }},
+      .naive = {"toed-in cameras", [] { return measure_error(toe_in_view, true); }},
+      .mutants = {{"one camera toed in", [] { return measure_error(one_toed_in, false); }},
                   {"the eyes' rows of y differ by one or two rounding errors",
-                   [] { return judge(heights_of_their_own, false); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(heights_of_their_own, false); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

@@ -1,9 +1,9 @@
 #include <glassbox/images/stereo/anaglyph.h>
 #include <glassbox/render/renderer.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
@@ -11,7 +11,7 @@ namespace c76 {
 
 const StereoRendering& eyes() {
   static const StereoRendering drawn = [] {
-    const PairScene s = pair_scene("forest", 0.03);
+    const StereoScene s = make_stereo_scene("forest", 0.03);
     StereoSettings settings;
     settings.render.want_depth = true;
     return render_pair(s.scene, s.centre, s.pair, settings);
@@ -20,7 +20,7 @@ const StereoRendering& eyes() {
 }
 
 Image<Rgba8> masked(EngineKind engine) {
-  const PairScene s = pair_scene("forest", 0.03);
+  const StereoScene s = make_stereo_scene("forest", 0.03);
   Renderer renderer(s.scene, Transfer::kSrgb, engine);
   return renderer.render_masked_anaglyph(s.centre, s.pair, {}, {}).left.color;
 }
@@ -32,7 +32,7 @@ Image<Rgba8> without_clearing() {
 }
 
 // Expects red from the left eye's own picture, green and blue from the right eye's (S0-02).
-Outcome judge(const Image<Rgba8>& shown) {
+Outcome measure_error(const Image<Rgba8>& shown) {
   const Image<Rgba8> right =
       make_anaglyph(eyes().left.color, eyes().right.color, AnaglyphMethod::kMask).value();
   const std::uint64_t differ = pixels_that_differ(shown, right);
@@ -42,7 +42,7 @@ Outcome judge(const Image<Rgba8>& shown) {
 
 // Cards one in front of the other, where each texel has its own colour: the red channel must be as
 // the left eye sees it, green and blue as the right eye does.
-Vista cards() {
+RayScene cards() {
   std::vector<EyeTriangle> triangles;
   std::vector<Texcoords> texcoords;
   for (int i = 0; i < 6; ++i) {
@@ -51,28 +51,28 @@ Vista cards() {
         {Point<Eye>{x - 1.5f, y - 1.2f, z}, {x + 1.5f, y - 1.2f, z}, {x, y + 1.6f, z}});
     texcoords.push_back({{{0, 0}, {1, 0}, {0.5f, 1}}});
   }
-  return textured_vista(triangles, texcoords, PerspectiveLens{0.7, 1, 20.0}, 96, {32, 32},
-                        Wrap::kClampToEdge);
+  return textured_ray_scene(triangles, texcoords, PerspectiveLens{0.7, 1, 20.0}, 96, {32, 32},
+                            Wrap::kClampToEdge);
 }
 
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   constexpr StereoPair kPair{0.2, 8};
-  static const SightDrawn left(seen_by(cards(), kPair, Side::kLeft)),
-      right(seen_by(cards(), kPair, Side::kRight));
-  const Vista& centre = left.vista();
+  static const RayCastReference left(eye_ray_scene(cards(), kPair, Side::kLeft)),
+      right(eye_ray_scene(cards(), kPair, Side::kRight));
+  const RayScene& centre = left.ray_scene();
   StereoSettings settings;
   settings.render = centre.settings;
   settings.render.want_id = false;
-  const Image<Rgba8> shown = by.renderer(centre.scene, settings.render.transfer)
+  const Image<Rgba8> shown = engine.renderer(centre.scene, settings.render.transfer)
                                  .render_masked_anaglyph(centre.view, kPair, settings, {})
                                  .left.color;
-  const auto color = [&](const Sight& sight) {
-    return sight.nearest == 0 ? settings.render.background
-                              : color_of_texel(sight.texel[0], sight.texel[1]);
+  const auto color = [&](const RayHits& hits) {
+    return hits.nearest == 0 ? settings.render.background
+                             : color_of_texel(hits.texel[0], hits.texel[1]);
   };
   std::size_t judged = 0, wrong = 0;
   for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
-    const auto in_left = left.sight(i), in_right = right.sight(i);
+    const auto in_left = left.hits(i), in_right = right.hits(i);
     if (!in_left || !in_right) continue;
     ++judged;
     const Rgba8 &found = shown.pixels[i], a = color(*in_left), b = color(*in_right);
@@ -94,26 +94,28 @@ ExtremeCase c76_depth_between_eyes() {
       .construction =
           "the forest as a red-cyan anaglyph in one colour buffer, window in its middle",
       .stage = "stereo",
-      .right = "the channels of the two eyes' own pictures, byte for byte (S0-05)",
+      .right_answer = "the channels of the two eyes' own pictures, byte for byte (S0-05)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"a depth buffer for each eye, both engines",
                [] {
-                 return worse_of(judge(masked(EngineKind::kStaged)),
-                                 judge(masked(EngineKind::kTile)));
+                 return worse_of(measure_error(masked(EngineKind::kStaged)),
+                                 measure_error(masked(EngineKind::kTile)));
                }},
-      .naive = {"depth not cleared between the eyes", [] { return judge(without_clearing()); }},
+      .naive = {"depth not cleared between the eyes",
+                [] { return measure_error(without_clearing()); }},
       .mutants = {{"colour cleared as well",
                    [] {
-                     return judge(naive::anaglyph_with_colour_cleared(eyes().right, kBackground));
+                     return measure_error(
+                         naive::anaglyph_with_colour_cleared(eyes().right, kBackground));
                    }},
                   {"the masks are exchanged",
                    [] {
-                     return judge(
+                     return measure_error(
                          make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask)
                              .value());
                    }}},
-      .drawn = judge_drawn,
+      .drawn = measure_drawn_error,
       .pictures = {{"naive", [] { return png_of(without_clearing()); }},
                    {"ours", [] { return png_of(masked(EngineKind::kTile)); }}},
   };

@@ -3,8 +3,8 @@
 
 #include <glassbox/images/stereo/anaglyph.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
@@ -38,7 +38,7 @@ Bytes exact_mix(const Rgba8& left, const Rgba8& right) {
 }
 
 // Tests all pairs of colours from the corners, edge midpoints and centre of the colour cube.
-Outcome judge(Mixes mixes, const AnaglyphMatrix& matrix) {
+Outcome measure_error(Mixes mixes, const AnaglyphMatrix& matrix) {
   std::int64_t worst = 0, wrong = 0, mixed = 0;
   std::string where;
   const std::uint8_t levels[] = {0, 128, 255};
@@ -130,48 +130,48 @@ AnaglyphMatrix with_misprint() {
 
 // A pair of pictures of cards in six strong colours, drawn and mixed in one run: each pixel must be
 // within a byte of the mix of the colours that are on each eye's own line of sight.
-Outcome judge_drawn(const Drawer& by) {
+Outcome measure_drawn_error(const TestedEngine& engine) {
   constexpr StereoPair kPair{0.3, 8};
   static const std::array<Rgba8, 6> colors{Rgba8{255, 0, 0, 255}, {0, 255, 0, 255},
                                            {0, 0, 255, 255},      {0, 255, 255, 255},
                                            {255, 0, 255, 255},    {128, 255, 0, 255}};
-  static const Vista cards = [] {
+  static const RayScene cards = [] {
     std::vector<EyeTriangle> triangles;
     for (int i = 0; i < 6; ++i) {
       const float z = -14 + 1.7f * float(i), x = float(i % 3 - 1) * 1.3f, y = float(i / 3) - 0.7f;
       triangles.push_back({Point<Eye>{x - 2, y - 1.2f, z}, {x + 2, y - 1.2f, z}, {x, y + 2, z}});
     }
-    Vista vista = vista_of(triangles, PerspectiveLens{0.7, 1, 30.0}, 64);
-    Mesh& mesh = vista.scene.meshes[0];
+    RayScene ray_scene = make_ray_scene(triangles, PerspectiveLens{0.7, 1, 30.0}, 64);
+    Mesh& mesh = ray_scene.scene.meshes[0];
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const auto [r, g, b] = linear_of(colors[i]);
       for (std::size_t k = 0; k < 3; ++k) mesh.corners[3 * i + k].color = std::uint32_t(i);
       mesh.colors.push_back({r, g, b, 1});
     }
-    vista.settings.transfer = Transfer::kSrgb;
-    return vista;
+    ray_scene.settings.transfer = Transfer::kSrgb;
+    return ray_scene;
   }();
-  static const SightDrawn left(seen_by(cards, kPair, Side::kLeft)),
-      right(seen_by(cards, kPair, Side::kRight));
+  static const RayCastReference left(eye_ray_scene(cards, kPair, Side::kLeft)),
+      right(eye_ray_scene(cards, kPair, Side::kRight));
   StereoSettings settings;
   settings.render = cards.settings;
   settings.render.want_id = false;
   const StereoRendering drawn =
-      by.renderer(cards.scene, Transfer::kSrgb).render_pair(cards.view, kPair, settings);
+      engine.renderer(cards.scene, Transfer::kSrgb).render_pair(cards.view, kPair, settings);
   const auto shown =
       make_anaglyph(drawn.left.color, drawn.right.color, AnaglyphMethod::kDubois).value();
-  const auto color = [&](const Sight& sight) {
-    return sight.nearest == 0 ? settings.render.background : colors[std::size_t(sight.nearest - 1)];
+  const auto color = [&](const RayHits& hits) {
+    return hits.nearest == 0 ? settings.render.background : colors[std::size_t(hits.nearest - 1)];
   };
-  Worst worst;
+  WorstError worst;
   bool clamped = false;
   for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
-    const auto in_left = left.sight(i), in_right = right.sight(i);
+    const auto in_left = left.hits(i), in_right = right.hits(i);
     if (!in_left || !in_right) continue;
     const Bytes exact = exact_mix(color(*in_left), color(*in_right));
     const Bytes found{shown.pixels[i].r, shown.pixels[i].g, shown.pixels[i].b};
     for (std::size_t k = 0; k < 3; ++k) {
-      worst.see(std::abs(int(found[k]) - int(exact[k])), 1);
+      worst.add(std::abs(int(found[k]) - int(exact[k])), 1);
       clamped = clamped || (exact[k] == 0 && in_left->nearest > 0);
     }
   }
@@ -190,20 +190,23 @@ ExtremeCase c77_dubois_negatives() {
       .name = "Dubois' negative numbers",
       .construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)",
       .stage = "anaglyph",
-      .right =
+      .right_answer =
           "mixed in linear light, clamped and encoded, to within one code, because the float sum "
           "may round to the next code. White stays 255",
       .unit = "bytes",
       .oracle = Oracle::kRational,
       .ours = {"in linear light, clamped after the matrix",
-               [] { return judge(pipeline_mix, dubois()); }},
-      .naive = {"on bytes, which wrap around", [] { return judge(wrapping_mix, dubois()); }},
-      .mutants = {{"negatives are not clamped", [] { return judge(unclamped_mix, dubois()); }},
-                  {"mixed without decoding", [] { return judge(gamma_mix, dubois()); }},
-                  {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
+               [] { return measure_error(pipeline_mix, dubois()); }},
+      .naive = {"on bytes, which wrap around",
+                [] { return measure_error(wrapping_mix, dubois()); }},
+      .mutants = {{"negatives are not clamped",
+                   [] { return measure_error(unclamped_mix, dubois()); }},
+                  {"mixed without decoding", [] { return measure_error(gamma_mix, dubois()); }},
+                  {"the matrix is transposed",
+                   [] { return measure_error(pipeline_mix, transposed()); }},
                   {"a misprint: -0.62 for -0.062",
-                   [] { return judge(pipeline_mix, with_misprint()); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_error(pipeline_mix, with_misprint()); }}},
+      .drawn = measure_drawn_error,
   };
 }
 

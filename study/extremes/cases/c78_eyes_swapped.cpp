@@ -1,9 +1,9 @@
 #include <glassbox/images/stereo/order.h>
 #include <glassbox/render/stereo/disparity.h>
 
-#include "study/extremes/kit/coverage.h"
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/coverage.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/stereo_scene.h"
 
 namespace glassbox::study {
 namespace c78 {
@@ -13,18 +13,18 @@ struct Drawn {
   Image<float> disparity;
 };
 
-Drawn room_by(const Drawer& drawer) {
-  const PairScene s = pair_scene("room", 0.03);
+Drawn room_by(const TestedEngine& engine) {
+  const StereoScene s = make_stereo_scene("room", 0.03);
   StereoSettings settings;
   settings.render.want_distance = true;
   const StereoRendering pair =
-      drawer.renderer(s.scene, settings.render.transfer).render_pair(s.centre, s.pair, settings);
+      engine.renderer(s.scene, settings.render.transfer).render_pair(s.centre, s.pair, settings);
   return {{pair.left.color, pair.right.color}, disparity_map(s.centre, s.pair, pair.left.distance)};
 }
 
 // The room drawn by the staged reference.
 const Drawn& room() {
-  static const Drawn drawn = room_by(drawers().front());
+  static const Drawn drawn = room_by(tested_engines().front());
   return drawn;
 }
 
@@ -42,10 +42,10 @@ Outcome outcome_of(const OrderEvidence& evidence) {
                       evidence.swapped)};
 }
 
-Outcome judge_pair(const Image<Rgba8>& left, const Image<Rgba8>& right) {
+Outcome measure_pair_error(const Image<Rgba8>& left, const Image<Rgba8>& right) {
   return outcome_of(pair_order(left, right, room().disparity).value());
 }
-Outcome judge_anaglyph(const Image<Rgba8>& anaglyph) {
+Outcome measure_anaglyph_error(const Image<Rgba8>& anaglyph) {
   return outcome_of(anaglyph_order(anaglyph, Glasses::kRedCyan, room().disparity).value());
 }
 
@@ -59,14 +59,14 @@ Image<Rgba8> red_and_blue_interchanged() {
   return picture;
 }
 
-Outcome judge_drawn(const Drawer& by) {
-  const Drawn drawn = room_by(by);
+Outcome measure_drawn_error(const TestedEngine& engine) {
+  const Drawn drawn = room_by(engine);
   return outcome_of(pair_order(drawn.eyes.left, drawn.eyes.right, drawn.disparity).value());
 }
 
-Outcome judge_ours() {
-  return worse_of(judge_pair(room().eyes.left, room().eyes.right),
-                  judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right)));
+Outcome measure_our_error() {
+  return worse_of(measure_pair_error(room().eyes.left, room().eyes.right),
+                  measure_anaglyph_error(anaglyph(room().eyes.left, room().eyes.right)));
 }
 
 }  // namespace c78
@@ -78,19 +78,21 @@ ExtremeCase c78_eyes_swapped() {
       .name = "Left and right pictures exchanged",
       .construction = "the room as a pair and as an anaglyph, with its disparity",
       .stage = "stereo",
-      .right =
+      .right_answer =
           "near objects are further left in the right eye's picture: at most a third of the "
           "textured windows fit better with the eyes exchanged",
       .unit = "of the windows",
       .oracle = Oracle::kProperty,
-      .ours = {"pair and anaglyph as drawn", judge_ours},
+      .ours = {"pair and anaglyph as drawn", measure_our_error},
       .naive = {"the pictures exchanged",
-                [] { return judge_pair(room().eyes.right, room().eyes.left); }},
+                [] { return measure_pair_error(room().eyes.right, room().eyes.left); }},
       .mutants = {{"the anaglyph's eyes exchanged",
-                   [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
+                   [] {
+                     return measure_anaglyph_error(anaglyph(room().eyes.right, room().eyes.left));
+                   }},
                   {"red and blue exchanged, as in BGR files",
-                   [] { return judge_anaglyph(red_and_blue_interchanged()); }}},
-      .drawn = judge_drawn,
+                   [] { return measure_anaglyph_error(red_and_blue_interchanged()); }}},
+      .drawn = measure_drawn_error,
       .pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},
                    {"naive", [] { return png_of(anaglyph(room().eyes.right, room().eyes.left)); }}},
   };

@@ -1,6 +1,6 @@
-#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax_budget.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
@@ -14,7 +14,7 @@ using Filter = std::function<double(double)>;
 // The window goes from 10 to 1, then back, 120 frames each. The parallax at infinity is
 // proportional to 1/f, so the result is the largest change of 1/f between two frames, as a share of
 // the whole step. A change in the wrong direction or beyond the goal counts as a jump.
-Outcome judge(const std::function<Filter()>& make) {
+Outcome measure_error(const std::function<Filter()>& make) {
   const Filter next = make();
   double worst = 0, backwards = 0;
   double last = 1 / next(10);
@@ -32,7 +32,7 @@ Outcome judge(const std::function<Filter()>& make) {
   // 1e-15 is the rounding error of 1/(1/f).
   const bool monotone = backwards <= 1e-15;
   return {monotone ? worst : std::max(worst, 1.0),
-          low_pass_share(kFrames) * (1 + 1e-12),
+          low_pass_weight(kFrames) * (1 + 1e-12),
           {},
           monotone ? fmt::format("{:.4f} of the step in one frame", worst)
                    : fmt::format("{:.4f} in one frame, {:.4f} in the wrong direction", worst,
@@ -49,22 +49,23 @@ ExtremeCase c79_window_step() {
       .construction =
           "the stereo window from 10 to 1, and back after 120 frames; a time constant of 15 frames",
       .stage = "stereo",
-      .right = "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))",
+      .right_answer =
+          "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))",
       .unit = "of the step per frame",
       .oracle = Oracle::kAnalytic,
       .ours = {"low-pass of 1/f",
                [] {
-                 return judge([] {
+                 return measure_error([] {
                    return [filter = WindowFilter(kFrames)](double f) mutable {
                      return filter.next(f);
                    };
                  });
                }},
       .naive = {"the window without smoothing",
-                [] { return judge([] { return [](double f) { return f; }; }); }},
+                [] { return measure_error([] { return [](double f) { return f; }; }); }},
       .mutants = {{"low-pass of f",
                    [] {
-                     return judge([] {
+                     return measure_error([] {
                        return [filter = naive::FilterOfDistance(kFrames)](double f) mutable {
                          return filter.next(f);
                        };
@@ -72,7 +73,7 @@ ExtremeCase c79_window_step() {
                    }},
                   {"a spring that overshoots",
                    [] {
-                     return judge([] {
+                     return measure_error([] {
                        return
                            [spring = naive::Spring()](double f) mutable { return spring.next(f); };
                      });

@@ -2,8 +2,8 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 
 namespace glassbox::study {
 namespace c80 {
@@ -36,7 +36,7 @@ const views::LayeredImage& row_of_samples() {
   return row;
 }
 
-Outcome judge(Warp warp) {
+Outcome measure_error(Warp warp) {
   const views::LayeredImage& row = row_of_samples();
   const views::LayerCamera to = layer_camera_of(second_eye());
   const Eigen::Matrix4d matrix = views::warp_matrix(to, row.camera);
@@ -112,15 +112,15 @@ ExtremeCase c80_layers_drift() {
           "the side and turned by 0.03 radian; the error is the distance of a drawn sample from "
           "its right place",
       .stage = "layers",
-      .right =
+      .right_answer =
           "1/16 px: 64 additions from one start to the next, each of which rounds x w and w by u "
           "at most: 2 * 64 * 2^-24 * 8192 px",
       .unit = "px",
       .oracle = Oracle::kExtended,
-      .ours = {"restarted every 64 px", [] { return judge(ours); }},
-      .naive = {"started once in each row", [] { return judge(never_anew); }},
-      .mutants = {{"restarted every 2048 px", [] { return judge(seldom_anew); }},
-                  {"restarted, except w", [] { return judge(without_w); }}},
+      .ours = {"restarted every 64 px", [] { return measure_error(ours); }},
+      .naive = {"started once in each row", [] { return measure_error(never_anew); }},
+      .mutants = {{"restarted every 2048 px", [] { return measure_error(seldom_anew); }},
+                  {"restarted, except w", [] { return measure_error(without_w); }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

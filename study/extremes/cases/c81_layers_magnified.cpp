@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 #include "study/naive/layers.h"
 
 namespace glassbox::study {
@@ -21,9 +21,9 @@ const views::LayeredImage& wall() {
 }
 
 // Counts the pixels that show nothing; `zoom` is F2/F1.
-using Holes = std::function<int(const views::LayerCamera& to, double zoom)>;
+using CountHoles = std::function<int(const views::LayerCamera& to, double zoom)>;
 
-Outcome judge(const Holes& holes) {
+Outcome measure_error(const CountHoles& holes) {
   int most = 0;
   std::string where = "none";
   const auto see = [&](const LayerEye& eye, double zoom, const char* by, int m) {
@@ -49,10 +49,10 @@ int ours(const views::LayerCamera& to, double) {
       std::ranges::count(drawn_layers(wall(), to, views::Splat::kProjected).depth.pixels, 0.0f));
 }
 
-Outcome judge_sides(const std::function<double(double zoom, double w)>& side) {
+Outcome measure_side_error(const std::function<double(double zoom, double w)>& side) {
   naive::SplatLoop loop;
   loop.side = side;
-  return judge([loop](const views::LayerCamera& to, double zoom) {
+  return measure_error([loop](const views::LayerCamera& to, double zoom) {
     return int(std::ranges::count(naive::splat(wall(), to, loop, zoom).depth.pixels, 0.0));
   });
 }
@@ -68,23 +68,24 @@ ExtremeCase c81_layers_magnified() {
           "64 x 64 samples of a wall, seen 1, 2 and 4 times as large: by an eye that moves nearer, "
           "and by a lens with a longer focal length",
       .stage = "layers",
-      .right =
+      .right_answer =
           "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per sample, a share "
           "of 1 - 1/m^2 are holes",
       .unit = "pixels",
       .oracle = Oracle::kAnalytic,
-      .ours = {"squares of the projected size", [] { return judge(ours); }},
+      .ours = {"squares of the projected size", [] { return measure_error(ours); }},
       .naive = {"one pixel per sample",
-                [] { return judge_sides([](double, double) { return 1.0; }); }},
+                [] { return measure_side_error([](double, double) { return 1.0; }); }},
       .mutants = {{"three pixels for every size",
-                   [] { return judge_sides([](double, double) { return 3.0; }); }},
+                   [] { return measure_side_error([](double, double) { return 3.0; }); }},
                   {"without the focal lengths",
                    [] {
-                     return judge_sides([](double, double w) { return std::max(1 / w, 1.0); });
+                     return measure_side_error(
+                         [](double, double w) { return std::max(1 / w, 1.0); });
                    }},
                   {"d2/d1 in place of d1/d2",
                    [] {
-                     return judge_sides(
+                     return measure_side_error(
                          [](double zoom, double w) { return std::max(zoom * w, 1.0); });
                    }}},
       .not_drawn = "views/layers warps the samples, without an engine",

@@ -1,7 +1,7 @@
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 #include "study/naive/layers.h"
 
 namespace glassbox::study {
@@ -88,7 +88,7 @@ Lattice lattice_of(const Move& move) {
 
 using Draw = std::function<Image<Rgba8>(const Lattice&)>;
 
-Outcome judge(const Draw& draw) {
+Outcome measure_error(const Draw& draw) {
   static const std::vector<Lattice> all = [] {
     std::vector<Lattice> made;
     for (const Move& move : moves()) made.push_back(lattice_of(move));
@@ -102,7 +102,7 @@ Outcome judge(const Draw& draw) {
       wrong += drawn.pixels[i] != lattice.right.pixels[i];
     }
   }
-  return wrong_of(wrong, pixels, fmt::format("pixels, of {} moves", all.size()));
+  return wrong_count_outcome(wrong, pixels, fmt::format("pixels, of {} moves", all.size()));
 }
 
 Image<Rgba8> in_order(const Lattice& lattice) {
@@ -161,15 +161,16 @@ ExtremeCase c82_layers_order() {
           "to 48 places: every sample falls on a pixel centre, and samples that fall on the same "
           "pixel are on one line",
       .stage = "layers",
-      .right = "the nearest sample of each pixel, without comparing depths (S1-11)",
+      .right_answer = "the nearest sample of each pixel, without comparing depths (S1-11)",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"occlusion-compatible order", [] { return judge(in_order); }},
-      .naive = {"the packed order", [] { return judge(as_packed); }},
+      .ours = {"occlusion-compatible order", [] { return measure_error(in_order); }},
+      .naive = {"the packed order", [] { return measure_error(as_packed); }},
       .mutants = {{"towards the epipole even if it is behind the camera",
-                   [] { return judge(without_sign); }},
-                  {"rows by the epipole, columns from the left", [] { return judge(rows_alone); }},
-                  {"front to back within a pixel", [] { return judge(front_to_back); }}},
+                   [] { return measure_error(without_sign); }},
+                  {"rows by the epipole, columns from the left",
+                   [] { return measure_error(rows_alone); }},
+                  {"front to back within a pixel", [] { return measure_error(front_to_back); }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

@@ -1,7 +1,7 @@
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 #include "study/naive/layers.h"
 
 namespace glassbox::study {
@@ -27,13 +27,13 @@ views::LayerCamera passed() {
       {.width = kSide, .height = kSide, .focal = 40, .near = 0.25, .at = {0, 0, -4}});
 }
 
-Outcome judge(const std::function<Image<Rgba8>()>& draw) {
+Outcome measure_error(const std::function<Image<Rgba8>()>& draw) {
   const Image<Rgba8> drawn = draw();
   const Eigen::Matrix4d warp = views::warp_matrix(passed(), cloud().camera);
   int wrong = 0, missing = 0, shown = 0;
   const auto warped = [&](std::uint32_t number) -> Eigen::Vector4d {
     const int x = int((number - 1) % kSide), y = int((number - 1) / kSide);
-    const auto depth = double(cloud().depth[cloud().first[cloud().place(x, y)]]);
+    const auto depth = double(cloud().depth[cloud().first[cloud().pixel_index(x, y)]]);
     return warp * Eigen::Vector4d(x + 0.5, y + 0.5, depth, 1);
   };
   for (const Rgba8& pixel : drawn.pixels) {
@@ -54,23 +54,24 @@ Outcome judge(const std::function<Image<Rgba8>()>& draw) {
     if (is_well_within(x) && is_well_within(y))
       missing += number_of_color(drawn.at(int(x), int(y))) == 0;
   }
-  return wrong_of(wrong + missing, shown, "pixels", fmt::format("; {} are missing", missing));
+  return wrong_count_outcome(wrong + missing, shown, "pixels",
+                             fmt::format("; {} are missing", missing));
 }
 
-Outcome judge_order(views::LayerOrder order) {
-  return judge(
+Outcome measure_order_error(views::LayerOrder order) {
+  return measure_error(
       [order] { return drawn_layers(cloud(), passed(), views::Splat::kPoint, order).color; });
 }
 
-Outcome judge_test(const std::function<bool(double z, double w)>& is_drawn,
-                   const std::function<double(double zoom, double w)>& side) {
+Outcome measure_test_error(const std::function<bool(double z, double w)>& is_drawn,
+                           const std::function<double(double zoom, double w)>& side) {
   naive::SplatLoop loop;
   loop.is_drawn = is_drawn;
   loop.side = side;
   // No depth buffer, as with an occlusion-compatible order: a depth buffer happens to hide samples
   // with z < 0.
   loop.compares_depth = false;
-  return judge([loop] { return naive::splat(cloud(), passed(), loop).color; });
+  return measure_error([loop] { return naive::splat(cloud(), passed(), loop).color; });
 }
 
 }  // namespace c83
@@ -84,27 +85,33 @@ ExtremeCase c83_layers_behind() {
       .construction =
           "4,096 samples 0.5 to 8 units in front of the first eye, and a second eye 4 units ahead",
       .stage = "layers",
-      .right = "samples with w <= 0 are not drawn, and all samples beyond the near plane are",
+      .right_answer =
+          "samples with w <= 0 are not drawn, and all samples beyond the near plane are",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"samples with w <= 0 are left out",
                [] {
-                 return worse_of(judge_order(views::LayerOrder::kDepth),
-                                 judge_order(views::LayerOrder::kOcclusion));
+                 return worse_of(measure_order_error(views::LayerOrder::kDepth),
+                                 measure_order_error(views::LayerOrder::kOcclusion));
                }},
       .naive = {"divided by w without a test",
-                [one_pixel] { return judge_test([](double, double) { return true; }, one_pixel); }},
-      .mutants =
-          {{"only the depth is tested",
-            [one_pixel] { return judge_test([](double z, double) { return z <= 1; }, one_pixel); }},
-           {"w >= -1",
-            [one_pixel] {
-              return judge_test([](double z, double w) { return w >= -1 && z <= 1; }, one_pixel);
-            }},
-           {"samples with a small positive w are left out too",
-            [one_pixel] {
-              return judge_test([](double z, double w) { return w >= 0.2 && z <= 1; }, one_pixel);
-            }}},
+                [one_pixel] {
+                  return measure_test_error([](double, double) { return true; }, one_pixel);
+                }},
+      .mutants = {{"only the depth is tested",
+                   [one_pixel] {
+                     return measure_test_error([](double z, double) { return z <= 1; }, one_pixel);
+                   }},
+                  {"w >= -1",
+                   [one_pixel] {
+                     return measure_test_error([](double z, double w) { return w >= -1 && z <= 1; },
+                                               one_pixel);
+                   }},
+                  {"samples with a small positive w are left out too",
+                   [one_pixel] {
+                     return measure_test_error(
+                         [](double z, double w) { return w >= 0.2 && z <= 1; }, one_pixel);
+                   }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

@@ -2,8 +2,8 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 #include "study/naive/layers.h"
 
 namespace glassbox::study {
@@ -23,7 +23,7 @@ std::vector<float> chain() {
   return depths;
 }
 
-Outcome judge(const Merge& merge) {
+Outcome measure_error(const Merge& merge) {
   std::vector<float> depths = chain();
   // Counted from the front, the right result is the first depth, the third, and so on.
   std::vector<float> right;
@@ -42,7 +42,8 @@ Outcome judge(const Merge& merge) {
     for (std::size_t i = depths.size(); i-- > 1;)
       std::swap(depths[i], depths[std::size_t(random.integer(0, int(i)))]);
   }
-  return wrong_of(wrong, kOrders, "orders", fmt::format("; {} to {} samples remain", least, most));
+  return wrong_count_outcome(wrong, kOrders, "orders",
+                             fmt::format("; {} to {} samples remain", least, most));
 }
 
 std::vector<float> ours(const std::vector<float>& depths, double epsilon) {
@@ -60,16 +61,18 @@ ExtremeCase c84_layers_merged() {
       .name = "A chain of near depths",
       .construction = "twelve samples of a pixel, each 0.9 epsilon behind the last, in 200 orders",
       .stage = "layers",
-      .right =
+      .right_answer =
           "the same samples for every order: from the front, each remaining sample absorbs those "
           "near to itself and no others, which leaves six",
       .unit = "orders",
       .oracle = Oracle::kProperty,
-      .ours = {"sorted, then merged from the front", [] { return judge(ours); }},
-      .naive = {"merged in the order of arrival", [] { return judge(naive::merged_as_they_come); }},
+      .ours = {"sorted, then merged from the front", [] { return measure_error(ours); }},
+      .naive = {"merged in the order of arrival",
+                [] { return measure_error(naive::merged_as_they_come); }},
       .mutants = {{"each compared with its neighbour",
-                   [] { return judge(naive::merged_along_the_chain); }},
-                  {"merged from the back", [] { return judge(naive::merged_from_behind); }}},
+                   [] { return measure_error(naive::merged_along_the_chain); }},
+                  {"merged from the back",
+                   [] { return measure_error(naive::merged_from_behind); }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

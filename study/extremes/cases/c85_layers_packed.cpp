@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/layers.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/layers.h"
 #include "study/naive/layers.h"
 
 namespace glassbox::study {
@@ -23,7 +23,7 @@ PixelLists lists(const std::function<int(int pixel)>& count) {
 using Pack = std::function<Packed(const PixelLists&)>;
 
 // Counts the pixels that do not have their own samples, or whose offsets are invalid.
-Outcome judge(const Pack& pack) {
+Outcome measure_error(const Pack& pack) {
   const std::vector<PixelLists> all{
       lists([](int) { return 0; }),        // no samples at all
       lists([](int i) { return i % 3; }),  // the first pixel is empty, and so is every third one
@@ -45,7 +45,7 @@ Outcome judge(const Pack& pack) {
                                                 pixels[i].begin(), pixels[i].end());
     }
   }
-  return wrong_of(wrong, int(all.size()) * kWidth * kHeight, "pixels");
+  return wrong_count_outcome(wrong, int(all.size()) * kWidth * kHeight, "pixels");
 }
 
 Packed ours(const PixelLists& pixels) {
@@ -70,15 +70,15 @@ ExtremeCase c85_layers_packed() {
           "6 images of 5 x 3 pixels with 0 to 1000 samples each, empty pixels first, last and "
           "everywhere",
       .stage = "layers",
-      .right = "each pixel has the samples that it was given, from back to front (S1-06)",
+      .right_answer = "each pixel has the samples that it was given, from back to front (S1-06)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"one offset for each pixel, and one more", [] { return judge(ours); }},
-      .naive = {"counts in a byte", [] { return judge(naive::packed_by_byte_counts); }},
+      .ours = {"one offset for each pixel, and one more", [] { return measure_error(ours); }},
+      .naive = {"counts in a byte", [] { return measure_error(naive::packed_by_byte_counts); }},
       .mutants = {{"empty pixels have no offset",
-                   [] { return judge(naive::packed_without_empty_pixels); }},
+                   [] { return measure_error(naive::packed_without_empty_pixels); }},
                   {"offsets of the last samples",
-                   [] { return judge(naive::packed_by_last_samples); }}},
+                   [] { return measure_error(naive::packed_by_last_samples); }}},
       .not_drawn = "views/layers warps the samples, without an engine",
   };
 }

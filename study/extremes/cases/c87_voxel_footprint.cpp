@@ -2,7 +2,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "views/voxels/footprint.h"
 
 namespace glassbox::study {
@@ -10,8 +10,9 @@ namespace c87 {
 
 using views::GridPicture;
 using views::Projected;
-using Visit = std::function<void(int, int)>;
-using FootprintOf = void (*)(const GridPicture& lens, const Projected& centre, const Visit& visit);
+using PixelVisitor = std::function<void(int, int)>;
+using FootprintOf = void (*)(const GridPicture& lens, const Projected& centre,
+                             const PixelVisitor& visit);
 
 constexpr int kSide = 64;  // in px
 
@@ -30,34 +31,34 @@ Box box_around(const GridPicture& lens, const Projected& centre) {
   return box;
 }
 
-void ours(const GridPicture& lens, const Projected& centre, const Visit& visit) {
+void ours(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   views::for_each_pixel(lens, centre, views::Footprint::kBox, visit);
 }
 
 // Visits the pixels first .. last of the box, limited to the picture.
-void visit_box(double left, double right, double top, double bottom, const Visit& visit) {
+void visit_box(double left, double right, double top, double bottom, const PixelVisitor& visit) {
   for (int y = std::max(0, int(top)); y <= std::min(kSide - 1, int(bottom)); ++y)
     for (int x = std::max(0, int(left)); x <= std::min(kSide - 1, int(right)); ++x) visit(x, y);
 }
 // Visits only pixels whose centres are in the box. If the box is between centres there are none,
 // and the deviation of no pixels is 0.
-void centres_alone(const GridPicture& lens, const Projected& centre, const Visit& visit) {
+void centres_alone(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   const Box box = box_around(lens, centre);
   visit_box(std::ceil(box.left - 0.5), std::floor(box.right - 0.5), std::ceil(box.top - 0.5),
             std::floor(box.bottom - 0.5), visit);
 }
 // Visits every pixel that the box touches, including pixels of neighbouring voxels.
-void all_touched(const GridPicture& lens, const Projected& centre, const Visit& visit) {
+void all_touched(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   const Box box = box_around(lens, centre);
   visit_box(std::floor(box.left), std::floor(box.right), std::floor(box.top),
             std::floor(box.bottom), visit);
 }
 // Uses the width of the voxel at its centre, although its corners are nearer and farther.
-void centre_alone(const GridPicture& lens, const Projected& centre, const Visit& visit) {
+void centre_alone(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   views::for_each_pixel(lens, centre, views::Footprint::kCentre, visit);
 }
 
-Outcome judge(FootprintOf footprint_of) {
+Outcome measure_error(FootprintOf footprint_of) {
   Random random(87);
   int wrong = 0, tried = 0, empty = 0;
   for (const double size : {0.1, 0.3, 1.0, 3.0, 10.0}) {
@@ -71,7 +72,7 @@ Outcome judge(FootprintOf footprint_of) {
       const GridPicture lens =
           views::grid_picture(grid, views::projection_of(camera), kSide, kSide);
       const Projected centre = views::centre_of(lens, {0, 0, 0});
-      const views::PixelOf middle = views::centre_pixel(centre, kSide, kSide);
+      const views::PixelPosition middle = views::centre_pixel(centre, kSide, kSide);
       Image<std::uint8_t> found(kSide, kSide, 0);
       footprint_of(lens, centre, [&](int x, int y) { found.at(x, y) = 1; });
       const Box box = box_around(lens, centre);
@@ -95,7 +96,7 @@ Outcome judge(FootprintOf footprint_of) {
       ++tried;
     }
   }
-  return wrong_of(wrong, tried, "voxels", fmt::format(", {} without a pixel", empty));
+  return wrong_count_outcome(wrong, tried, "voxels", fmt::format(", {} without a pixel", empty));
 }
 
 }  // namespace c87
@@ -107,16 +108,16 @@ ExtremeCase c87_voxel_footprint() {
       .name = "Voxels from a tenth of a pixel to ten",
       .construction = "cubes of 0.1, 0.3, 1, 3 and 10 px at 200 random places",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "the pixels whose centres are in the box around the projection, and the centre's pixel "
           "in any case: without pixels the deviation is 0, and everything would count as one "
           "colour",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"box, at least the centre's pixel", [] { return judge(ours); }},
-      .naive = {"pixels whose centres are in the box", [] { return judge(centres_alone); }},
-      .mutants = {{"all pixels that the box touches", [] { return judge(all_touched); }},
-                  {"only the centre's pixel", [] { return judge(centre_alone); }}},
+      .ours = {"box, at least the centre's pixel", [] { return measure_error(ours); }},
+      .naive = {"pixels whose centres are in the box", [] { return measure_error(centres_alone); }},
+      .mutants = {{"all pixels that the box touches", [] { return measure_error(all_touched); }},
+                  {"only the centre's pixel", [] { return measure_error(centre_alone); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

@@ -1,7 +1,7 @@
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/flatland.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
 
 namespace glassbox::study {
@@ -10,7 +10,7 @@ namespace c88 {
 constexpr int kWide = 8, kDeep = 5;
 
 FlatScene noisy(bool blank, double threshold) {
-  FlatScene flat = flatland(kWide, kWide, kDeep, {-1, 0, 1});
+  FlatScene flat = make_flat_scene(kWide, kWide, kDeep, {-1, 0, 1});
   Random random(88);
   for (views::CalibratedPicture& picture : flat.set.pictures) {
     picture.matte = {};
@@ -25,8 +25,8 @@ FlatScene noisy(bool blank, double threshold) {
 
 // With an infinite T, the first layer takes all pixels of the middle camera. The pixels that each
 // of the other cameras sees behind that layer are seen by this camera alone.
-Outcome judge(Colorer colored_by) {
-  std::vector<views::VoxelAt> wall;
+Outcome measure_error(Colorer colored_by) {
+  std::vector<views::VoxelPosition> wall;
   for (int y = 0; y < kWide; ++y)
     for (int x = 0; x < kWide; ++x) wall.push_back({x, y, 0});
   const int with_none = int(colored_by(noisy(false, 0)).size() + colored_by(noisy(true, 0)).size());
@@ -52,17 +52,18 @@ ExtremeCase c88_threshold_ends() {
       .construction =
           "noise and blank pictures of three cameras over 8 x 8 x 5 voxels, without masks",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "no deviation is below 0, so T = 0 colours nothing; every deviation is below infinity, "
           "so the first layer becomes a wall that hides the rest",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"sigma < T", [] { return judge(colored_by_ours); }},
-      .naive = {"sigma <= T", [] { return judge(plain<naive::PlainSweep{.below = false}>); }},
+      .ours = {"sigma < T", [] { return measure_error(colored_by_ours); }},
+      .naive = {"sigma <= T",
+                [] { return measure_error(plain<naive::PlainSweep{.below = false}>); }},
       .mutants = {{"coloured voxels hide nothing",
-                   [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
+                   [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }},
                   {"far layers first",
-                   [] { return judge(plain<naive::PlainSweep{.nearest_first = false}>); }}},
+                   [] { return measure_error(plain<naive::PlainSweep{.nearest_first = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

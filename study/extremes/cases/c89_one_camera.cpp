@@ -1,13 +1,13 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/flatland.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
 
 namespace glassbox::study {
 namespace c89 {
 
 // One camera always agrees with itself, and so do two cameras at the same place.
-Outcome judge(Colorer colored_by) {
-  FlatScene one = flatland(6, 1, 5, {0});
+Outcome measure_error(Colorer colored_by) {
+  FlatScene one = make_flat_scene(6, 1, 5, {0});
   paint(one, {{2, 0, 3}, {4, 0, 1}}, {200, 30, 20, 255});
   const int alone = int(colored_by(one).size());
   FlatScene twins = one;
@@ -35,18 +35,18 @@ ExtremeCase c89_one_camera() {
           "two voxels at different depths, seen by one camera, and by two cameras at the same "
           "place",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "fewer than two pictures give no voxel; two equal cameras give the first layer of the "
           "object and nothing behind it",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"two pictures at least", [] { return judge(colored_by_ours); }},
+      .ours = {"two pictures at least", [] { return measure_error(colored_by_ours); }},
       .naive = {"the deviation of one is 0",
-                [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
+                [] { return measure_error(plain<naive::PlainSweep{.least_views = 1}>); }},
       .mutants = {{"three pictures at least",
-                   [] { return judge(plain<naive::PlainSweep{.least_views = 3}>); }},
+                   [] { return measure_error(plain<naive::PlainSweep{.least_views = 3}>); }},
                   {"coloured voxels hide nothing",
-                   [] { return judge(plain<naive::PlainSweep{.hides = false}>); }}},
+                   [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

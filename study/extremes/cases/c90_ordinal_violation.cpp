@@ -1,7 +1,7 @@
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "views/voxels/traversal.h"
 
 namespace glassbox::study {
@@ -45,11 +45,11 @@ std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
   return direction;
 }
 // Uses only the first camera.
-std::optional<Vector3d> of_the_first(const Cameras& cameras) {
+std::optional<Vector3d> direction_of_first_camera(const Cameras& cameras) {
   return views::classify({cameras.front()}, kLow, kHigh).direction;
 }
 
-Outcome judge(OrderOf order_of) {
+Outcome measure_error(OrderOf order_of) {
   Random random(90);
   std::int64_t counterexamples = 0, tried = 0;
   int missed = 0;
@@ -101,17 +101,18 @@ ExtremeCase c90_ordinal_violation() {
           "rings of 16 cameras around, above and below a box, and 40 sets of 6 beyond a plane that "
           "may cut it; points P on the way from a camera to Q, both in the box",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "if an order is claimed, P comes before Q: a plane has all cameras on one side and the "
           "box on the other (S1-15); for a ring around the box there is no order",
       .unit = "pairs and orders",
       .oracle = Oracle::kProperty,
       .ours = {"a plane in between, checked at every camera and corner",
-               [] { return judge(by_classes); }},
-      .naive = {"away from the centre of the cameras", [] { return judge(whatever); }},
+               [] { return measure_error(by_classes); }},
+      .naive = {"away from the centre of the cameras", [] { return measure_error(whatever); }},
       .mutants = {{"only the centre of the box is checked, not its corners",
-                   [] { return judge(before_the_middle); }},
-                  {"only the first camera is checked", [] { return judge(of_the_first); }}},
+                   [] { return measure_error(before_the_middle); }},
+                  {"only the first camera is checked",
+                   [] { return measure_error(direction_of_first_camera); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/flatland.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
 
 namespace glassbox::study {
@@ -8,9 +8,10 @@ namespace c91 {
 constexpr Rgba8 kRed{200, 30, 20, 255};
 
 // Two red voxels side by side look the same as two voxels one behind the other, between them.
-Outcome judge(Colorer colored_by) {
-  const std::vector<views::VoxelAt> beside{{3, 0, 2}, {5, 0, 2}}, nearer{{4, 0, 1}, {4, 0, 3}};
-  FlatScene flat = flatland(10, 1, 6, {-1, 1}), other = flat;
+Outcome measure_error(Colorer colored_by) {
+  const std::vector<views::VoxelPosition> beside{{3, 0, 2}, {5, 0, 2}},
+      nearer{{4, 0, 1}, {4, 0, 3}};
+  FlatScene flat = make_flat_scene(10, 1, 6, {-1, 1}), other = flat;
   paint(flat, beside, kRed);
   paint(other, nearer, kRed);
   int pixels = 0;
@@ -25,7 +26,7 @@ Outcome judge(Colorer colored_by) {
   differ(flat, other);
   const naive::VoxelKeys found = colored_by(flat);
   // Draws the scene that was found and compares the pictures.
-  FlatScene again = flatland(10, 1, 6, {-1, 1});
+  FlatScene again = make_flat_scene(10, 1, 6, {-1, 1});
   for (int z = 0; z < 6; ++z)
     for (int x = 0; x < 10; ++x)
       if (found.contains(views::key_of({x, 0, z}))) paint(again, {{x, 0, z}}, kRed);
@@ -52,18 +53,18 @@ ExtremeCase c91_two_scenes() {
           "two voxels of one colour side by side, and two behind each other between them, seen by "
           "cameras of slopes -1 and 1",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "both scenes give the same pictures; the result is the scene whose voxels are nearest to "
           "the cameras (S1-17), and it gives these pictures again",
       .unit = "pixels and voxels",
       .oracle = Oracle::kInteger,
-      .ours = {"nearest layers first", [] { return judge(colored_by_ours); }},
+      .ours = {"nearest layers first", [] { return measure_error(colored_by_ours); }},
       .naive = {"coloured voxels hide nothing",
-                [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
+                [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }},
       .mutants = {{"one picture is enough",
-                   [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
+                   [] { return measure_error(plain<naive::PlainSweep{.least_views = 1}>); }},
                   {"the background is a colour like any other",
-                   [] { return judge(plain<naive::PlainSweep{.asks_masks = false}>); }}},
+                   [] { return measure_error(plain<naive::PlainSweep{.asks_masks = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

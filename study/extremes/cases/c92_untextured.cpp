@@ -1,5 +1,5 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/flatland.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
 
 namespace glassbox::study {
@@ -8,8 +8,8 @@ namespace c92 {
 constexpr int kSide = 40, kDepth = 30;
 
 FlatScene disc() {
-  FlatScene flat = flatland(kSide, 1, kDepth, {-1, 1});
-  std::vector<views::VoxelAt> voxels;
+  FlatScene flat = make_flat_scene(kSide, 1, kDepth, {-1, 1});
+  std::vector<views::VoxelPosition> voxels;
   for (int z = 0; z < kDepth; ++z) {
     for (int x = 0; x < kSide; ++x) {
       const double dx = x - 19.5, dz = z - 14.5;
@@ -17,7 +17,7 @@ FlatScene disc() {
     }
   }
   paint(flat, voxels, {20, 40, 220, 255});
-  flat.request.settings.alone = views::Alone::kKeep;
+  flat.request.settings.alone = views::SingleViewPolicy::kKeep;
   return flat;
 }
 
@@ -46,11 +46,11 @@ naive::VoxelKeys photo_hull(const FlatScene& flat) {
   return hull;
 }
 
-Outcome judge(Colorer colored_by) {
+Outcome measure_error(Colorer colored_by) {
   const FlatScene flat = disc();
   const naive::VoxelKeys hull = photo_hull(flat);
-  return wrong_of(differing(colored_by(flat), hull), int(hull.size()),
-                  "voxels of the hull's surface");
+  return wrong_count_outcome(differing(colored_by(flat), hull), int(hull.size()),
+                             "voxels of the hull's surface");
 }
 
 template <naive::PlainSweep kWay>
@@ -67,23 +67,26 @@ ExtremeCase c92_untextured() {
       .name = "An object of one colour",
       .construction = "a disc with a radius of 8 voxels, seen by cameras of slopes -1 and 1",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "it bulges towards the cameras as far as its photo hull (S1-32): the nearest part of the "
           "diamond that both outlines leave",
       .unit = "voxels",
       .oracle = Oracle::kAnalytic,
       .ours = {"voxel colouring that keeps voxels seen in one picture",
-               [] { return judge(colored_by_ours); }},
+               [] { return measure_error(colored_by_ours); }},
       .naive = {"everything that both pictures allow: the whole hull",
-                [] { return judge(plain<naive::PlainSweep{.hides = false, .least_views = 1}>); }},
+                [] {
+                  return measure_error(plain<naive::PlainSweep{.hides = false, .least_views = 1}>);
+                }},
       .mutants = {{"far layers first",
                    [] {
-                     return judge(
+                     return measure_error(
                          plain<naive::PlainSweep{.nearest_first = false, .least_views = 1}>);
                    }},
                   {"the background is a colour like any other",
                    [] {
-                     return judge(plain<naive::PlainSweep{.asks_masks = false, .least_views = 1}>);
+                     return measure_error(
+                         plain<naive::PlainSweep{.asks_masks = false, .least_views = 1}>);
                    }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };

@@ -1,6 +1,6 @@
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "views/voxels/statistics.h"
 
 namespace glassbox::study {
@@ -16,7 +16,7 @@ double by_welford(const std::vector<double>& numbers) {
 }
 // E[x^2] - E[x]^2: two numbers of 62500 whose difference is 3e-5.
 template <class T>
-double of_two_means(const std::vector<double>& numbers) {
+double variance_by_two_means(const std::vector<double>& numbers) {
   T sum = 0, squares = 0;
   for (const double x : numbers) {
     sum += T(x);
@@ -35,8 +35,8 @@ double by_the_new_mean(const std::vector<double>& numbers) {
   return squares / (kCount - 1);
 }
 
-Outcome judge(VarianceOf variance_of) {
-  Worst worst;
+Outcome measure_error(VarianceOf variance_of) {
+  WorstError worst;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     std::vector<double> numbers;
@@ -48,7 +48,7 @@ Outcome judge(VarianceOf variance_of) {
     // The bound n u kappa, with kappa = sqrt(1 + (mean / sigma)^2), see Chan, Golub and LeVeque
     // 1983.
     const double kappa = std::sqrt(1 + 250 * 250 / right);
-    worst.see(std::abs(variance_of(numbers) - right) / right, kCount * 0x1p-53 * kappa,
+    worst.add(std::abs(variance_of(numbers) - right) / right, kCount * 0x1p-53 * kappa,
               fmt::format("seed {}", seed), kappa);
   }
   return worst.outcome();
@@ -63,13 +63,16 @@ ExtremeCase c93_variance() {
       .name = "The deviation of bright colours",
       .construction = "20 times 1000 numbers within 0.01 of 250",
       .stage = "voxels",
-      .right = "the variance, to n u kappa, kappa = mean / sigma (Chan, Golub and LeVeque 1983)",
+      .right_answer =
+          "the variance, to n u kappa, kappa = mean / sigma (Chan, Golub and LeVeque 1983)",
       .unit = "relative",
       .oracle = Oracle::kExtended,
-      .ours = {"Welford", [] { return judge(by_welford); }},
-      .naive = {"E[x^2] - E[x]^2 in float", [] { return judge(of_two_means<float>); }},
-      .mutants = {{"the same in double", [] { return judge(of_two_means<double>); }},
-                  {"the new mean on both sides", [] { return judge(by_the_new_mean); }}},
+      .ours = {"Welford", [] { return measure_error(by_welford); }},
+      .naive = {"E[x^2] - E[x]^2 in float",
+                [] { return measure_error(variance_by_two_means<float>); }},
+      .mutants = {{"the same in double",
+                   [] { return measure_error(variance_by_two_means<double>); }},
+                  {"the new mean on both sides", [] { return measure_error(by_the_new_mean); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

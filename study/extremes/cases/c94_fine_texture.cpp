@@ -1,13 +1,13 @@
-#include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/flatland.h"
+#include "study/extremes/common/extreme_case.h"
+#include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
 
 namespace glassbox::study {
 namespace c94 {
 
 // A wall of voxels, each of which covers two by two pixels of a checkerboard.
-Outcome judge(const views::ColoringSettings& asked) {
-  FlatScene flat = flatland(16, 16, 4, {-2, 0, 2});
+Outcome measure_error(const views::ColoringSettings& asked) {
+  FlatScene flat = make_flat_scene(16, 16, 4, {-2, 0, 2});
   for (views::CalibratedPicture& picture : flat.set.pictures) {
     picture.matte = {};
     for (int y = 0; y < picture.color.height; ++y)
@@ -19,16 +19,16 @@ Outcome judge(const views::ColoringSettings& asked) {
   settings = asked;
   settings.sampled = settings.hidden = views::Footprint::kBox;
   settings.threads = 1;
-  std::vector<views::VoxelAt> wall;
+  std::vector<views::VoxelPosition> wall;
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) wall.push_back({x, y, 0});
   const naive::VoxelKeys first = keys_of(wall);
   const auto coloring = views::color_voxels(flat.set, flat.request);
-  if (!coloring) return wrong_of(64, 64, "voxels of the wall");
+  if (!coloring) return wrong_count_outcome(64, 64, "voxels of the wall");
   naive::VoxelKeys found;
   for (const views::ColoredVoxel& voxel : coloring->voxels)
     if (voxel.at.z == 0) found.insert(views::key_of(voxel.at));
-  return wrong_of(differing(found, first), 64, "voxels of the wall");
+  return wrong_count_outcome(differing(found, first), 64, "voxels of the wall");
 }
 
 views::ColoringSettings fixed(double threshold) {
@@ -54,15 +54,15 @@ ExtremeCase c94_fine_texture() {
       .construction =
           "a wall of 8 x 8 voxels, each of 2 x 2 pixels of a checker board, seen by three cameras",
       .stage = "voxels",
-      .right =
+      .right_answer =
           "the wall is found: the colours of a voxel deviate within a picture as much as between "
           "pictures (S1-34)",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"sigma < M + 10", [] { return judge(adaptive(1)); }},
-      .naive = {"sigma < 40", [] { return judge(fixed(40)); }},
-      .mutants = {{"sigma < 100", [] { return judge(fixed(100)); }},
-                  {"half of M", [] { return judge(adaptive(0.5)); }}},
+      .ours = {"sigma < M + 10", [] { return measure_error(adaptive(1)); }},
+      .naive = {"sigma < 40", [] { return measure_error(fixed(40)); }},
+      .mutants = {{"sigma < 100", [] { return measure_error(fixed(100)); }},
+                  {"half of M", [] { return measure_error(adaptive(0.5)); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

@@ -2,7 +2,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/polygons.h"
 #include "views/polygons/mesh_check.h"
 
@@ -24,11 +24,11 @@ ScalarField beside_its_opposite() {
   return field;
 }
 
-Outcome judge(const Surface& surface) {
+Outcome measure_error(const Surface& surface) {
   std::int64_t wrong = 0, edges = 0, odd = 0;
   const auto see = [&](const ScalarField& field) {
     const views::MeshCheck check = views::check_mesh(surface(field));
-    wrong += check.holes + check.crowded + check.turned;
+    wrong += check.holes + check.non_manifold_edges + check.misoriented_edges;
     odd += check.euler % 2 != 0;
     edges += check.edges;
   };
@@ -45,8 +45,9 @@ Outcome judge(const Surface& surface) {
                                   wrong, edges, odd));
 }
 
-Outcome judge_table(const views::CellTable& table) {
-  return judge([&](const ScalarField& field) { return views::polygonise_by(table, field, 0); });
+Outcome measure_table_error(const views::CellTable& table) {
+  return measure_error(
+      [&](const ScalarField& field) { return views::polygonise_with(table, field, 0); });
 }
 
 }  // namespace c95
@@ -60,22 +61,23 @@ ExtremeCase c95_ambiguous_faces() {
           "two cells that share a face with two opposite corners inside, where one cell has two "
           "corners inside and the other six; 400 random fields of 4 x 4 x 4",
       .stage = "polygons",
-      .right = "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
+      .right_answer =
+          "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
       .unit = "edges",
       .oracle = Oracle::kProperty,
       .ours = {"one rule for each face",
                [] {
-                 return judge([](const ScalarField& field) {
+                 return measure_error([](const ScalarField& field) {
                    return views::polygonise(field, 0, views::Polygoniser::kConsistent);
                  });
                }},
-      .naive = {"fifteen cases", [] { return judge_table(views::naive_table()); }},
+      .naive = {"fifteen cases", [] { return measure_table_error(views::naive_table()); }},
       .mutants = {{"complementary cases are not reversed",
-                   [] { return judge_table(naive::table_of_opposites_not_turned()); }},
+                   [] { return measure_table_error(naive::table_of_opposites_not_turned()); }},
                   {"one rule for low faces, another for high ones",
-                   [] { return judge_table(naive::table_by_sides()); }},
+                   [] { return measure_table_error(naive::table_by_sides()); }},
                   {"fans whose diagonals are on faces",
-                   [] { return judge_table(naive::table_of_fans()); }}},
+                   [] { return measure_table_error(naive::table_of_fans()); }}},
       .not_drawn = "views/polygons makes the surface, without an engine",
   };
 }

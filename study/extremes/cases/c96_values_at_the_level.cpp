@@ -2,7 +2,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/polygons.h"
 #include "views/polygons/mesh_check.h"
 
@@ -13,7 +13,7 @@ using views::PolygonMesh;
 using views::ScalarField;
 using Surface = std::function<PolygonMesh(const ScalarField& field, double level)>;
 
-Outcome judge(const Surface& surface) {
+Outcome measure_error(const Surface& surface) {
   std::int64_t degenerate = 0, duplicates = 0, open = 0, triangles = 0, pinched = 0;
   Random random(96);
   for (int i = 0; i < 300; ++i) {
@@ -24,7 +24,7 @@ Outcome judge(const Surface& surface) {
     const views::MeshCheck check = views::check_mesh(mesh);
     degenerate += check.degenerate;
     duplicates += check.duplicates;
-    open += check.holes + check.crowded + check.turned;
+    open += check.holes + check.non_manifold_edges + check.misoriented_edges;
     pinched += check.pinched;
     triangles += std::int64_t(mesh.polygons.size());
   }
@@ -47,27 +47,28 @@ ExtremeCase c96_values_at_the_level() {
       .name = "Corners at the level itself",
       .construction = "300 fields of 4 x 4 x 4 whole numbers from -2 to 2, cut at -1, 0 or 1",
       .stage = "polygons",
-      .right =
+      .right_answer =
           "no triangle without area, no corner twice, and a closed surface: a value at the level "
           "counts as infinitely little above it, and corners keep away from those of the lattice",
       .unit = "triangles, corners and edges",
       .oracle = Oracle::kProperty,
-      .ours = {"values at the level are perturbed symbolically", [] { return judge(ours); }},
+      .ours = {"values at the level are perturbed symbolically",
+               [] { return measure_error(ours); }},
       .naive = {"corners placed exactly where the value is the level",
                 [] {
-                  return judge([](const ScalarField& field, double level) {
+                  return measure_error([](const ScalarField& field, double level) {
                     return naive::placed_exactly(ours(field, level), field, level);
                   });
                 }},
       .mutants = {{"the level moved by 1e-17, which rounding undoes",
                    [] {
-                     return judge([](const ScalarField& field, double level) {
+                     return measure_error([](const ScalarField& field, double level) {
                        return naive::placed_exactly(ours(field, level), field, level - 1e-17);
                      });
                    }},
                   {"corners at the same place merged",
                    [] {
-                     return judge([](const ScalarField& field, double level) {
+                     return measure_error([](const ScalarField& field, double level) {
                        return naive::welded(
                            naive::placed_exactly(ours(field, level), field, level));
                      });

@@ -2,7 +2,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/polygons.h"
 
 namespace glassbox::study {
@@ -36,7 +36,7 @@ Corners3d any_triangle(Random& random) {
 // Applies the same edits to `layers`, and counts the pixels that differ from a layered image built
 // from the remaining polygons.
 template <typename Layers>
-Outcome judge(Layers layers) {
+Outcome measure_error(Layers layers) {
   Random random(97);
   std::map<PolygonId, Corners3d> there;
   for (int edit = 0; edit < kEdits; ++edit) {
@@ -58,12 +58,13 @@ Outcome judge(Layers layers) {
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) wrong += layers.samples({x, y}) != rebuilt.samples({x, y});
   }
-  return wrong_of(wrong, kSide * kSide, "pixels",
-                  fmt::format("; {} samples of {} polygons", rebuilt.sample_count(), there.size()));
+  return wrong_count_outcome(
+      wrong, kSide * kSide, "pixels",
+      fmt::format("; {} samples of {} polygons", rebuilt.sample_count(), there.size()));
 }
 
-Outcome judge_naive(const naive::PixelList& rule) {
-  return judge(naive::NaiveIdLayers(kSide, kSide, rule));
+Outcome measure_naive_error(const naive::PixelList& rule) {
+  return measure_error(naive::NaiveIdLayers(kSide, kSide, rule));
 }
 
 }  // namespace c97
@@ -77,18 +78,20 @@ ExtremeCase c97_polygons_come_and_go() {
           "100,000 times, one of 300 polygons is added to a layered image of 32 x 32 or removed "
           "from it; a third of them are in one plane",
       .stage = "polygons",
-      .right = "bit for bit the layered image that is built from the remaining polygons (S1-39)",
+      .right_answer =
+          "bit for bit the layered image that is built from the remaining polygons (S1-39)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"lists by distance, then by number",
-               [] { return judge(views::IdLayers(kSide, kSide)); }},
+               [] { return measure_error(views::IdLayers(kSide, kSide)); }},
       .naive = {"the nearest polygon of each pixel",
-                [] { return judge_naive({.keeps_all = false}); }},
+                [] { return measure_naive_error({.keeps_all = false}); }},
       .mutants = {{"hidden polygons are not removed",
-                   [] { return judge_naive({.deletes_behind = false}); }},
+                   [] { return measure_naive_error({.deletes_behind = false}); }},
                   {"among equally far polygons the last is in front",
-                   [] { return judge_naive({.breaks_ties_by_id = false}); }},
-                  {"in the order of insertion", [] { return judge_naive({.sorts = false}); }}},
+                   [] { return measure_naive_error({.breaks_ties_by_id = false}); }},
+                  {"in the order of insertion",
+                   [] { return measure_naive_error({.sorts = false}); }}},
       .not_drawn = "views/polygons draws the polygons, without an engine",
   };
 }

@@ -4,7 +4,7 @@
 
 #include <glassbox/base/random.h>
 
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "views/texture/view_blend.h"
 
 namespace glassbox::study {
@@ -13,8 +13,8 @@ namespace c98 {
 using views::Vector3d;
 using views::ViewBlend;
 using views::ViewWeights;
-using Sees = std::function<bool(std::size_t view)>;
-using Weights = std::function<ViewWeights(const Vector3d& direction, const Sees& sees)>;
+using VisibilityTest = std::function<bool(std::size_t view)>;
+using Weights = std::function<ViewWeights(const Vector3d& direction, const VisibilityTest& sees)>;
 
 // The corners of an octahedron and the centres of its faces: directions on the sides of the
 // triangles are exact.
@@ -56,9 +56,9 @@ std::vector<Vector3d> asked(Random& random) {
 // Four rounding errors for each of at most three weights, and those of their sums.
 constexpr double kBound = 0x1p-50;
 
-Outcome judge(const Weights& weights) {
+Outcome measure_error(const Weights& weights) {
   Random random(98);
-  Worst worst;
+  WorstError worst;
   for (const Vector3d& direction : asked(random)) {
     for (const int share : {1, 2, 4, 8, 1000}) {  // one of this many views sees the polygon
       std::vector<bool> seen(directions().size());
@@ -73,7 +73,7 @@ Outcome judge(const Weights& weights) {
       }
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
       if (std::isnan(sum)) error = sum;
-      worst.see(error, kBound,
+      worst.add(error, kBound,
                 fmt::format("the weights add up to {:.6g} where {} of {} views see the polygon",
                             sum, std::ranges::count(seen, true), seen.size()));
     }
@@ -81,8 +81,8 @@ Outcome judge(const Weights& weights) {
   return worst.outcome();
 }
 
-ViewWeights ours(const Vector3d& direction, const Sees& sees) {
-  return blend().from(direction).weights(sees);
+ViewWeights ours(const Vector3d& direction, const VisibilityTest& sees) {
+  return blend().from_direction(direction).weights(sees);
 }
 
 // The steps of the method; each can be left out.
@@ -90,7 +90,7 @@ struct Steps {
   bool leaves_out_unseen = true, divides = true, falls_back = true, has_empty_sum = false;
 };
 
-ViewWeights by_steps(const Vector3d& direction, const Sees& sees, const Steps& steps) {
+ViewWeights by_steps(const Vector3d& direction, const VisibilityTest& sees, const Steps& steps) {
   ViewWeights weights = blend().sphere().weights(direction);
   double sum = 0;
   for (views::ViewWeight& each : weights) {
@@ -106,8 +106,8 @@ ViewWeights by_steps(const Vector3d& direction, const Sees& sees, const Steps& s
   return weights;
 }
 
-Outcome judge_steps(const Steps& steps) {
-  return judge([steps](const Vector3d& direction, const Sees& sees) {
+Outcome measure_step_error(const Steps& steps) {
+  return measure_error([steps](const Vector3d& direction, const VisibilityTest& sees) {
     return by_steps(direction, sees, steps);
   });
 }
@@ -123,21 +123,22 @@ ExtremeCase c98_views_that_see_nothing() {
           "14 views; directions of these views, on the sides of their triangles and inside; "
           "polygons that all, some or none of the views see",
       .stage = "texture",
-      .right =
+      .right_answer =
           "only views that see the polygon have weights, none below 0, with the sum 1; there are "
           "no weights if no view sees it (S1-40)",
       .unit = "weight",
       .oracle = Oracle::kAnalytic,
       .ours = {"views left out, weights divided by their sum, else the nearest view that sees the "
                "polygon",
-               [] { return judge(ours); }},
+               [] { return measure_error(ours); }},
       .naive = {"divided by the sum of the remaining weights, without a test",
-                [] { return judge_steps({.has_empty_sum = true}); }},
-      .mutants = {{"not divided by the new sum", [] { return judge_steps({.divides = false}); }},
+                [] { return measure_step_error({.has_empty_sum = true}); }},
+      .mutants = {{"not divided by the new sum",
+                   [] { return measure_step_error({.divides = false}); }},
                   {"views that do not see it keep their weights",
-                   [] { return judge_steps({.leaves_out_unseen = false}); }},
+                   [] { return measure_step_error({.leaves_out_unseen = false}); }},
                   {"no other view instead of the three",
-                   [] { return judge_steps({.falls_back = false}); }}},
+                   [] { return measure_step_error({.falls_back = false}); }}},
       .not_drawn = "views/texture computes the weights, without an engine",
   };
 }

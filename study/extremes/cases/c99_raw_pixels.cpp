@@ -1,4 +1,4 @@
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/common/extreme_case.h"
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/refinement.h"
@@ -26,7 +26,7 @@ double mean_distance(const views::Matrix3d& estimate, const views::Matches& clea
 }
 
 // Averages over all pairs, compared with what the best estimate from the same matches gives.
-Outcome judge(Estimator estimator) {
+Outcome measure_error(Estimator estimator) {
   Random random(99);
   double error = 0, best = 0, condition = 0;
   for (int i = 0; i < kPairs; ++i) {
@@ -55,18 +55,18 @@ ExtremeCase c99_raw_pixels() {
       .name = "Eight points in pixels",
       .construction = "60 pairs of cameras of 640 x 480, 20 matches with a noise of 1/2 px",
       .stage = "two views",
-      .right =
+      .right_answer =
           "normalised points (Hartley 1997): the distance from the true points to the epipolar "
           "lines is at most twice that of the estimate that minimises Sampson's distance for the "
           "same matches; the condition number is that of the raw system",
       .unit = "px",
       .oracle = Oracle::kProperty,
-      .ours = {"normalised points", [] { return judge(by_normalised_points); }},
-      .naive = {"pixels as they are", [] { return judge(naive::fundamental_raw); }},
+      .ours = {"normalised points", [] { return measure_error(by_normalised_points); }},
+      .naive = {"pixels as they are", [] { return measure_error(naive::fundamental_raw); }},
       .mutants = {{"transformed back with the two matrices exchanged",
-                   [] { return judge(naive::fundamental_carried_back_crosswise); }},
+                   [] { return measure_error(naive::fundamental_carried_back_crosswise); }},
                   {"not transformed back",
-                   [] { return judge(naive::fundamental_not_carried_back); }}},
+                   [] { return measure_error(naive::fundamental_not_carried_back); }}},
       .not_drawn = "the result is an estimate from matches, which no engine draws",
   };
 }

@@ -16,7 +16,7 @@ namespace glassbox::study {
 
 using ClipTriangle = std::array<ClipVertex, 3>;
 using Outline = naive::Outline;
-using Clips = Outline (*)(const ClipTriangle&, std::span<const ClipPlane>);
+using ClipFunction = Outline (*)(const ClipTriangle&, std::span<const ClipPlane>);
 
 inline ClipTriangle clip_corners(const Point<Clip>& a, const Point<Clip>& b, const Point<Clip>& c) {
   return {ClipVertex{a, {1, 0, 0}}, ClipVertex{b, {0, 1, 0}}, ClipVertex{c, {0, 0, 1}}};

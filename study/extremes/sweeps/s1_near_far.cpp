@@ -3,7 +3,7 @@
 
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/kit/depth.h"
+#include "study/extremes/common/depth.h"
 #include "study/extremes/sweep.h"
 
 namespace glassbox::study {

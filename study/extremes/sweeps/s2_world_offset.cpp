@@ -17,12 +17,12 @@ namespace s2 {
 
 // An object a few units large is `offset` away from the origin of the world; the eye looks at it
 // from a distance of five units.
-struct Place {
+struct OffsetScene {
   double offset;
   Transform<World, Object> world_from_object;
   Transform<Eye, World> eye_from_world;
 };
-Place place_at(double offset) {
+OffsetScene scene_at_offset(double offset) {
   const Point<World, double> at(offset, offset / 2, -offset / 4);
   return {offset, translate<World, Object>(at - Point<World, double>(0, 0, 0)),
           look_at({at.x + 3, at.y + 0.0, at.z + 4}, at, {0, 1, 0}).value()};
@@ -31,10 +31,10 @@ Place place_at(double offset) {
 using LongVector = glm::vec<3, long double>;
 
 // Computes with the numbers of the matrices in 64 bits of mantissa: right to 2^-60 of the offset.
-LongVector exactly(const Place& place, const Point<Object>& p) {
+LongVector exactly(const OffsetScene& scene, const Point<Object>& p) {
   LongVector eye(0);
-  const auto& m = place.eye_from_world;
-  const auto& w = place.world_from_object;
+  const auto& m = scene.eye_from_world;
+  const auto& w = scene.world_from_object;
   const LongVector world(static_cast<long double>(p.x) + static_cast<long double>(w.at(0, 3)),
                          static_cast<long double>(p.y) + static_cast<long double>(w.at(1, 3)),
                          static_cast<long double>(p.z) + static_cast<long double>(w.at(2, 3)));
@@ -45,15 +45,15 @@ LongVector exactly(const Place& place, const Point<Object>& p) {
   return eye;
 }
 
-struct Computed {
+struct PositionWithBound {
   glm::dvec3 position, bound;
 };
 
 // World positions in float, and the eye's translation inside a float matrix.
-Computed in_float(const Place& place, const Point<Object>& p) {
+PositionWithBound in_float(const OffsetScene& scene, const Point<Object>& p) {
   const double u = double(unit_roundoff<float>);
-  const auto world_from_object = round_to_float(place.world_from_object);
-  const auto eye_from_world = round_to_float(place.eye_from_world);
+  const auto world_from_object = round_to_float(scene.world_from_object);
+  const auto eye_from_world = round_to_float(scene.eye_from_world);
   const Point<World> world = world_from_object * p;
   const Point<Eye> eye = eye_from_world * world;
   const glm::dvec4 world_bound =
@@ -61,43 +61,43 @@ Computed in_float(const Place& place, const Point<Object>& p) {
       2 * u * glm::abs(glm::dvec4(world.x, world.y, world.z, 0));
   const glm::dvec4 bound =
       transform_bound(eye_from_world.columns, {world.x, world.y, world.z, 1}, world_bound,
-                      rounding_bound(place.eye_from_world.columns));
+                      rounding_bound(scene.eye_from_world.columns));
   return {{eye.x, eye.y, eye.z}, glm::dvec3(bound)};
 }
 
 // The pipeline's method: one matrix composed in double, where the offsets cancel, and rounded once.
-Computed composed(const Place& place, const Point<Object>& p) {
-  const Transform<Eye, Object> exact = place.eye_from_world * place.world_from_object;
+PositionWithBound composed(const OffsetScene& scene, const Point<Object>& p) {
+  const Transform<Eye, Object> exact = scene.eye_from_world * scene.world_from_object;
   const auto eye_from_object = round_to_float(exact);
   const Point<Eye> eye = eye_from_object * p;
   const glm::dmat4 composing =
-      product_bound(place.eye_from_world.columns, place.world_from_object.columns);
+      product_bound(scene.eye_from_world.columns, scene.world_from_object.columns);
   const glm::dvec4 bound =
       transform_bound(eye_from_object.columns, {p.x, p.y, p.z, 1}, glm::dvec4(0),
                       rounding_bound(exact.columns) + composing);
   return {{eye.x, eye.y, eye.z}, glm::dvec3(bound)};
 }
 
-Computed in_double(const Place& place, const Point<Object>& p) {
+PositionWithBound in_double(const OffsetScene& scene, const Point<Object>& p) {
   const Point<Object, double> object(p.x, p.y, p.z);
-  const Point<Eye, double> eye = place.eye_from_world * (place.world_from_object * object);
-  const glm::dvec4 size = magnitude(place.eye_from_world.columns,
-                                    {place.offset + 2, place.offset + 2, place.offset + 2, 1});
+  const Point<Eye, double> eye = scene.eye_from_world * (scene.world_from_object * object);
+  const glm::dvec4 size = magnitude(scene.eye_from_world.columns,
+                                    {scene.offset + 2, scene.offset + 2, scene.offset + 2, 1});
   return {{eye.x, eye.y, eye.z}, glm::dvec3(size * gamma<double>(6))};
 }
 
 SweepSeries series_of(const char* name, bool ours,
-                      Computed (*compute)(const Place&, const Point<Object>&)) {
+                      PositionWithBound (*compute)(const OffsetScene&, const Point<Object>&)) {
   SweepSeries series{name, ours};
   for (int half = 0; half <= 18; ++half) {
-    const Place place = place_at(std::pow(10.0, half / 2.0));
+    const OffsetScene scene = scene_at_offset(std::pow(10.0, half / 2.0));
     Random random(100);
-    SweepPoint worst{place.offset, 0, 0};
+    SweepPoint worst{scene.offset, 0, 0};
     for (int i = 0; i < 200; ++i) {
       const auto coordinate = [&] { return float(random.between(-1, 1)); };
       const Point<Object> p{coordinate(), coordinate(), coordinate()};
-      const Computed found = compute(place, p);
-      const LongVector exact = exactly(place, p);
+      const PositionWithBound found = compute(scene, p);
+      const LongVector exact = exactly(scene, p);
       for (int k = 0; k < 3; ++k) {
         worst.error = std::max(
             worst.error, double(std::abs(static_cast<long double>(found.position[k]) - exact[k])));

@@ -30,7 +30,7 @@ double relative_error(double degrees, double scale) {
   return exact::error_of(scale, exact) / double(exact);
 }
 
-struct Way {
+struct Method {
   const char* name;
   bool ours;
   double (*scale)(double degrees);
@@ -44,7 +44,7 @@ double condition(double degrees) {
 constexpr DepthPlanes kPlanes{1, 100};
 
 std::vector<SweepSeries> field_of_view_series() {
-  const Way ways[] = {
+  const Method methods[] = {
       {"degrees, cot from sine and cosine", true,
        [](double degrees) { return perspective_degrees(degrees, 1, kPlanes)->at(1, 1); },
        [](double) { return 8 * unit_roundoff<double>; }},
@@ -60,11 +60,11 @@ std::vector<SweepSeries> field_of_view_series() {
        [](double degrees) { return (4 * condition(degrees) + 4) * double(unit_roundoff<float>); }},
   };
   std::vector<SweepSeries> all;
-  for (const Way& way : ways) {
-    SweepSeries series{way.name, way.ours};
+  for (const Method& method : methods) {
+    SweepSeries series{method.name, method.ours};
     for (const double degrees : angles()) {
-      const double bound = way.bound(degrees);
-      series.points.push_back({both_ends(degrees), relative_error(degrees, way.scale(degrees)),
+      const double bound = method.bound(degrees);
+      series.points.push_back({both_ends(degrees), relative_error(degrees, method.scale(degrees)),
                                // The bound is a first-order one, so it is used only where it is
                                // small.
                                bound < 0.01 ? std::optional(bound) : std::nullopt});

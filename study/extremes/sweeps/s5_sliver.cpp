@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "study/extremes/kit/coverage.h"
+#include "study/extremes/common/coverage.h"
 #include "study/extremes/sweep.h"
 #include "study/naive/coverage.h"
 
@@ -13,7 +13,7 @@ namespace s5 {
 constexpr double kLength = 4000;
 
 // The share of wrong answers among the pixels beside the long edge.
-double share_wrong(const Covers& covers, double width) {
+double share_wrong(const CoverageFunction& covers, double width) {
   Random random(4);
   CoverageFaults faults;
   for (int i = 0; i < 12; ++i) {
@@ -29,7 +29,7 @@ double share_wrong(const Covers& covers, double width) {
   return faults.share_wrong();
 }
 
-SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
+SweepSeries series_of(const char* name, const CoverageFunction& covers, bool ours) {
   SweepSeries series{name, ours};
   for (int bits = 0; bits <= 20; ++bits) {
     const double width = std::ldexp(1.0, -bits);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/extremes/kit/coverage.h"
+#include "study/extremes/common/coverage.h"
 #include "study/extremes/sweep.h"
 #include "study/naive/coverage.h"
 
@@ -11,7 +11,7 @@ namespace glassbox::study {
 
 namespace s6 {
 
-double share_wrong(const Covers& covers, int side) {
+double share_wrong(const CoverageFunction& covers, int side) {
   Random random(5);
   CoverageFaults faults;
   const std::int64_t most = std::min<std::int64_t>(std::int64_t(side) * 256, (1 << 23) - 1);
@@ -31,7 +31,7 @@ double share_wrong(const Covers& covers, int side) {
   return faults.share_wrong();
 }
 
-SweepSeries series_by_size(const char* name, const Covers& covers, bool ours) {
+SweepSeries series_by_size(const char* name, const CoverageFunction& covers, bool ours) {
   SweepSeries series{name, ours};
   for (int side = 1; side <= 32768; side *= 2) {
     series.points.push_back(

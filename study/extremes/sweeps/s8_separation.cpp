@@ -11,7 +11,7 @@
 #include <glassbox/pipeline/stereo/parallax.h>
 #include <glassbox/pipeline/viewport.h>
 
-#include "study/extremes/kit/pair.h"
+#include "study/extremes/common/stereo_scene.h"
 #include "study/extremes/sweep.h"
 
 namespace glassbox::study {
@@ -21,12 +21,12 @@ namespace s8 {
 constexpr double kWindow = 10;
 using ClipFromEye = Transform<Clip, Eye, float>;
 
-struct Seen {
+struct ScreenPosition {
   double x = 0, bound = 0;  // in px
 };
 // `matrix_bound` is how far the matrix may be from the intended one.
-Seen see(const View& view, const ClipFromEye& m, const glm::dmat4& matrix_bound,
-         const Point<Eye>& p) {
+ScreenPosition project_with_bound(const View& view, const ClipFromEye& m,
+                                  const glm::dmat4& matrix_bound, const Point<Eye>& p) {
   const Point<Clip> clip = m * p;
   const NdcVertex ndc = divide(clip);
   const glm::dvec4 clip_bound =
@@ -76,8 +76,8 @@ SweepSeries series_of(const char* name, bool ours,
       const Point<Eye> p(z * 0.1f, z * 0.05f, z);
       const EyeMatrix left = compose(centre, pair, Side::kLeft);
       const EyeMatrix right = compose(centre, pair, Side::kRight);
-      const Seen l = see(centre, left.matrix, left.bound, p);
-      const Seen r = see(centre, right.matrix, right.bound, p);
+      const ScreenPosition l = project_with_bound(centre, left.matrix, left.bound, p);
+      const ScreenPosition r = project_with_bound(centre, right.matrix, right.bound, p);
       const double exact = parallax_at(centre, pair, -double(z)).px;
       worst.error = std::max(worst.error, std::abs(r.x - l.x - exact));
       worst.bound = std::max(*worst.bound, l.bound + r.bound);

@@ -14,7 +14,7 @@ using namespace glassbox;
 using test::noise;
 
 Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
-  auto arrived = send(sent, cable);
+  auto arrived = send_through_cable(sent, cable);
   REQUIRE(arrived);
   return *arrived;
 }

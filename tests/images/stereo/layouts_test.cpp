@@ -24,8 +24,8 @@ Eyes noisy_eyes(int width, int height) {
 
 TEST_CASE("pair has the left eye on the left, cross-eyed on the right") {
   const auto [left, right] = noisy_eyes(5, 3);
-  const auto pair = lay_out(left, right, StereoLayout::kPair);
-  const auto crossed = lay_out(left, right, StereoLayout::kCrossEyed);
+  const auto pair = make_stereo_layout(left, right, StereoLayout::kPair);
+  const auto crossed = make_stereo_layout(left, right, StereoLayout::kCrossEyed);
   REQUIRE((pair && crossed));
   REQUIRE((pair->width == 10 && pair->height == 3));
   REQUIRE((crossed->width == 10 && crossed->height == 3));
@@ -41,7 +41,7 @@ TEST_CASE("pair has the left eye on the left, cross-eyed on the right") {
 
 TEST_CASE("over-under has the left eye above") {
   const auto [left, right] = noisy_eyes(4, 7);
-  const auto both = lay_out(left, right, StereoLayout::kOverUnder);
+  const auto both = make_stereo_layout(left, right, StereoLayout::kOverUnder);
   REQUIRE(both);
   REQUIRE((both->width == 4 && both->height == 14));
   for (int y = 0; y < 7; ++y) {
@@ -56,7 +56,7 @@ TEST_CASE("interlaced gives the left eye the even rows, one more where the heigh
   for (const int height : {1, 2, 5, 6}) {
     CAPTURE(height);
     const auto [left, right] = noisy_eyes(3, height);
-    const auto both = lay_out(left, right, StereoLayout::kInterlaced);
+    const auto both = make_stereo_layout(left, right, StereoLayout::kInterlaced);
     REQUIRE(both);
     REQUIRE((both->width == 3 && both->height == height));
     for (int y = 0; y < height; ++y) {
@@ -73,13 +73,13 @@ TEST_CASE(
   for (const auto& layout : all_stereo_layouts()) {
     CAPTURE(layout.name);
     CHECK(name_of(layout.value) == layout.name);
-    const auto refused = lay_out({2, 2}, {2, 1}, layout.value);
+    const auto refused = make_stereo_layout({2, 2}, {2, 1}, layout.value);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().place == layout.name);
     Image<Rgba8> wide;
     wide.width = 1 << 30;  // the image still has no rows
-    CHECK(lay_out(wide, wide, layout.value).has_value() ==
+    CHECK(make_stereo_layout(wide, wide, layout.value).has_value() ==
           (layout.value == StereoLayout::kInterlaced));
-    CHECK(lay_out({}, {}, layout.value)->pixels.empty());
+    CHECK(make_stereo_layout({}, {}, layout.value)->pixels.empty());
   }
 }

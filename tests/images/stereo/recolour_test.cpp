@@ -15,8 +15,8 @@ using namespace glassbox;
 using test::noise;
 using enum AnaglyphMethod;
 
-Viewing seen(AnaglyphMethod method) {
-  const auto how = viewing(method);
+AnaglyphViewing seen(AnaglyphMethod method) {
+  const auto how = anaglyph_viewing(method);
   REQUIRE(how);
   return *how;
 }
@@ -54,7 +54,7 @@ TEST_CASE("rivalry falls by exactly (1 - k)(1 - b) for the methods that clamp no
   Random random(8);
   const Image<Rgba8> left = noise(16, 16, random), right = noise(16, 16, random);
   for (const AnaglyphMethod method : {kMask, kHalf, kOptimised}) {
-    const Viewing how = seen(method);
+    const AnaglyphViewing how = seen(method);
     const auto before = measure_recolour(left, right, how, {});
     REQUIRE(before);
     CHECK(before->difference == 0);
@@ -68,13 +68,13 @@ TEST_CASE("rivalry falls by exactly (1 - k)(1 - b) for the methods that clamp no
     }
   }
   // Dubois clamps the noise, so the law must fail there: the measure does not fulfil it trivially.
-  const Viewing dubois = seen(kDubois);
+  const AnaglyphViewing dubois = seen(kDubois);
   const double before = measure_recolour(left, right, dubois, {})->rivalry;
   CHECK(std::abs(measure_recolour(left, right, dubois, {0.5, 0})->rivalry - before / 2) > 1e-4);
 }
 
 TEST_CASE("measures are means over all pixels of both pictures") {
-  const Viewing how = seen(kMask);
+  const AnaglyphViewing how = seen(kMask);
   const Recolour recolour{0.5, 0.125};
   const Image<Rgba8> left(1, 1, {200, 50, 90, 255}), right(1, 1, {10, 240, 30, 255});
   const auto measured = measure_recolour(left, right, how, recolour);
@@ -110,7 +110,7 @@ TEST_CASE("recoloured pictures: identity, grey, white, and alpha as it was") {
 TEST_CASE("the suggestion meets its target at no more difference than any strengths on a grid") {
   const Image<Rgba8> picture = patches();
   for (const AnaglyphMethod method : {kMask, kDubois}) {
-    const Viewing how = seen(method);
+    const AnaglyphViewing how = seen(method);
     const double before = measure_recolour(picture, picture, how, {})->rivalry;
     for (const double share : {0.75, 0.4, 0.1}) {
       const double target = share * before;

@@ -20,7 +20,7 @@ using enum AnaglyphMethod;
 constexpr Linear kColours[] = {{1, 1, 1}, {0.5f, 0.5f, 0.5f}, {1, 0, 0}, {0, 1, 0},
                                {0, 0, 1}, {1, 1, 0},          {0, 1, 1}, {1, 0, 1}};
 
-double mean_rivalry(const Viewing& viewing) {
+double mean_rivalry(const AnaglyphViewing& viewing) {
   const Rivalry rivalry(viewing);
   double sum = 0;
   for (const Linear& colour : kColours) sum += rivalry(colour);
@@ -28,7 +28,7 @@ double mean_rivalry(const Viewing& viewing) {
 }
 
 double mean_rivalry(AnaglyphMethod method) {
-  const auto how = viewing(method);
+  const auto how = anaglyph_viewing(method);
   REQUIRE(how);
   return mean_rivalry(*how);
 }
@@ -132,7 +132,7 @@ TEST_CASE("rivalry averaged over eight colours: the table of B.6") {
 }
 
 TEST_CASE("desaturation reaches half-colour at k = .70 and the least-squares matrix at .85 (B.6)") {
-  const auto mask = viewing(kMask);
+  const auto mask = anaglyph_viewing(kMask);
   REQUIRE(mask);
   const double full = mean_rivalry(*mask);
   CHECK(std::abs(1 - mean_rivalry(kHalf) / full - 0.70) <= 0.005);
@@ -154,7 +154,7 @@ TEST_CASE(
     "are used") {
   for (const auto& method : all_anaglyph_methods()) {
     CAPTURE(method.name);
-    const auto how = viewing(method.value);
+    const auto how = anaglyph_viewing(method.value);
     REQUIRE(how);
     const Ghosts leak = white_leak(*how);
     if (method.value == kTrue) {  // only red and blue leak: .0018 of .0876, .0176 of .0777
@@ -166,7 +166,7 @@ TEST_CASE(
     }
   }
   // Ideal lenses do not leak.
-  const auto ideal = viewing(kMask, Glasses::kAmberBlue);
+  const auto ideal = anaglyph_viewing(kMask, Glasses::kAmberBlue);
   REQUIRE(ideal);
   CHECK_FALSE(ideal->lenses.measured);
   CHECK(white_leak(*ideal).left == 0);
@@ -174,7 +174,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the rivalry map has each pixel's rivalry, and its mean is theirs") {
-  const auto mask = viewing(kMask);
+  const auto mask = anaglyph_viewing(kMask);
   REQUIRE(mask);
   Image<Rgba8> picture(4, 2, {255, 255, 255, 255});
   picture.at(1, 0) = {255, 0, 0, 255};
@@ -192,7 +192,7 @@ TEST_CASE("the rivalry map has each pixel's rivalry, and its mean is theirs") {
 // Computed by hand for the mask method: the left lens lets some of the right picture's green and
 // blue through, the right lens some of the left picture's red.
 TEST_CASE("ghost maps show what of the other eye's picture comes through") {
-  const auto mask = viewing(kMask);
+  const auto mask = anaglyph_viewing(kMask);
   REQUIRE(mask);
   Random random(17);
   const Image<Rgba8> left = noise(9, 5, random), right = noise(9, 5, random);
@@ -209,5 +209,5 @@ TEST_CASE("ghost maps show what of the other eye's picture comes through") {
 }
 
 TEST_CASE("viewing refuses what has no matrix") {
-  CHECK_FALSE(viewing(kDubois2001, Glasses::kAmberBlue));
+  CHECK_FALSE(anaglyph_viewing(kDubois2001, Glasses::kAmberBlue));
 }

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
 
   const Result<Scene> scene = load_scene("teapot");
   if (!scene) return refuse(scene.error());
-  const Result<Camera> camera = frame(*scene, double(kWidth) / kHeight);
+  const Result<Camera> camera = framing_camera(*scene, double(kWidth) / kHeight);
   if (!camera) return refuse(camera.error());
   const Result<View> view = make_view(*camera, kWidth, kHeight);
   if (!view) return refuse(view.error());

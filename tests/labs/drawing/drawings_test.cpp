@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "labs/drawing/compare.h"
-#include "labs/drawing/program.h"
+#include "labs/drawing/draw_and_compare.h"
+#include "labs/drawing/stage_program.h"
 #include "labs/framework/lab.h"
 #include "tests/support/catch.h"
-#include "tests/support/share.h"
+#include "tests/support/daily_share.h"
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
@@ -152,15 +152,15 @@ const Lab& lab_of(int number) {
 }
 
 // A temporary folder that the sandbox's user may enter.
-class Place {
+class TestDirectory {
 public:
-  Place() {
+  TestDirectory() {
     std::string name = (fs::temp_directory_path() / "glassbox-drawing-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     path_ = name;
     fs::permissions(path_, fs::perms(0711));
   }
-  ~Place() {
+  ~TestDirectory() {
     std::error_code error;
     fs::remove_all(path_, error);
   }
@@ -170,11 +170,11 @@ private:
   fs::path path_;
 };
 
-class Desk {
+class StudentProgramTest {
 public:
-  explicit Desk(const Trial& trial)
+  explicit StudentProgramTest(const Trial& trial)
       : trial_(trial),
-        sandbox_(grading::Sandbox::choose(place_.path()).value()),
+        sandbox_(grading::Sandbox::choose(directory_.path()).value()),
         drawing_(drawing_of(trial.lab).value()),
         scene_(make_builtin(trial.scene).value()) {
     const Sources sources = find_sources().value();
@@ -183,11 +183,11 @@ public:
     const std::size_t at = text.find(trial.find);
     REQUIRE(at != std::string::npos);
     text.replace(at, trial.find.size(), trial.replace);
-    const fs::path student = place_.path() / "student.cpp";
+    const fs::path student = directory_.path() / "student.cpp";
     std::ofstream(student) << "#include \"student.h\"\n" << kTrial << text;
     const fs::path kept = fs::path(KEPT) / folder;
     fs::create_directories(kept);
-    const auto made = build_stages(sources, {folder, student, kept, place_.path()}, sandbox_);
+    const auto made = build_stages(sources, {folder, student, kept, directory_.path()}, sandbox_);
     REQUIRE(made);
     INFO(made->messages);
     REQUIRE_FALSE(made->program.empty());
@@ -201,28 +201,29 @@ public:
     const std::size_t mark = bytes.find(kMark);
     REQUIRE(mark != std::string::npos);
     bytes[mark + std::string(kMark).size()] = how;
-    const fs::path program = place_.path() / std::string("stages-").append(1, how);
+    const fs::path program = directory_.path() / std::string("stages-").append(1, how);
     std::ofstream(program, std::ios::binary) << bytes;
     fs::permissions(program, fs::perms(0755));
     return program;
   }
 
   struct Outcome {
-    Result<DrawnBoth> both;
-    std::optional<std::string> broke;
+    Result<ComparedPictures> both;
+    std::optional<std::string> failure;
   };
   Outcome draw(char how, double seconds = 60) const {
-    Camera camera = scene_.cameras.empty() ? frame(scene_, 64.0 / 48).value() : scene_.cameras[0];
+    Camera camera =
+        scene_.cameras.empty() ? framing_camera(scene_, 64.0 / 48).value() : scene_.cameras[0];
     const DepthRange range = DepthRange::kStandard;
-    const Drawn drawn{scene_,          camera, make_view(camera, 64, 48, range).value(),
-                      trial_.settings, {},     {0.05, 3}};
+    const DrawingInput drawn{scene_,          camera, make_view(camera, 64, 48, range).value(),
+                             trial_.settings, {},     {0.05, 3}};
     StudentAnswers answers(sandbox_, behaving(how), seconds);
-    auto both = draw_both(drawing_, drawn, answers);
-    return {std::move(both), answers.broke()};
+    auto both = draw_and_compare(drawing_, drawn, answers);
+    return {std::move(both), answers.failure()};
   }
 
 private:
-  Place place_;
+  TestDirectory directory_;
   const Trial& trial_;
   grading::Sandbox sandbox_;
   LabDrawing drawing_;
@@ -237,9 +238,9 @@ namespace {
 // Expects that the solution draws as the reference does, and that the defects are named.
 void draw_in_every_way(const Trial& trial) {
   CAPTURE(trial.lab);
-  const Desk desk(trial);
+  const StudentProgramTest student_program(trial);
 
-  const Desk::Outcome right = desk.draw('r');
+  const StudentProgramTest::Outcome right = student_program.draw('r');
   REQUIRE(right.both);
   const DrawingResult& fine = right.both->result;
   CHECK(fine.right());
@@ -252,7 +253,7 @@ void draw_in_every_way(const Trial& trial) {
   CHECK(fine.truth.has_value() == (trial.lab >= 12));
   if (fine.truth) CHECK(fine.truth->pixels != fine.reference.pixels);
 
-  const Desk::Outcome wrong = desk.draw('w');
+  const StudentProgramTest::Outcome wrong = student_program.draw('w');
   REQUIRE(wrong.both);
   const DrawingResult& found = wrong.both->result;
   CHECK_FALSE(found.right());
@@ -264,24 +265,24 @@ void draw_in_every_way(const Trial& trial) {
   REQUIRE(found.first_pixel);
   CHECK(found.first_pixel->yours != found.first_pixel->reference);
 
-  const Desk::Outcome crashing = desk.draw('c');
+  const StudentProgramTest::Outcome crashing = student_program.draw('c');
   CHECK_FALSE(crashing.both);
-  REQUIRE(crashing.broke);
-  CAPTURE(*crashing.broke);
-  CHECK(crashing.broke->find("SIGSEGV") != std::string::npos);
-  CHECK(crashing.broke->find(trial.functions) != std::string::npos);
+  REQUIRE(crashing.failure);
+  CAPTURE(*crashing.failure);
+  CHECK(crashing.failure->find("SIGSEGV") != std::string::npos);
+  CHECK(crashing.failure->find(trial.functions) != std::string::npos);
 
-  const Desk::Outcome endless = desk.draw('e', 0.5);
+  const StudentProgramTest::Outcome endless = student_program.draw('e', 0.5);
   CHECK_FALSE(endless.both);
-  REQUIRE(endless.broke);
-  CAPTURE(*endless.broke);
-  CHECK(endless.broke->find("still running after 0.5 seconds") != std::string::npos);
+  REQUIRE(endless.failure);
+  CAPTURE(*endless.failure);
+  CHECK(endless.failure->find("still running after 0.5 seconds") != std::string::npos);
 }
 
-void draw_labs(const test::Share& share) {
+void draw_labs(const test::DailyShare& share) {
   INFO(share.text());
   for (std::size_t i = 0; i < trials().size(); ++i) {
-    if (share.has(i, trials().size())) draw_in_every_way(trials()[i]);
+    if (share.includes(i, trials().size())) draw_in_every_way(trials()[i]);
   }
 }
 
@@ -289,12 +290,12 @@ void draw_labs(const test::Share& share) {
 
 // Each lab is a program that takes some ten seconds to compile.
 TEST_CASE("labs draw, some every day: solutions as the reference, and what goes wrong is named") {
-  draw_labs(test::Share(3));
+  draw_labs(test::DailyShare(3));
 }
 
 TEST_CASE("every lab draws: the solution as the reference, and what goes wrong is named",
           "[.faults]") {
-  draw_labs(test::Share::everything());
+  draw_labs(test::DailyShare::everything());
 }
 
 TEST_CASE("every lab has a trial") {

@@ -12,13 +12,13 @@
 #include <nlohmann/json.hpp>
 
 #include "labs/framework/lab.h"
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "labs/measuring/claim.h"
 #include "labs/measuring/measuring.h"
 #include "study/experiment/runner.h"
 #include "tests/support/catch.h"
+#include "tests/support/daily_share.h"
 #include "tests/support/run_program.h"
-#include "tests/support/share.h"
 
 using namespace glassbox;
 using namespace glassbox::labs;
@@ -39,8 +39,8 @@ public:
   enum Change { kReplaced, kEmptied };
   // With kEmptied, `replace` is inserted at the beginning of the function whose name is found.
   Bench(int lab, const std::string& find, const std::string& replace, Change change = kReplaced)
-      : place_(made_place()),
-        sandbox_(grading::Sandbox::choose(place_).value()),
+      : directory_(make_temporary_directory()),
+        sandbox_(grading::Sandbox::choose(directory_).value()),
         folder_(lab_numbered(lab).folder) {
     std::string text = solution_text(find_sources().value(), folder_).value();
     std::size_t at = text.find(find);
@@ -52,12 +52,12 @@ public:
     } else {
       text.replace(at, find.size(), replace);
     }
-    std::ofstream(place_ / "student.cpp") << text;
+    std::ofstream(directory_ / "student.cpp") << text;
     program_ = built(false);
   }
   ~Bench() {
     std::error_code error;
-    fs::remove_all(place_, error);
+    fs::remove_all(directory_, error);
   }
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
@@ -69,22 +69,22 @@ private:
   fs::path built(bool starter) const {
     const fs::path kept = fs::path(KEPT) / (folder_ + "-measured");
     fs::create_directories(kept);
-    const auto made =
-        build_stages(find_sources().value(),
-                     {folder_, place_ / "student.cpp", kept, place_, true, starter}, sandbox_);
+    const auto made = build_stages(
+        find_sources().value(),
+        {folder_, directory_ / "student.cpp", kept, directory_, true, starter}, sandbox_);
     REQUIRE(made);
     INFO(made->messages);
     REQUIRE_FALSE(made->program.empty());
     return made->program;
   }
-  static fs::path made_place() {
+  static fs::path make_temporary_directory() {
     std::string name = (fs::temp_directory_path() / "glassbox-measure-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     fs::permissions(name, fs::perms(0711));
     return name;
   }
 
-  fs::path place_;
+  fs::path directory_;
   grading::Sandbox sandbox_;
   std::string folder_;
   fs::path program_;
@@ -170,8 +170,8 @@ void measure_solution(const Peer& peer) {
   REQUIRE(measure);
   const Bench bench(peer.lab, "#include", "#include");
   StudentAnswers student = bench.student();
-  const auto points = measure_places(*measure, student, 0, say_nothing);
-  INFO(student.broke().value_or(""));
+  const auto points = measure_points(*measure, student, 0, say_nothing);
+  INFO(student.failure().value_or(""));
   REQUIRE(points);
   const auto ways = experiment_of(*measure).configurations(study::Effort::kQuick);
   for (const ConfigurationResult& mine : *points) {
@@ -188,29 +188,29 @@ void measure_solution(const Peer& peer) {
   REQUIRE(of_solution);
   CHECK(of_solution->empty());
   const auto of_starter = untouched_series(*measure, the_same, starter, say_nothing);
-  INFO(the_same.broke().value_or(""));
+  INFO(the_same.failure().value_or(""));
   REQUIRE(of_starter);
   CHECK(of_starter->size() == peer.ways.size());
 }
 
-void measure_solutions(const test::Share& share) {
+void measure_solutions(const test::DailyShare& share) {
   INFO(share.text());
   for (std::size_t i = 0; i < peers().size(); ++i) {
-    if (share.has(i, peers().size())) measure_solution(peers()[i]);
+    if (share.includes(i, peers().size())) measure_solution(peers()[i]);
   }
 }
 
 }  // namespace
 
 TEST_CASE("solutions are measured, some every day, as exact as their theories; starters are not") {
-  measure_solutions(test::Share(3));
+  measure_solutions(test::DailyShare(3));
 }
 
 TEST_CASE(
     "every lab's solution is measured where its experiment measures, as exact as its theory, and "
     "its starter is not written yet",
     "[.faults]") {
-  measure_solutions(test::Share::everything());
+  measure_solutions(test::DailyShare::everything());
 }
 
 TEST_CASE("a lab without a part of an experiment has no measurement") {
@@ -227,7 +227,7 @@ std::int64_t edge(const SnappedVertex& a, const SnappedVertex& b, const SnappedV
 std::int64_t exact_edge()");
   const LabMeasure measure = measure_of(6).value();
   StudentAnswers student = bench.student();
-  const auto points = measure_places(measure, student, 0, say_nothing);
+  const auto points = measure_points(measure, student, 0, say_nothing);
   REQUIRE(points);
   const auto ways = experiment_of(measure).configurations(study::Effort::kQuick);
   for (const ConfigurationResult& mine : *points) {
@@ -243,12 +243,12 @@ TEST_CASE(
     "what is measured is timed in rounds, and a crash, an exception or a loop ends it with a "
     "message") {
   const LabMeasure measure = measure_of(8).value();
-  const MeasuredPlace place = measure.places().front();
-  const LabMeasure one{measure.experiment, measure.functions, [&] { return std::vector{place}; }};
+  const MeasuredPoint point = measure.points().front();
+  const LabMeasure one{measure.experiment, measure.functions, [&] { return std::vector{point}; }};
   {
     const Bench bench(8, "#include", "#include");
     StudentAnswers student = bench.student();
-    const auto points = measure_places(one, student, 11, say_nothing);
+    const auto points = measure_points(one, student, 11, say_nothing);
     REQUIRE(points);
     const study::Timing& time = points->front().timings.at(0);
     CHECK(time.repetitions == 11);
@@ -263,11 +263,11 @@ TEST_CASE(
         {"  for (volatile int i = 0;;) i = 1;\n", "still running after 0.5 seconds"}}) {
     const Bench bench(8, start, start + replace);
     StudentAnswers student = bench.student(0.5);
-    CHECK_FALSE(measure_places(one, student, 11, say_nothing));
-    REQUIRE(student.broke());
-    CAPTURE(*student.broke());
-    CHECK(student.broke()->find(said) != std::string::npos);
-    CHECK(student.broke()->find("span_coordinates") != std::string::npos);
+    CHECK_FALSE(measure_points(one, student, 11, say_nothing));
+    REQUIRE(student.failure());
+    CAPTURE(*student.failure());
+    CHECK(student.failure()->find(said) != std::string::npos);
+    CHECK(student.failure()->find("span_coordinates") != std::string::npos);
   }
 }
 
@@ -392,7 +392,7 @@ TEST_CASE(
 
 namespace {
 
-void measure_nothing(const test::Share& share) {
+void measure_nothing(const test::DailyShare& share) {
   INFO(share.text());
   const std::vector<std::tuple<int, const char*, const char*>> all{
       {1, "Vector<Object> newell_vector(", "return {};"},
@@ -405,13 +405,13 @@ void measure_nothing(const test::Share& share) {
       {8, "std::vector<double> span_coordinates(", "return {};"},
       {9, "Verdict cull(", "return Verdict::kDraw;"}};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!share.has(i, all.size())) continue;
+    if (!share.includes(i, all.size())) continue;
     const auto& [lab, find, replace] = all[i];
     CAPTURE(lab);
     const Bench bench(lab, find, replace, Bench::kEmptied);
     const LabMeasure measure = measure_of(lab).value();
     StudentAnswers student = bench.student();
-    const auto points = measure_places(measure, student, 0, say_nothing);
+    const auto points = measure_points(measure, student, 0, say_nothing);
     REQUIRE(points);
     for (const ConfigurationResult& mine : *points) {
       if (mine.series == "yours, two rotations") continue;  // another function computes it
@@ -424,10 +424,10 @@ void measure_nothing(const test::Share& share) {
 }  // namespace
 
 TEST_CASE("functions that do nothing, some every day, have no small error") {
-  measure_nothing(test::Share(3));
+  measure_nothing(test::DailyShare(3));
 }
 
 TEST_CASE("a function that does nothing has no small error, and is not in front for being fast",
           "[.faults]") {
-  measure_nothing(test::Share::everything());
+  measure_nothing(test::DailyShare::everything());
 }

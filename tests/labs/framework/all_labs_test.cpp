@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "tests/labs/framework/bench.h"
-#include "tests/labs/framework/planted.h"
-#include "tests/support/share.h"
+#include "tests/labs/framework/plant_faults.h"
+#include "tests/support/daily_share.h"
 
 using namespace glassbox;
 using namespace glassbox::labs;
@@ -34,7 +34,7 @@ TEST_CASE("every lab's solution has full marks, its starter none") {
   REQUIRE_FALSE(all_labs().empty());
   for (const Lab& lab : all_labs()) {
     INFO("lab " << lab.folder);
-    Bench& bench = Bench::of(lab);
+    Bench& bench = Bench::for_lab(lab);
     const std::string& solution = bench.solution();
     {
       const LabResult result = bench.check(solution);
@@ -61,15 +61,15 @@ namespace {
 
 // Faults that have a stage, at least two in every lab, go through all steps. The others are found
 // in faults_test.cpp, without a compilation of their own.
-void find_whole_faults(const test::Share& share) {
+void find_whole_faults(const test::DailyShare& share) {
   for (const Lab& lab : all_labs()) {
     INFO("lab " << lab.folder << ", " << share.text());
-    Bench& bench = Bench::of(lab);
+    Bench& bench = Bench::for_lab(lab);
     std::vector<Fault> whole = faults_of(bench.sources(), lab);
     std::erase_if(whole, [](const Fault& fault) { return fault.stage.empty(); });
     CHECK(whole.size() >= 2);
     for (std::size_t i = 0; i < whole.size(); ++i) {
-      if (!share.has(i, whole.size())) continue;
+      if (!share.includes(i, whole.size())) continue;
       INFO("fault: " << whole[i].name);
       const LabResult result = bench.check(with_fault(bench.solution(), whole[i]));
       INFO(failures(result));
@@ -81,11 +81,11 @@ void find_whole_faults(const test::Share& share) {
 }  // namespace
 
 TEST_CASE("a fault of every lab is found in a student.cpp of its own, at its stage") {
-  find_whole_faults(test::Share(4));
+  find_whole_faults(test::DailyShare(4));
 }
 
 TEST_CASE("every fault that has a stage is found in a student.cpp of its own", "[.faults]") {
-  find_whole_faults(test::Share::everything());
+  find_whole_faults(test::DailyShare::everything());
 }
 
 TEST_CASE("every lab has the files and the words that a student and the grader need") {

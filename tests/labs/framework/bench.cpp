@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "cli/process/process.h"
-#include "labs/framework/in_parallel.h"
-#include "labs/framework/points.h"
+#include "labs/framework/lab_points.h"
+#include "labs/framework/run_in_parallel.h"
 
 namespace glassbox::labs {
 
@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Returns the lab's kit. Kits of earlier versions of the lab are removed.
-grading::Kit kept_kit(const Sources& sources, const std::string& lab) {
-  const auto fingerprint = grading::kit_fingerprint(sources, lab);
+grading::BuildKit cached_build_kit(const Sources& sources, const std::string& lab) {
+  const auto fingerprint = grading::build_kit_fingerprint(sources, lab);
   REQUIRE(fingerprint);
   const fs::path place = fs::path(KEPT) / fmt::format("{}-{}", lab, *fingerprint);
   std::error_code error;
@@ -27,7 +27,7 @@ grading::Kit kept_kit(const Sources& sources, const std::string& lab) {
     if (other != place && other.filename().string().starts_with(lab))
       fs::remove_all(other, ignored);
   }
-  const auto kit = grading::make_kit(sources, lab, place);
+  const auto kit = grading::make_build_kit(sources, lab, place);
   REQUIRE(kit);
   return *kit;
 }
@@ -48,7 +48,7 @@ const fs::path& scratch() {
 
 }  // namespace
 
-Bench& Bench::of(const Lab& lab) {
+Bench& Bench::for_lab(const Lab& lab) {
   static std::map<std::string, std::unique_ptr<Bench>> all;
   auto& bench = all[lab.folder];
   if (!bench) bench.reset(new Bench(lab));
@@ -57,11 +57,11 @@ Bench& Bench::of(const Lab& lab) {
 
 Bench::Bench(const Lab& lab) : sources_(find_sources().value()) {
   INFO("lab " << lab.folder);
-  const auto shares = read_shares(lab, sources_.folder_of(lab.folder) / "points.json");
-  REQUIRE(shares);
-  lab_ = shares->lab;
+  const auto lab_points = read_lab_points(lab, sources_.folder_of(lab.folder) / "points.json");
+  REQUIRE(lab_points);
+  lab_ = lab_points->lab;
   solution_ = solution_text(sources_, lab.folder).value();
-  kit_ = kept_kit(sources_, lab.folder);
+  kit_ = cached_build_kit(sources_, lab.folder);
   folder_ = scratch() / lab.folder;
   fs::create_directories(folder_);
   cases_ = all_cases();
@@ -69,19 +69,19 @@ Bench::Bench(const Lab& lab) : sources_(find_sources().value()) {
 
 Bench::AllCases Bench::all_cases() const {
   AllCases cases(lab_.checks.size());
-  in_parallel(cases.size(), [&](std::size_t i) { cases[i] = lab_.checks[i].cases(); });
+  run_in_parallel(cases.size(), [&](std::size_t i) { cases[i] = lab_.checks[i].cases(); });
   return cases;
 }
 
 BenchProgram Bench::linked(const fs::path& object, bool hidden) {
   std::vector<std::string> objects{object.string()};
   for (const fs::path& each :
-       kit_.objects(hidden ? grading::Checks::kAll : grading::Checks::kVisible))
+       kit_.objects(hidden ? grading::CheckSelection::kAll : grading::CheckSelection::kVisible))
     objects.push_back(each.string());
   const BenchProgram made{folder_ / fmt::format("runner-{}", ++programs_), hidden};
   const auto outcome = run_process(grading::link_command(kit_, objects, made.path.string(), {}),
                                    {300, 0, std::size_t(1) << 20});
-  INFO(outcome.said);
+  INFO(outcome.printed);
   REQUIRE(fs::exists(made.path));
   return made;
 }
@@ -92,7 +92,7 @@ BenchProgram Bench::program(const std::string& student, bool hidden) {
     object = folder_ / fmt::format("student-{}.o", objects_.size());
     const fs::path source = folder_ / "student.cpp";
     REQUIRE(write_if_changed(source, student));
-    const auto compiled = grading::compile_own(kit_.compiler, source, {kit_.include}, object);
+    const auto compiled = grading::compile_lab_file(kit_.compiler, source, {kit_.include}, object);
     INFO((compiled ? "" : compiled.error().message()));
     REQUIRE(compiled);
   }
@@ -103,13 +103,13 @@ BenchProgram Bench::starter(bool hidden) {
   return linked(kit_.starter, hidden);
 }
 
-LabResult Bench::check_anew(const BenchProgram& program) const {
+LabResult Bench::check_with_new_cases(const BenchProgram& program) const {
   return check(program, all_cases());
 }
 
 LabResult Bench::check(const BenchProgram& program, const AllCases& cases) const {
   std::vector<CheckResult> results(cases.size());
-  in_parallel(cases.size(), [&](std::size_t i) {
+  run_in_parallel(cases.size(), [&](std::size_t i) {
     const Check& check = lab_.checks[i];
     if (check.hidden && !program.hidden) return;
     RunLimits limits;

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/judge.h"
+#include "labs/framework/judge_check.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/run_check.h"
 #include "labs/framework/sources.h"
-#include "labs/grading/kit.h"
+#include "labs/grading/build_kit.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::labs {
@@ -27,7 +27,7 @@ struct BenchProgram {
 // computed once.
 class Bench {
 public:
-  static Bench& of(const Lab& lab);
+  static Bench& for_lab(const Lab& lab);
 
   const Sources& sources() const { return sources_; }
   const std::string& solution() const { return solution_; }
@@ -39,7 +39,7 @@ public:
   LabResult check(const BenchProgram& program) const { return check(program, cases_); }
   LabResult check(const std::string& student) { return check(program(student)); }
   // Checks with cases that are computed again, because they depend on a seed.
-  LabResult check_anew(const BenchProgram& program) const;
+  LabResult check_with_new_cases(const BenchProgram& program) const;
 
 private:
   using AllCases = std::vector<std::vector<Case>>;
@@ -51,7 +51,7 @@ private:
   Lab lab_;  // with the points of points.json
   Sources sources_;
   std::string solution_;
-  grading::Kit kit_;
+  grading::BuildKit kit_;
   std::filesystem::path folder_;
   AllCases cases_;
   std::map<std::string, std::filesystem::path> objects_;  // of the texts compiled so far

@@ -8,7 +8,7 @@
 
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "labs/framework/zip.h"
 #include "tests/support/catch.h"
 #include "tests/support/run_program.h"
@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // A directory of its own, removed at the end.
-struct Desk {
+struct CommandDirectory {
   fs::path path = fs::temp_directory_path() / fmt::format("glassbox-lab-command-{}", getpid());
-  Desk() {
+  CommandDirectory() {
     fs::remove_all(path);
     fs::create_directories(path);
   }
-  ~Desk() { fs::remove_all(path); }
+  ~CommandDirectory() { fs::remove_all(path); }
   test::Outcome run(const std::vector<std::string>& words) const {
     return test::run_program(GLASSBOX_PROGRAM, words, path.string());
   }
@@ -54,14 +54,16 @@ std::vector<std::byte> bytes_of(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("a case's text names an extreme case of two or of three digits") {
-  CHECK(command_for("two planes (C-08), one eye") == "\nglassbox study extremes --case C-08");
-  CHECK(command_for("in front of both (C-105)") == "\nglassbox study extremes --case C-105");
-  CHECK(command_for("a point") == "");
+  CHECK(extreme_case_command("two planes (C-08), one eye") ==
+        "\nglassbox study extremes --case C-08");
+  CHECK(extreme_case_command("in front of both (C-105)") ==
+        "\nglassbox study extremes --case C-105");
+  CHECK(extreme_case_command("a point") == "");
 }
 
 TEST_CASE("lab list names every lab and its tasks") {
-  const Desk desk;
-  const auto outcome = desk.run({"lab", "list", "--json", "-"});
+  const CommandDirectory directory;
+  const auto outcome = directory.run({"lab", "list", "--json", "-"});
   CHECK(outcome.exit_code == 0);
   const auto json = nlohmann::json::parse(outcome.out);
   REQUIRE(json.size() == all_labs().size());
@@ -71,15 +73,15 @@ TEST_CASE("lab list names every lab and its tasks") {
 TEST_CASE(
     "lab start makes a folder whose check gives no points, and the solution put into it gives "
     "all") {
-  const Desk desk;
+  const CommandDirectory directory;
   const Lab& lab = all_labs().front();
-  REQUIRE(desk.run({"lab", "start", number_of(lab), "mine"}).exit_code == 0);
+  REQUIRE(directory.run({"lab", "start", number_of(lab), "mine"}).exit_code == 0);
   for (const char* file :
        {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp", "CMakeLists.txt",
         "CMakePresets.json", ".vscode/launch.json", "lab.json"})
-    CHECK(fs::exists(desk.path / "mine" / file));
+    CHECK(fs::exists(directory.path / "mine" / file));
 
-  auto outcome = desk.run({"lab", "check", "mine", "--json", "-", "--html", "report.html"});
+  auto outcome = directory.run({"lab", "check", "mine", "--json", "-", "--html", "report.html"});
   CHECK(outcome.exit_code == 1);
   auto json = nlohmann::json::parse(outcome.out);
   CHECK(json["score"] == 0);
@@ -89,18 +91,18 @@ TEST_CASE(
     CHECK(test["first_divergence"]["stage"] == test["stage"]);
     CHECK(test["first_divergence"].contains("slips"));
   }
-  const auto page = read_text_file(desk.path / "report.html");
+  const auto page = read_text_file(directory.path / "report.html");
   REQUIRE(page);
   CHECK(page->find("</html>") != std::string::npos);
 
   const auto solution = solution_text(find_sources().value(), lab.folder);
-  std::ofstream(desk.path / "mine/student.cpp") << *solution;
-  outcome = desk.run({"lab", "check", "mine"});
+  std::ofstream(directory.path / "mine/student.cpp") << *solution;
+  outcome = directory.run({"lab", "check", "mine"});
   INFO(outcome.out);
   CHECK(outcome.exit_code == 0);
 
-  std::ofstream(desk.path / "mine/student.cpp") << *solution + "\nint missing_semicolon = 1\n";
-  outcome = desk.run({"lab", "check", "mine", "--json", "-"});
+  std::ofstream(directory.path / "mine/student.cpp") << *solution + "\nint missing_semicolon = 1\n";
+  outcome = directory.run({"lab", "check", "mine", "--json", "-"});
   CHECK(outcome.exit_code == 1);
   json = nlohmann::json::parse(outcome.out);
   CHECK(json["score"] == 0);
@@ -109,9 +111,9 @@ TEST_CASE(
 }
 
 TEST_CASE("a started folder's handout explains the codes that it cites") {
-  const Desk desk;
-  REQUIRE(desk.run({"lab", "start", "5", "mine"}).exit_code == 0);
-  const std::string handout = read_text_file(desk.path / "mine/handout.md").value();
+  const CommandDirectory directory;
+  REQUIRE(directory.run({"lab", "start", "5", "mine"}).exit_code == 0);
+  const std::string handout = read_text_file(directory.path / "mine/handout.md").value();
   CHECK(handout.find("\n| E16 | ") != std::string::npos);
   CHECK(handout.find("\n| B.1 | ") != std::string::npos);
   CHECK(handout.find("\n| B.11 | ") == std::string::npos);
@@ -119,36 +121,36 @@ TEST_CASE("a started folder's handout explains the codes that it cites") {
 }
 
 TEST_CASE("a started folder builds with no program but the named ones: Ninja or make") {
-  const Desk desk;
+  const CommandDirectory directory;
   const std::string preset = GENERATE("ninja", "make");
-  REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
+  REQUIRE(directory.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
   // Only the programs of the packages g++ (with binutils), cmake and ninja-build or make, and a
   // shell.
-  fs::create_directories(desk.path / "bin");
+  fs::create_directories(directory.path / "bin");
   for (const std::string& program : {std::string("sh"), std::string("c++"), std::string("as"),
                                      std::string("ld"), std::string("cmake"), preset})
-    fs::create_symlink(path_of(program), desk.path / "bin" / program);
+    fs::create_symlink(path_of(program), directory.path / "bin" / program);
   // The command of docs/labs.md.
   const auto outcome = test::run_program(
       "/usr/bin/env",
       {"-u", "CMAKE_GENERATOR", "-u", "CMAKE_CXX_COMPILER_LAUNCHER", "-u", "CXX",
-       "PATH=" + (desk.path / "bin").string(), "/bin/sh", "-c",
+       "PATH=" + (directory.path / "bin").string(), "/bin/sh", "-c",
        "cmake --preset " + preset + " && cmake --build build && build/runner --list"},
-      (desk.path / "mine").string());
+      (directory.path / "mine").string());
   INFO(preset << ": " << outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("\"check\": ") != std::string::npos);
 }
 
 TEST_CASE("the editor's task builds a started folder with what there is") {
-  const Desk desk;
-  REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
+  const CommandDirectory directory;
+  REQUIRE(directory.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
   const auto tasks =
-      nlohmann::json::parse(read_text_file(desk.path / "mine/.vscode/tasks.json").value());
+      nlohmann::json::parse(read_text_file(directory.path / "mine/.vscode/tasks.json").value());
   const std::string line = tasks["tasks"][0]["command"];
   for (const std::string program : {"ninja", "make"}) {
     // A cmake that prints its arguments.
-    const fs::path bin = desk.path / program;
+    const fs::path bin = directory.path / program;
     fs::create_directories(bin);
     fs::create_symlink("/bin/echo", bin / "cmake");
     fs::create_symlink("/bin/echo", bin / program);
@@ -159,46 +161,48 @@ TEST_CASE("the editor's task builds a started folder with what there is") {
 }
 
 TEST_CASE("lab start writes over nobody's work") {
-  const Desk desk;
-  fs::create_directories(desk.path / "mine");
+  const CommandDirectory directory;
+  fs::create_directories(directory.path / "mine");
   const std::string number = number_of(all_labs().front());
-  CHECK(desk.run({"lab", "start", number, "mine"}).exit_code == 0);  // an empty folder is accepted
-  const auto again = desk.run({"lab", "start", number, "mine"});
+  CHECK(directory.run({"lab", "start", number, "mine"}).exit_code ==
+        0);  // an empty folder is accepted
+  const auto again = directory.run({"lab", "start", number, "mine"});
   CHECK(again.exit_code == 2);
   CHECK(again.err.find("is not empty") != std::string::npos);
-  CHECK(desk.run({"lab", "start", number, "mine/student.cpp"}).exit_code == 2);
+  CHECK(directory.run({"lab", "start", number, "mine/student.cpp"}).exit_code == 2);
 }
 
 TEST_CASE("wrong names are refused with what there is") {
-  const Desk desk;
-  const auto none = desk.run({"lab", "start", "77", "mine"});
+  const CommandDirectory directory;
+  const auto none = directory.run({"lab", "start", "77", "mine"});
   CHECK(none.exit_code == 2);
   CHECK(none.err.find(all_labs().front().folder) != std::string::npos);
   CHECK(none.err.starts_with("glassbox: LAB: there is no lab \"77\""));
-  fs::create_directories(desk.path / "work");
-  const auto other = desk.run({"lab", "check", "work", "--lab", "77"});
+  fs::create_directories(directory.path / "work");
+  const auto other = directory.run({"lab", "check", "work", "--lab", "77"});
   CHECK(other.exit_code == 2);
   CHECK(other.err.starts_with("glassbox: --lab: there is no lab \"77\""));
-  std::ofstream(desk.path / "work/lab.json") << "{\"lab\": \"77-fog\"}";
-  CHECK(desk.run({"lab", "check", "work"}).err.starts_with("glassbox: work/lab.json: there is no"));
-  CHECK(desk.run({"lab", "check", "nowhere"}).exit_code == 2);
-  CHECK(desk.run({"lab", "check", "."}).exit_code == 2);
-  std::ofstream(desk.path / "lab.json") << "[1, 2";
-  CHECK(desk.run({"lab", "check", "."}).exit_code == 2);
-  CHECK(desk.run({"lab", "export", "1", "-o", "starter.tar"}).exit_code == 2);
-  CHECK(desk.run({"lab"}).exit_code == 2);
+  std::ofstream(directory.path / "work/lab.json") << "{\"lab\": \"77-fog\"}";
+  CHECK(directory.run({"lab", "check", "work"})
+            .err.starts_with("glassbox: work/lab.json: there is no"));
+  CHECK(directory.run({"lab", "check", "nowhere"}).exit_code == 2);
+  CHECK(directory.run({"lab", "check", "."}).exit_code == 2);
+  std::ofstream(directory.path / "lab.json") << "[1, 2";
+  CHECK(directory.run({"lab", "check", "."}).exit_code == 2);
+  CHECK(directory.run({"lab", "export", "1", "-o", "starter.tar"}).exit_code == 2);
+  CHECK(directory.run({"lab"}).exit_code == 2);
 }
 
 TEST_CASE("an exported archive has no line of a solution and no hidden check") {
-  const Desk desk;
+  const CommandDirectory directory;
   const auto sources = find_sources().value();
   for (const Lab& lab : all_labs()) {
     INFO("lab " << lab.folder);
     const std::string zip = lab.folder + ".zip";
-    const auto outcome = desk.run({"lab", "export", number_of(lab), "-o", zip});
+    const auto outcome = directory.run({"lab", "export", number_of(lab), "-o", zip});
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    const auto entries = read_zip(bytes_of(desk.path / zip));
+    const auto entries = read_zip(bytes_of(directory.path / zip));
     REQUIRE(entries);
     std::string all;
     for (const ZipEntry& entry : *entries) {
@@ -220,8 +224,8 @@ TEST_CASE("an exported archive has no line of a solution and no hidden check") {
 }
 
 TEST_CASE("lab watch checks again when the file is saved") {
-  const Desk desk;
-  REQUIRE(desk.run({"lab", "start", number_of(all_labs().front()), "mine"}).exit_code == 0);
+  const CommandDirectory directory;
+  REQUIRE(directory.run({"lab", "start", number_of(all_labs().front()), "mine"}).exit_code == 0);
   const auto count = [&](const std::string& text) {
     std::size_t found = 0;
     for (std::size_t at = text.find("Ctrl-C ends"); at != std::string::npos;
@@ -234,16 +238,16 @@ TEST_CASE("lab watch checks again when the file is saved") {
       fmt::format("exec '{}' lab watch mine > watched.txt", GLASSBOX_PROGRAM);
   const auto waited_for = [&](std::size_t reports) {
     for (int i = 0; i < 6000; ++i) {
-      const auto text = read_text_file(desk.path / "watched.txt");
+      const auto text = read_text_file(directory.path / "watched.txt");
       if (text && count(*text) >= reports) return true;
       usleep(100000);
     }
     return false;
   };
   bool first = false, second = false;
-  test::run_program("/bin/sh", {"-c", command}, desk.path.string(), [&](pid_t child) {
+  test::run_program("/bin/sh", {"-c", command}, directory.path.string(), [&](pid_t child) {
     first = waited_for(1);
-    std::ofstream(desk.path / "mine/student.cpp", std::ios::app) << "// saved\n";
+    std::ofstream(directory.path / "mine/student.cpp", std::ios::app) << "// saved\n";
     second = waited_for(2);
     kill(child, SIGINT);
   });

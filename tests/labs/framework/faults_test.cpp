@@ -10,8 +10,8 @@
 
 #include "labs/framework/slips.h"
 #include "tests/labs/framework/bench.h"
-#include "tests/labs/framework/planted.h"
-#include "tests/support/share.h"
+#include "tests/labs/framework/plant_faults.h"
+#include "tests/support/daily_share.h"
 
 using namespace glassbox;
 using namespace glassbox::labs;
@@ -19,12 +19,12 @@ using namespace glassbox::labs;
 namespace {
 
 // Chooses the planted fault for programs that are started during its lifetime.
-class Chosen {
+class ScopedFault {
 public:
-  explicit Chosen(std::size_t number) { setenv(kPlanted, std::to_string(number).c_str(), 1); }
-  ~Chosen() { unsetenv(kPlanted); }
-  Chosen(const Chosen&) = delete;
-  Chosen& operator=(const Chosen&) = delete;
+  explicit ScopedFault(std::size_t number) { setenv(kPlanted, std::to_string(number).c_str(), 1); }
+  ~ScopedFault() { unsetenv(kPlanted); }
+  ScopedFault(const ScopedFault&) = delete;
+  ScopedFault& operator=(const ScopedFault&) = delete;
 };
 
 // Returns the task's first check that is not right; the checks that a student is given come before
@@ -65,27 +65,29 @@ struct Numbered {
 };
 
 // Returns the faults of every task that belong to the share.
-std::vector<Numbered> drawn(const std::vector<Fault>& faults, const test::Share& share) {
+std::vector<Numbered> faults_in_share(const std::vector<Fault>& faults,
+                                      const test::DailyShare& share) {
   std::map<std::string, std::size_t> sizes, positions;
   for (const Fault& fault : faults) ++sizes[fault.task];
   std::vector<Numbered> all;
   for (std::size_t i = 0; i < faults.size(); ++i) {
-    if (share.has(positions[faults[i].task]++, sizes[faults[i].task]))
+    if (share.includes(positions[faults[i].task]++, sizes[faults[i].task]))
       all.push_back({i + 1, faults[i]});
   }
   return all;
 }
 
 // Checks that every fault of a lab in the share is found.
-Found find_all(const Lab& lab, const test::Share& share) {
+Found find_all(const Lab& lab, const test::DailyShare& share) {
   INFO("lab " << lab.folder << ", " << share.text());
-  Bench& bench = Bench::of(lab);
+  Bench& bench = Bench::for_lab(lab);
   const auto header = read_text_file(bench.sources().labs / lab.folder / "student.h");
   REQUIRE(header);
-  const std::vector<Numbered> chosen = drawn(faults_of(bench.sources(), lab), share);
+  const std::vector<Numbered> chosen = faults_in_share(faults_of(bench.sources(), lab), share);
   std::vector<Fault> faults;
   for (const Numbered& each : chosen) faults.push_back(each.fault);
-  const BenchProgram program = bench.program(all_in_one(*header, bench.solution(), faults));
+  const BenchProgram program =
+      bench.program(solution_with_all_faults(*header, bench.solution(), faults));
   {
     const LabResult result = bench.check(program);
     INFO(failures(result));
@@ -94,7 +96,7 @@ Found find_all(const Lab& lab, const test::Share& share) {
   Found all;
   for (std::size_t i = 0; i < faults.size(); ++i) {
     const Fault& fault = faults[i];
-    const Chosen planted(i + 1);
+    const ScopedFault planted(i + 1);
     const LabResult result = bench.check(program);
     INFO("fault " << chosen[i].number << ": " << fault.name << ", task " << fault.task);
     INFO(failures(result));
@@ -129,7 +131,7 @@ namespace {
 
 // Finds the share's faults in all labs, each by the case that the page names. Returns how many
 // there were, and which slips were named.
-Found find_in_all_labs(const test::Share& share) {
+Found find_in_all_labs(const test::DailyShare& share) {
   const std::string text = page();
   Found all;
   for (const Lab& lab : all_labs()) {
@@ -155,7 +157,7 @@ TEST_CASE(
   const std::string text = page();
   std::size_t faults = 0;
   for (const Lab& lab : all_labs()) {
-    const Bench& bench = Bench::of(lab);
+    const Bench& bench = Bench::for_lab(lab);
     const std::vector<Fault> all = faults_of(bench.sources(), lab);
     for (std::size_t i = 0; i < all.size(); ++i) {
       INFO("lab " << lab.folder << ", fault " << i + 1 << ": " << all[i].name);
@@ -173,12 +175,12 @@ TEST_CASE(
 
 TEST_CASE("a sentence of a contract that is not kept is found by the case that the page names") {
   // One in eight of a thousand faults, and at least one of each of the eighty tasks.
-  CHECK(find_in_all_labs(test::Share(kDays)).faults >= 120);
+  CHECK(find_in_all_labs(test::DailyShare(kDays)).faults >= 120);
 }
 
 TEST_CASE("every sentence of a contract that is not kept is found by the case that the page names",
           "[.faults]") {
-  const Found found = find_in_all_labs(test::Share::everything());
+  const Found found = find_in_all_labs(test::DailyShare::everything());
   CHECK(found.faults >= 1200);
   for (const Slip& slip : known_slips()) {
     // no lab asks for normals; slips_test.cpp has this one
@@ -222,7 +224,7 @@ TEST_CASE("every day's share has a fault of every task, and eight days have ever
     std::set<std::size_t> numbers;
     for (std::uint64_t seed = 20783; seed < 20783 + kDays; ++seed) {
       std::set<std::string> tasks;
-      for (const Numbered& each : drawn(faults, test::Share(kDays, seed))) {
+      for (const Numbered& each : faults_in_share(faults, test::DailyShare(kDays, seed))) {
         tasks.insert(each.fault.task);
         numbers.insert(each.number);
       }
@@ -238,7 +240,7 @@ TEST_CASE("the tables of the page of faults", "[.page]") {
   const char* only = std::getenv("LAB");
   for (const Lab& lab : all_labs()) {
     if (only != nullptr && lab.number != std::atoi(only)) continue;
-    const Found found = find_all(lab, test::Share::everything());
+    const Found found = find_all(lab, test::DailyShare::everything());
     std::printf("\n## Lab %d: %s\n\n| | task | what is wrong | found by | slip |\n", lab.number,
                 lab.title.c_str());
     std::printf("| --- | --- | --- | --- | --- |\n");

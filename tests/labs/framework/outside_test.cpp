@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labs/framework/sources.h"
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "tests/support/catch.h"
 #include "tests/support/run_program.h"
 
@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // A directory of its own, removed at the end, with the page's lab in 40-fog.
-struct Desk {
+struct OutsideLabDirectory {
   fs::path path = fs::temp_directory_path() / fmt::format("glassbox-outside-{}", getpid());
   fs::path lab = path / "40-fog";
-  Desk() {
+  OutsideLabDirectory() {
     fs::remove_all(path);
     fs::create_directories(lab);
     const std::string page = read_text_file(LABS_PAGE).value();
@@ -29,7 +29,7 @@ struct Desk {
          {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp", "checks.cpp"})
       write(lab / name, shown(page, name));
   }
-  ~Desk() { fs::remove_all(path); }
+  ~OutsideLabDirectory() { fs::remove_all(path); }
   // Returns the block that the page shows below the line "`NAME`:".
   static std::string shown(const std::string& page, const std::string& name) {
     const std::size_t named = page.find("\n`" + name + "`:\n");
@@ -55,82 +55,85 @@ struct Desk {
 }  // namespace
 
 TEST_CASE("a lab of the page's small files, outside of the source tree, is graded (--lab-dir)") {
-  const Desk desk;
-  const std::string solution = desk.solution();
-  Desk::write(desk.path / "class/right/student.cpp", solution);
-  Desk::write(desk.path / "class/fresh/student.cpp", strip_solution(solution, "").value());
+  const OutsideLabDirectory directory;
+  const std::string solution = directory.solution();
+  OutsideLabDirectory::write(directory.path / "class/right/student.cpp", solution);
+  OutsideLabDirectory::write(directory.path / "class/fresh/student.cpp",
+                             strip_solution(solution, "").value());
   std::string unclamped = solution;
   unclamped.replace(unclamped.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
-  Desk::write(desk.path / "class/unclamped/student.cpp", unclamped);
+  OutsideLabDirectory::write(directory.path / "class/unclamped/student.cpp", unclamped);
 
-  const auto graded = desk.run({"lab", "grade", "class", "--lab-dir", "40-fog", "-o", "results"});
+  const auto graded =
+      directory.run({"lab", "grade", "class", "--lab-dir", "40-fog", "-o", "results"});
   INFO(graded.err);
   REQUIRE(graded.exit_code == 0);
-  CHECK(desk.total("right") == 100);
-  CHECK(desk.total("fresh") == 0);
+  CHECK(directory.total("right") == 100);
+  CHECK(directory.total("fresh") == 0);
   // Two of the visible check's four distances are outside start and end, and all three of the
   // hidden check's are inside.
-  CHECK(desk.total("unclamped") == 75);
+  CHECK(directory.total("unclamped") == 75);
 
   // Graded one by one, with a kit and a judge that are kept.
   for (int i = 0; i < 2; ++i) {
-    const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
-                               "--kit", "kit", "-o", "one.json"});
+    const auto one = directory.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
+                                    "--kit", "kit", "-o", "one.json"});
     INFO(one.err);
     CHECK(one.exit_code == 0);
-    CHECK(read_text_file(desk.path / "one.json").value() ==
-          read_text_file(desk.path / "results/right/results.json").value());
-    CHECK(std::distance(fs::directory_iterator(desk.path / "kit.judge"), {}) == 1);
+    CHECK(read_text_file(directory.path / "one.json").value() ==
+          read_text_file(directory.path / "results/right/results.json").value());
+    CHECK(std::distance(fs::directory_iterator(directory.path / "kit.judge"), {}) == 1);
   }
   // Graded again only if the judge has changed.
   const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
                                        "40-fog", "-o",    "results", "--resume"};
-  CHECK(desk.run(again).err.find("3 of 3 submissions already have their results") !=
+  CHECK(directory.run(again).err.find("3 of 3 submissions already have their results") !=
         std::string::npos);
-  std::string judge = read_text_file(desk.lab / "checks.cpp").value();
+  std::string judge = read_text_file(directory.lab / "checks.cpp").value();
   judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
-  Desk::write(desk.lab / "checks.cpp", judge);
-  REQUIRE(desk.run(again).exit_code == 0);
-  CHECK(desk.total("right") == 75);
-  CHECK(desk.total("unclamped") == 100);
+  OutsideLabDirectory::write(directory.lab / "checks.cpp", judge);
+  REQUIRE(directory.run(again).exit_code == 0);
+  CHECK(directory.total("right") == 75);
+  CHECK(directory.total("unclamped") == 100);
 }
 
 TEST_CASE("a lab outside of the source tree is started and checked (--lab-dir)") {
-  const Desk desk;
-  const auto started = desk.run({"lab", "start", "mine", "--lab-dir", "40-fog"});
+  const OutsideLabDirectory directory;
+  const auto started = directory.run({"lab", "start", "mine", "--lab-dir", "40-fog"});
   INFO(started.err);
   REQUIRE(started.exit_code == 0);
   CHECK(started.out.find("lab check mine --lab-dir 40-fog") != std::string::npos);
-  const std::string handed_out = read_text_file(desk.path / "mine/cases.h").value();
+  const std::string handed_out = read_text_file(directory.path / "mine/cases.h").value();
   CHECK(handed_out.find("hidden") == std::string::npos);
-  const auto fresh = desk.run({"lab", "check", "mine", "--lab-dir", "40-fog", "--json", "-"});
+  const auto fresh = directory.run({"lab", "check", "mine", "--lab-dir", "40-fog", "--json", "-"});
   INFO(fresh.err);
   CHECK(fresh.exit_code == 1);
   CHECK(nlohmann::json::parse(fresh.out).at("score") == 0);
-  const auto whole = desk.run({"lab", "check", "40-fog", "--lab-dir", "40-fog", "--hidden"});
+  const auto whole = directory.run({"lab", "check", "40-fog", "--lab-dir", "40-fog", "--hidden"});
   CHECK(whole.exit_code == 0);
   CHECK(whole.out.find("100 of 100") != std::string::npos);
-  CHECK(desk.run({"lab", "start", "3", "other", "--lab-dir", "40-fog"}).exit_code == 2);
-  CHECK(desk.run({"lab", "start", "3"}).exit_code == 2);
+  CHECK(directory.run({"lab", "start", "3", "other", "--lab-dir", "40-fog"}).exit_code == 2);
+  CHECK(directory.run({"lab", "start", "3"}).exit_code == 2);
 }
 
 TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-dir)") {
-  const Desk desk;
-  Desk::write(desk.path / "class/right/student.cpp", desk.solution());
+  const OutsideLabDirectory directory;
+  OutsideLabDirectory::write(directory.path / "class/right/student.cpp", directory.solution());
   const auto refused = [&](const std::string& folder, const std::string& words) {
-    const auto outcome = desk.run({"lab", "grade", "class", "--lab-dir", folder, "-o", "results"});
+    const auto outcome =
+        directory.run({"lab", "grade", "class", "--lab-dir", folder, "-o", "results"});
     INFO(outcome.err);
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err.find(words) != std::string::npos);
   };
   refused("nowhere", "is not a folder");
-  fs::create_directories(desk.path / "fog");
+  fs::create_directories(directory.path / "fog");
   refused("fog", "does not have the name of a lab");
-  const std::string checks = read_text_file(desk.lab / "checks.cpp").value();
+  const std::string checks = read_text_file(directory.lab / "checks.cpp").value();
   const auto with = [&](const std::string& find, const std::string& replace) {
     std::string changed = checks;
     changed.replace(changed.find(find), find.size(), replace);
-    Desk::write(desk.lab / "checks.cpp", changed);
+    OutsideLabDirectory::write(directory.lab / "checks.cpp", changed);
   };
   with("Lab lab_40()", "Lab lab_41()");
   refused("40-fog", "lab_40");
@@ -143,9 +146,9 @@ TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-di
   with("{{\"40.1\"", "{{\"40.2\"");
   refused("40-fog", "belongs to task 40.1");
   for (const char* name : {"runner.cpp", "checks.cpp", "student.h", "handout.md"}) {
-    const std::string text = read_text_file(desk.lab / name).value();
-    fs::remove(desk.lab / name);
+    const std::string text = read_text_file(directory.lab / name).value();
+    fs::remove(directory.lab / name);
     refused("40-fog", std::string("40-fog/") + name);
-    Desk::write(desk.lab / name, text);
+    OutsideLabDirectory::write(directory.lab / name, text);
   }
 }

@@ -1,5 +1,5 @@
 // Tests points.json: what it changes, and what it warns about.
-#include "labs/framework/points.h"
+#include "labs/framework/lab_points.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <tuple>
 
-#include "labs/framework/judge.h"
+#include "labs/framework/judge_check.h"
 #include "labs/framework/sources.h"
 #include "tests/support/catch.h"
 
@@ -35,23 +35,23 @@ Lab two_tasks() {
   return lab;
 }
 
-Result<Shares> shares_of(const std::string& text) {
+Result<LabPoints> lab_points_of(const std::string& text) {
   const fs::path file = fs::temp_directory_path() / ("glassbox-points-" + std::to_string(getpid()));
   std::ofstream(file) << text;
-  auto shares = read_shares(two_tasks(), file);
+  auto lab_points = read_lab_points(two_tasks(), file);
   fs::remove(file);
-  return shares;
+  return lab_points;
 }
 
 }  // namespace
 
 TEST_CASE(
     "points.json gives tasks points, visible checks weights, and hidden ones a weight together") {
-  const auto shares = shares_of(
+  const auto lab_points = lab_points_of(
       R"({"points": 20, "tasks": {"1.1": 12, "1.2": 8}, "checks": {"b": 3}, "hidden": {"1.1": 2}})");
-  REQUIRE(shares);
-  CHECK(shares->warnings.empty());
-  const Lab& lab = shares->lab;
+  REQUIRE(lab_points);
+  CHECK(lab_points->warnings.empty());
+  const Lab& lab = lab_points->lab;
   CHECK(points_of_case(lab, lab.checks[0], 2) == 1);  // 12 * 1 / 6 / 2
   CHECK(points_of_case(lab, lab.checks[1], 1) == 6);  // 12 * 3 / 6
   CHECK(points_of_case(lab, lab.checks[2], 4) == 1);  // 12 * 2 / 6 / 4
@@ -61,12 +61,12 @@ TEST_CASE(
 TEST_CASE(
     "a check that counts as a whole gives its points where every case is right, and none "
     "elsewhere") {
-  const auto shares = shares_of(R"({"whole": ["b"]})");
-  REQUIRE(shares);
-  CHECK(shares->warnings.empty());
-  const Lab& lab = shares->lab;
-  CHECK_FALSE(lab.checks[0].whole);
-  CHECK(lab.checks[1].whole);
+  const auto lab_points = lab_points_of(R"({"whole": ["b"]})");
+  REQUIRE(lab_points);
+  CHECK(lab_points->warnings.empty());
+  const Lab& lab = lab_points->lab;
+  CHECK_FALSE(lab.checks[0].all_or_nothing);
+  CHECK(lab.checks[1].all_or_nothing);
   const std::vector<Case> cases{{"", "", {numbers("y", {1})}}, {"", "", {numbers("y", {2})}}};
   CheckAnswers answers;
   answers.cases.resize(2);
@@ -87,12 +87,13 @@ TEST_CASE("a far plane that is forgotten costs more than the one case that shows
   const Sources sources = find_sources().value();
   const Lab& lab = *std::find_if(all_labs().begin(), all_labs().end(),
                                  [](const Lab& l) { return l.number == 5; });
-  const Lab shared = read_shares(lab, sources.folder_of(lab.folder) / "points.json").value().lab;
+  const Lab shared =
+      read_lab_points(lab, sources.folder_of(lab.folder) / "points.json").value().lab;
   const auto clipper = std::find_if(shared.checks.begin(), shared.checks.end(), [](const Check& c) {
     return c.name == "a triangle and the frustum";
   });
   REQUIRE(clipper != shared.checks.end());
-  CHECK(clipper->whole);
+  CHECK(clipper->all_or_nothing);
   for (const Check& check : shared.checks) {
     if (check.name != "which planes a point is outside of") continue;
     const std::vector<Case> cases = check.cases();
@@ -116,23 +117,23 @@ TEST_CASE("a far plane that is forgotten costs more than the one case that shows
 
 TEST_CASE(
     "points.json is warned of where it does not sum to what it says, or names what is not there") {
-  CHECK(shares_of("{}")->warnings.empty());
-  CHECK(read_shares(two_tasks(), "/nowhere/points.json")->warnings.empty());
+  CHECK(lab_points_of("{}")->warnings.empty());
+  CHECK(read_lab_points(two_tasks(), "/nowhere/points.json")->warnings.empty());
   for (const char* text :
        {R"({"points": 100})", R"({"points": 10, "tasks": {"1.1": 7, "1.2": 4}})",
         R"({"tasks": {"1.1": 6}})", R"({"tasks": {"1.1": 6, "1.2": 4, "1.3": 1}})",
         R"({"checks": {"d": 1}})", R"({"checks": {"secret": 1}})", R"({"hidden": {"1.2": 1}})",
         R"({"checks": {"c": 0}})", R"({"whole": ["d"]})", R"({"whole": ["secret"]})"}) {
     INFO(text);
-    const auto shares = shares_of(text);
-    REQUIRE(shares);
-    CHECK(shares->warnings.size() == 1);
+    const auto lab_points = lab_points_of(text);
+    REQUIRE(lab_points);
+    CHECK(lab_points->warnings.size() == 1);
   }
   for (const char* text :
        {"[]", "{", R"({"point": 1})", R"({"tasks": {"1.1": "6"}})", R"({"checks": {"a": -1}})",
         R"({"checks": 1})", R"({"whole": "a"})", R"({"whole": [1]})"}) {
     INFO(text);
-    CHECK_FALSE(shares_of(text));
+    CHECK_FALSE(lab_points_of(text));
   }
 }
 
@@ -142,11 +143,11 @@ TEST_CASE("every lab's points.json sums to 100 and names no hidden check") {
     INFO(lab.folder);
     const fs::path file = sources.folder_of(lab.folder) / "points.json";
     CHECK(fs::exists(file));
-    const auto shares = read_shares(lab, file);
-    REQUIRE(shares);
-    CHECK(shares->warnings.empty());
+    const auto lab_points = read_lab_points(lab, file);
+    REQUIRE(lab_points);
+    CHECK(lab_points->warnings.empty());
     double sum = 0;
-    for (const Task& task : shares->lab.tasks) sum += task.points;
+    for (const Task& task : lab_points->lab.tasks) sum += task.points;
     CHECK(sum == 100);
   }
 }
@@ -155,13 +156,13 @@ TEST_CASE(
     "one visible check of a task weighs 2, the others 1, and the hidden ones as much together") {
   const Sources sources = find_sources().value();
   for (const Lab& lab : all_labs()) {
-    const auto shares = read_shares(lab, sources.folder_of(lab.folder) / "points.json");
-    REQUIRE(shares);
+    const auto lab_points = read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
+    REQUIRE(lab_points);
     for (const Task& task : lab.tasks) {
       INFO("task " << task.id);
       double visible = 0, hidden = 0;
       std::size_t checks = 0, headlines = 0;
-      for (const Check& check : shares->lab.checks) {
+      for (const Check& check : lab_points->lab.checks) {
         if (check.task != task.id) continue;
         (check.hidden ? hidden : visible) += check.weight;
         if (check.hidden) continue;

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "cli/process/process.h"
-#include "labs/framework/judge.h"
-#include "labs/framework/points.h"
+#include "labs/framework/judge_check.h"
+#include "labs/framework/lab_points.h"
 #include "labs/framework/run_check.h"
 #include "tests/support/catch.h"
 
@@ -123,7 +123,7 @@ TEST_CASE("answers without end are cut off") {
 
 TEST_CASE("what the code prints is kept apart from its answers") {
   const auto answers = Script("echo hello; echo there >&2; answer 0").run(1);
-  CHECK(answers.said == "hello\nthere\n");
+  CHECK(answers.printed == "hello\nthere\n");
   CHECK(answers.cases[0].state == State::kAnswered);
 }
 

@@ -12,27 +12,27 @@ namespace {
 
 using Values = std::vector<double>;
 
-struct Put {
+struct AnsweredField {
   Expected expected;
   Values actual;
 };
 
-std::vector<std::string> slips_of(const std::vector<Put>& all) {
+std::vector<std::string> slips_of(const std::vector<AnsweredField>& all) {
   std::vector<Case> cases;
   std::vector<CaseAnswer> answers;
-  for (const Put& put : all) {
+  for (const AnsweredField& answered : all) {
     Case input;
-    input.expected = {put.expected};
+    input.expected = {answered.expected};
     cases.push_back(input);
     CaseAnswer answer;
     answer.state = CaseAnswer::State::kAnswered;
-    answer.answer.emit(put.expected.field, put.actual);
+    answer.answer.emit(answered.expected.field, answered.actual);
     answers.push_back(answer);
   }
   return find_slips(cases, answers);
 }
 
-bool names(const std::vector<Put>& all, const std::string& slip) {
+bool finds_slip(const std::vector<AnsweredField>& all, const std::string& slip) {
   const auto found = slips_of(all);
   return std::find(found.begin(), found.end(), slip) != found.end();
 }
@@ -79,55 +79,57 @@ TEST_CASE("the row of a view matrix with the opposite sign") {
   Values slipped = view;
   slipped[10] = -slipped[10];
   slipped[11] = -slipped[11];
-  CHECK(names({{field(Shape::kMatrix, view), slipped}}, "z-sign"));
+  CHECK(finds_slip({{field(Shape::kMatrix, view), slipped}}, "z-sign"));
 }
 
 TEST_CASE("screen y from the bottom, with one height for all points") {
   const auto screen = [](double y) { return field(Shape::kNumbers, {10, y}); };
-  CHECK(names({{screen(100), {10, 380}}, {screen(20), {10, 460}}}, "y-direction"));
-  CHECK_FALSE(names({{screen(100), {10, 380}}, {screen(20), {10, 459}}}, "y-direction"));
+  CHECK(finds_slip({{screen(100), {10, 380}}, {screen(20), {10, 460}}}, "y-direction"));
+  CHECK_FALSE(finds_slip({{screen(100), {10, 380}}, {screen(20), {10, 459}}}, "y-direction"));
   // With a single point there is always a height that fits, so it is no evidence.
-  CHECK_FALSE(names({{screen(100), {10, 380}}}, "y-direction"));
+  CHECK_FALSE(finds_slip({{screen(100), {10, 380}}}, "y-direction"));
 }
 
 TEST_CASE(
     "a transposed matrix, and one for row vectors, which has its translation in the last row") {
   Values m = about_z(0.3);
-  CHECK(names({{field(Shape::kMatrix, m), transposed(m)}}, "row-column-order"));
+  CHECK(finds_slip({{field(Shape::kMatrix, m), transposed(m)}}, "row-column-order"));
   m[3] = 7;
-  CHECK(names({{field(Shape::kMatrix, m), transposed(m)}}, "row-vectors"));
+  CHECK(finds_slip({{field(Shape::kMatrix, m), transposed(m)}}, "row-vectors"));
 }
 
 TEST_CASE("reversed polygons, triples, normals and yes for no") {
   const Expected quad = field(Shape::kPolygon, {0, 0, 2, 0, 1, 1, 0, 1}, 0, 2);
-  CHECK(names({{quad, {0, 0, 0, 1, 1, 1, 2, 0}}}, "winding"));
-  CHECK(names({{quad, {0, 1, 1, 1, 2, 0, 0, 0}}}, "winding"));
-  CHECK_FALSE(names({{quad, {0, 0, 1, 1, 2, 0, 0, 1}}}, "winding"));
-  CHECK(names({{field(Shape::kNumbers, {0, 1, 2, 2, 1, 3}, 0), {0, 2, 1, 2, 3, 1}}}, "winding"));
+  CHECK(finds_slip({{quad, {0, 0, 0, 1, 1, 1, 2, 0}}}, "winding"));
+  CHECK(finds_slip({{quad, {0, 1, 1, 1, 2, 0, 0, 0}}}, "winding"));
+  CHECK_FALSE(finds_slip({{quad, {0, 0, 1, 1, 2, 0, 0, 1}}}, "winding"));
+  CHECK(
+      finds_slip({{field(Shape::kNumbers, {0, 1, 2, 2, 1, 3}, 0), {0, 2, 1, 2, 3, 1}}}, "winding"));
   Expected normal = field(Shape::kPoint, {1, 2, 3});
   CHECK(slips_of({{normal, {-1, -2, -3}}})
             .empty());  // without the field's name it may be a point behind the eye
   normal.field = "normal";
-  CHECK(names({{normal, {-1, -2, -3}}}, "winding"));
+  CHECK(finds_slip({{normal, {-1, -2, -3}}}, "winding"));
   const auto back = [](double yes) { return field(Shape::kNumbers, {yes}, 0); };
-  CHECK(names({{back(1), {0}}, {back(0), {1}}}, "winding"));
-  CHECK_FALSE(names({{back(1), {0}}, {back(0), {0}}}, "winding"));
+  CHECK(finds_slip({{back(1), {0}}, {back(0), {1}}}, "winding"));
+  CHECK_FALSE(finds_slip({{back(1), {0}}, {back(0), {0}}}, "winding"));
 }
 
 TEST_CASE("angles that are halved, doubled, or in degrees") {
   const double degree = std::numbers::pi / 180;
   Expected angle = field(Shape::kNumbers, {0.5});
-  CHECK_FALSE(names({{angle, {1.0}}}, "half-angle"));  // without a unit it may be any number
+  CHECK_FALSE(finds_slip({{angle, {1.0}}}, "half-angle"));  // without a unit it may be any number
   angle.unit = "radian";
-  CHECK(names({{angle, {1.0}}}, "half-angle"));
-  CHECK(names({{angle, {0.5 / degree}}}, "degrees-radians"));
+  CHECK(finds_slip({{angle, {1.0}}}, "half-angle"));
+  CHECK(finds_slip({{angle, {0.5 / degree}}}, "degrees-radians"));
   angle.values = {1e-7}, angle.bound = 1e-12;
-  CHECK_FALSE(names({{angle, {4e-7}}}, "half-angle"));  // merely a small angle that is wrong
-  CHECK(names({{field(Shape::kMatrix, about_z(0.8)), about_z(0.4)}}, "half-angle"));
-  CHECK(names({{field(Shape::kMatrix, about_z(30 * degree)), about_z(30)}}, "degrees-radians"));
-  CHECK(names({{field(Shape::kMatrix, projection(1)), projection(2)}}, "half-angle"));
+  CHECK_FALSE(finds_slip({{angle, {4e-7}}}, "half-angle"));  // merely a small angle that is wrong
+  CHECK(finds_slip({{field(Shape::kMatrix, about_z(0.8)), about_z(0.4)}}, "half-angle"));
   CHECK(
-      names({{field(Shape::kMatrix, projection(60 * degree)), projection(60)}}, "degrees-radians"));
+      finds_slip({{field(Shape::kMatrix, about_z(30 * degree)), about_z(30)}}, "degrees-radians"));
+  CHECK(finds_slip({{field(Shape::kMatrix, projection(1)), projection(2)}}, "half-angle"));
+  CHECK(finds_slip({{field(Shape::kMatrix, projection(60 * degree)), projection(60)}},
+                   "degrees-radians"));
 }
 
 TEST_CASE("a rotation and a translation in the other order") {
@@ -135,8 +137,8 @@ TEST_CASE("a rotation and a translation in the other order") {
   first_turned[3] = 5;
   first_moved[3] = 5 * std::cos(0.7);
   first_moved[7] = 5 * std::sin(0.7);
-  CHECK(names({{field(Shape::kMatrix, first_turned), first_moved}}, "multiplication-order"));
-  CHECK(names({{field(Shape::kMatrix, first_moved), first_turned}}, "multiplication-order"));
+  CHECK(finds_slip({{field(Shape::kMatrix, first_turned), first_moved}}, "multiplication-order"));
+  CHECK(finds_slip({{field(Shape::kMatrix, first_moved), first_turned}}, "multiplication-order"));
 }
 
 TEST_CASE("a slip that explains some answers of a check and not others is not named") {
@@ -151,7 +153,7 @@ TEST_CASE(
   Case input;
   input.expected = {field(Shape::kNumbers, {3, 4, 5, 6, 7})};
   const auto slipped = [](const char* slip, Values values) {
-    return Slipped{slip, {field(Shape::kNumbers, std::move(values))}};
+    return ExpectedWithSlip{slip, {field(Shape::kNumbers, std::move(values))}};
   };
   const auto answered = [](Values values) {
     CaseAnswer answer;

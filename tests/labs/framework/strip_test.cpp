@@ -1,7 +1,7 @@
 // Tests that solutions are removed from a file without a trace.
 #include <string>
 
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "tests/support/catch.h"
 
 using namespace glassbox::labs;

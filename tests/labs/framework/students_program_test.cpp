@@ -21,35 +21,35 @@ namespace {
 namespace fs = std::filesystem;
 
 // A directory that is removed with the object.
-struct StudentsDesk {
+struct StudentsDirectory {
   fs::path path = fs::temp_directory_path() / fmt::format("glassbox-students-{}", getpid());
-  StudentsDesk() {
+  StudentsDirectory() {
     fs::remove_all(path);
     fs::create_directories(path);
   }
-  ~StudentsDesk() { fs::remove_all(path); }
+  ~StudentsDirectory() { fs::remove_all(path); }
 };
 
 // The program with the files of an installation: the files that it hands out are found beside it.
 class Installed {
 public:
   Installed() {
-    const fs::path prefix = desk_.path / "installed";
+    const fs::path prefix = directory_.path / "installed";
     fs::create_directories(prefix / "bin");
     fs::create_directories(prefix / "share/glassbox");
     fs::copy_file(STUDENTS_PROGRAM, prefix / "bin/glassbox");
     fs::create_directory_symlink(STUDENTS_LABS, prefix / "share/glassbox/labs");
     fs::create_directory_symlink(GLASSBOX_SOURCE_DIR "/include", prefix / "include");
   }
-  const fs::path& path() const { return desk_.path; }
+  const fs::path& path() const { return directory_.path; }
   test::Outcome run(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"XDG_CACHE_HOME=" + (desk_.path / "cache").string(),
-                                 (desk_.path / "installed/bin/glassbox").string(), "lab"});
-    return test::run_program("/usr/bin/env", words, desk_.path.string());
+    words.insert(words.begin(), {"XDG_CACHE_HOME=" + (directory_.path / "cache").string(),
+                                 (directory_.path / "installed/bin/glassbox").string(), "lab"});
+    return test::run_program("/usr/bin/env", words, directory_.path.string());
   }
 
 private:
-  StudentsDesk desk_;
+  StudentsDirectory directory_;
 };
 
 bool says(const std::string& text, const std::string& part) {
@@ -107,24 +107,24 @@ TEST_CASE("what grades and hands out is unknown to a students' program, as are h
 }
 
 TEST_CASE("the students' package has every file that it is built of") {
-  const StudentsDesk desk;
+  const StudentsDirectory directory;
   const auto entries = grading::students_files(GLASSBOX_SOURCE_DIR);
   REQUIRE(entries);
   std::set<std::string> there;
   for (const ZipEntry& entry : *entries) {
     there.insert(entry.path);
-    const fs::path file = desk.path / entry.path;
+    const fs::path file = directory.path / entry.path;
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << entry.text;
   }
   // CMake refuses a list of sources if one of them is missing.
   const auto configured = test::run_program(
-      "/usr/bin/env", {"cmake", "--preset", "release", "-B", (desk.path / "build").string()},
-      (desk.path / "glassbox").string());
+      "/usr/bin/env", {"cmake", "--preset", "release", "-B", (directory.path / "build").string()},
+      (directory.path / "glassbox").string());
   INFO(configured.err);
   REQUIRE(configured.exit_code == 0);
-  CHECK(
-      says(read_text_file(desk.path / "build/CMakeCache.txt").value(), "GLASSBOX_STUDENT:BOOL=ON"));
+  CHECK(says(read_text_file(directory.path / "build/CMakeCache.txt").value(),
+             "GLASSBOX_STUDENT:BOOL=ON"));
   // A header is named from the top, from the folder of raster's lanes, or from the including file's
   // folder. Pages are written by the build.
   const std::regex include("(?:^|\n)#include (?:\"|<glassbox/)([^\">]+)[\">]");

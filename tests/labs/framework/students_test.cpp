@@ -1,6 +1,6 @@
 // Tests the files that students are given: none of them contains a solution, a hidden check or a
 // planted fault.
-#include "labs/framework/students.h"
+#include "labs/framework/student_version.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +13,7 @@
 
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "labs/framework/strip.h"
+#include "labs/framework/strip_solution.h"
 #include "labs/framework/zip.h"
 #include "tests/support/catch.h"
 #include "tests/support/run_program.h"
@@ -148,14 +148,16 @@ TEST_CASE("the judges that students get are built without the names of hidden ch
 }
 
 TEST_CASE("of a hidden check students get that its task has one") {
-  const auto kept = for_students("labs/77-x/checks.cpp",
-                                 "  check(\"a\", \"1.1\", \"eye\", as, b),\n  hidden_check(\"with "
-                                 "(a \\\" bracket\", \"1.2\", \"eye\", "
-                                 "more(), f),\n  x\n");
+  const auto kept =
+      student_version("labs/77-x/checks.cpp",
+                      "  check(\"a\", \"1.1\", \"eye\", as, b),\n  hidden_check(\"with "
+                      "(a \\\" bracket\", \"1.2\", \"eye\", "
+                      "more(), f),\n  x\n");
   REQUIRE(kept);
-  CHECK(**kept == "  check(\"a\", \"1.1\", \"eye\", as, b),\n  hidden_elsewhere(\"1.2\"),\n  x\n");
-  CHECK_FALSE(for_students("labs/77-x/checks.cpp", "hidden_check(name, task)"));
-  CHECK_FALSE(for_students("labs/77-x/checks.cpp", "hidden_check(\"a\", \"b\""));
-  CHECK(for_students("labs/77-x/faults.json", "[]").value() == std::nullopt);
-  CHECK(*for_students("labs/77-x/handout.md", "hidden_check(").value() == "hidden_check(");
+  CHECK(**kept ==
+        "  check(\"a\", \"1.1\", \"eye\", as, b),\n  hidden_check_placeholder(\"1.2\"),\n  x\n");
+  CHECK_FALSE(student_version("labs/77-x/checks.cpp", "hidden_check(name, task)"));
+  CHECK_FALSE(student_version("labs/77-x/checks.cpp", "hidden_check(\"a\", \"b\""));
+  CHECK(student_version("labs/77-x/faults.json", "[]").value() == std::nullopt);
+  CHECK(*student_version("labs/77-x/handout.md", "hidden_check(").value() == "hidden_check(");
 }

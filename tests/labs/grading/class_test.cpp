@@ -55,31 +55,31 @@ bool have_parallel() {
 }  // namespace
 
 TEST_CASE("a class has the same results in two runs and with any number of jobs, to the byte") {
-  const Place place;
-  write_class(place.path / "class", 21);
-  const auto grade = [&](const std::string& folder, const std::string& jobs, KitIs kit) {
+  const TestDirectory directory;
+  write_class(directory.path / "class", 21);
+  const auto grade = [&](const std::string& folder, const std::string& jobs, KitChoice kit) {
     const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", folder, "--jobs", jobs},
-                                   place.path, {}, kit);
+                                   directory.path, {}, kit);
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
   };
   // Another kit and other numbers of jobs are tried together: a change by any of them would show.
-  grade("a", "1", KitIs::kOwn);
-  grade("b", "5", KitIs::kShared);
-  const std::string first = all_results(place.path / "a");
+  grade("a", "1", KitChoice::kOwn);
+  grade("b", "5", KitChoice::kShared);
+  const std::string first = all_results(directory.path / "a");
   CHECK(first.size() > 21 * 1000);
-  CHECK(all_results(place.path / "b") == first);
-  CHECK(read(place.path / "b/class.csv") == read(place.path / "a/class.csv"));
+  CHECK(all_results(directory.path / "b") == first);
+  CHECK(read(directory.path / "b/class.csv") == read(directory.path / "a/class.csv"));
 }
 
 TEST_CASE("partial credit is per case") {
-  const Place place;
+  const TestDirectory directory;
   // There are 4 cases of 1 point, and 8 cases of 0.75 points, of which only x = 8 is wrong, in each
   // of the two checks of the reciprocal.
-  write(place.path / "class/ann/student.cpp",
+  write(directory.path / "class/ann/student.cpp",
         submission("return x > 0 ? 2 * x : 0;", "return x == 8 ? 0 : 1 / x;"));
-  REQUIRE(grader(for_one("ann"), place.path).exit_code == 0);
-  const auto results = read_json(place.path / "ann.json");
+  REQUIRE(grader(for_one("ann"), directory.path).exit_code == 0);
+  const auto results = read_json(directory.path / "ann.json");
   CHECK(total(results) == 3 + 3 * 0.75 + 3 * 0.75);
   CHECK(results.at("tests")[0].at("score") == 3);
   CHECK(results.at("tests")[1].at("extra_data").at("right") == 3);
@@ -87,9 +87,10 @@ TEST_CASE("partial credit is per case") {
 
 TEST_CASE("GNU parallel grades submissions as the class is") {
   if (!have_parallel()) SKIP_TEST("parallel is not installed");
-  const Place place;
-  write_class(place.path / "class", 21);  // every combination once
-  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, place.path).exit_code == 0);
+  const TestDirectory directory;
+  write_class(directory.path / "class", 21);  // every combination once
+  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, directory.path).exit_code ==
+          0);
   // The command of docs/grading.md.
   const std::string command =
       std::string(
@@ -97,25 +98,25 @@ TEST_CASE("GNU parallel grades submissions as the class is") {
           "'mkdir -p results/{} && ") +
       TINY_GRADER
       " lab grade class/{} --one --lab 99 --kit kit -o results/{}/results.json' 2>err.log >out.log";
-  const Outcome outcome = run_program("/bin/sh", {"-c", command}, place.path.string());
-  INFO(read(place.path / "err.log"));
+  const Outcome outcome = run_program("/bin/sh", {"-c", command}, directory.path.string());
+  INFO(read(directory.path / "err.log"));
   REQUIRE(outcome.exit_code == 0);
-  CHECK(all_results(place.path / "results") == all_results(place.path / "as-class"));
-  REQUIRE(grader({"collect", "results"}, place.path).exit_code == 0);
-  CHECK(read(place.path / "results/class.csv") == read(place.path / "as-class/class.csv"));
+  CHECK(all_results(directory.path / "results") == all_results(directory.path / "as-class"));
+  REQUIRE(grader({"collect", "results"}, directory.path).exit_code == 0);
+  CHECK(read(directory.path / "results/class.csv") == read(directory.path / "as-class/class.csv"));
 }
 
 TEST_CASE("results.json is valid, and gives no points, when a grading is killed") {
-  const Place place;
-  write(place.path / "class/slow/student.cpp", submission("for (;;) {}", "return 1 / x;"));
+  const TestDirectory directory;
+  write(directory.path / "class/slow/student.cpp", submission("for (;;) {}", "return 1 / x;"));
   const auto kill_soon = [&](pid_t process) {
     // Waits until the first results exist, and then stops in the middle of the work.
-    for (int i = 0; i < 1000 && !fs::exists(place.path / "slow.json"); ++i)
+    for (int i = 0; i < 1000 && !fs::exists(directory.path / "slow.json"); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ::kill(process, SIGKILL);
   };
-  CHECK(grader(for_one("slow"), place.path, kill_soon).exit_code == 128 + SIGKILL);
-  const auto results = read_json(place.path / "slow.json");
+  CHECK(grader(for_one("slow"), directory.path, kill_soon).exit_code == 128 + SIGKILL);
+  const auto results = read_json(directory.path / "slow.json");
   REQUIRE(results.is_object());
   CHECK(total(results) == 0);
   CHECK(results.at("extra_data").at("outcome") == "grading did not finish");
@@ -124,8 +125,8 @@ TEST_CASE("results.json is valid, and gives no points, when a grading is killed"
 TEST_CASE(
     "what is handed in is a file: links, pipes and devices are refused, and a missing file is "
     "named") {
-  const Place place;
-  const fs::path folder = place.path / "class";
+  const TestDirectory directory;
+  const fs::path folder = directory.path / "class";
   fs::create_directories(folder / "link");
   fs::create_symlink(TINY_SOLUTION, folder / "link/student.cpp");
   fs::create_directories(folder / "pipe");
@@ -134,9 +135,12 @@ TEST_CASE(
   fs::create_directory_symlink(fs::path(TINY_SOLUTION).parent_path(), folder / "folder-link");
   write(folder / "large/student.cpp", solution() + std::string(std::size_t(2) << 20, ' '));
   write(folder / "unpacked/lab/student.cpp", solution());
-  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path).exit_code == 0);
+  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "results"}, directory.path).exit_code ==
+          0);
   const auto outcome = [&](const std::string& name) {
-    return read_json(place.path / "results" / name / "results.json").at("extra_data").at("outcome");
+    return read_json(directory.path / "results" / name / "results.json")
+        .at("extra_data")
+        .at("outcome");
   };
   CHECK(outcome("link") == "file refused");
   CHECK(outcome("pipe") == "file refused");
@@ -147,15 +151,15 @@ TEST_CASE(
 }
 
 TEST_CASE("the lab is known by student.h in a submission, and asked for where there is none") {
-  const Place place;
-  write(place.path / "class/ann/student.cpp", solution());
-  const Outcome unknown = grader({"grade", "class", "-o", "results"}, place.path);
+  const TestDirectory directory;
+  write(directory.path / "class/ann/student.cpp", solution());
+  const Outcome unknown = grader({"grade", "class", "-o", "results"}, directory.path);
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err.find("--lab") != std::string::npos);
   fs::copy_file(fs::path(TINY_SOLUTION).parent_path() / "student.h",
-                place.path / "class/ann/student.h");
-  CHECK(grader({"grade", "class", "-o", "results"}, place.path).exit_code == 0);
-  CHECK(total(read_json(place.path / "results/ann/results.json")) == 10);
+                directory.path / "class/ann/student.h");
+  CHECK(grader({"grade", "class", "-o", "results"}, directory.path).exit_code == 0);
+  CHECK(total(read_json(directory.path / "results/ann/results.json")) == 10);
 }
 
 }  // namespace glassbox::test

@@ -80,25 +80,25 @@ TEST_CASE("autograder.zip has every folder that the build of its sources enters"
 }
 
 TEST_CASE("run_autograder grades /autograder/submission into /autograder/results/results.json") {
-  const Place place;
-  unpack(place.path, archive());
-  fs::create_symlink(TINY_GRADER, place.path / "source/bin/glassbox");
-  write(place.path / "submission/student.cpp", submission("return 2 * x;", "return 0;"));
-  const Outcome outcome = run_autograder(place.path);
+  const TestDirectory directory;
+  unpack(directory.path, archive());
+  fs::create_symlink(TINY_GRADER, directory.path / "source/bin/glassbox");
+  write(directory.path / "submission/student.cpp", submission("return 2 * x;", "return 0;"));
+  const Outcome outcome = run_autograder(directory.path);
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
-  const auto results = read_json(place.path / "results/results.json");
+  const auto results = read_json(directory.path / "results/results.json");
   REQUIRE(results.is_object());
   CHECK(total(results) == 4);
   CHECK(results.at("tests").size() == 3);
 }
 
 TEST_CASE("run_autograder leaves a valid results.json where the program cannot even start") {
-  const Place place;
-  unpack(place.path, archive());
-  write(place.path / "submission/student.cpp", solution());
-  run_autograder(place.path);
-  const auto results = read_json(place.path / "results/results.json");
+  const TestDirectory directory;
+  unpack(directory.path, archive());
+  write(directory.path / "submission/student.cpp", solution());
+  run_autograder(directory.path);
+  const auto results = read_json(directory.path / "results/results.json");
   REQUIRE(results.is_object());
   CHECK(total(results) == 0);
 }

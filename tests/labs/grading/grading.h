@@ -21,21 +21,21 @@ namespace glassbox::test {
 namespace fs = std::filesystem;
 
 // A directory that is removed with the object.
-struct Place {
+struct TestDirectory {
   fs::path path;
-  Place() {
+  TestDirectory() {
     std::string name = (fs::temp_directory_path() / "glassbox-test-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     path = name;
     // Submissions run as other users, which must be able to reach the files in it.
     fs::permissions(path, fs::perms(0755));
   }
-  ~Place() {
+  ~TestDirectory() {
     std::error_code error;
     fs::remove_all(path, error);
   }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  TestDirectory(const TestDirectory&) = delete;
+  TestDirectory& operator=(const TestDirectory&) = delete;
 };
 
 inline void write(const fs::path& path, const std::string& text) {
@@ -61,14 +61,14 @@ inline double total(const nlohmann::json& results) {
 
 // The code around a submission is compiled once for all tests, except where a test uses a kit of
 // its own.
-inline const Place shared_kit;
-enum class KitIs { kShared, kOwn };
+inline const TestDirectory shared_kit;
+enum class KitChoice { kShared, kOwn };
 
 inline Outcome grader(std::vector<std::string> arguments, const fs::path& directory,
                       const std::function<void(pid_t)>& meanwhile = {},
-                      KitIs kit = KitIs::kShared) {
+                      KitChoice kit = KitChoice::kShared) {
   const bool named = std::find(arguments.begin(), arguments.end(), "--kit") != arguments.end();
-  if (kit == KitIs::kShared && arguments.front() == "grade" && !named)
+  if (kit == KitChoice::kShared && arguments.front() == "grade" && !named)
     arguments.insert(arguments.end(), {"--kit", (shared_kit.path / "kit").string()});
   arguments.insert(arguments.begin(), "lab");
   return run_program(TINY_GRADER, arguments, directory.string(), meanwhile);

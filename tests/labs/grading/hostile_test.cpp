@@ -4,7 +4,7 @@
 
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
-#include "tests/support/share.h"
+#include "tests/support/daily_share.h"
 #include "tests/support/skip.h"
 
 namespace glassbox::test {
@@ -24,27 +24,27 @@ std::string class_of(const Hostile& each) {
   return each.outcome.starts_with("timeout") ? "hanging" : "class";
 }
 
-std::vector<Hostile> drawn(const std::vector<Hostile>& all, const Share& share) {
+std::vector<Hostile> attacks_in_share(const std::vector<Hostile>& all, const DailyShare& share) {
   std::vector<Hostile> some;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (share.has(i, all.size())) some.push_back(all[i]);
+    if (share.includes(i, all.size())) some.push_back(all[i]);
   }
   return some;
 }
 
-void grade_hostile_class(const std::string& sandbox, const Share& share) {
+void grade_hostile_class(const std::string& sandbox, const DailyShare& share) {
   INFO(share.text());
-  const std::vector<Hostile> runs = drawn(hostile_runs(), share);
-  const std::vector<Hostile> sources = drawn(hostile_sources(TINY_SOLUTION), share);
-  const Place place;
-  fs::create_directories(place.path / "hanging");
+  const std::vector<Hostile> runs = attacks_in_share(hostile_runs(), share);
+  const std::vector<Hostile> sources = attacks_in_share(hostile_sources(TINY_SOLUTION), share);
+  const TestDirectory directory;
+  fs::create_directories(directory.path / "hanging");
   for (const Hostile& each : runs)
-    write(place.path / class_of(each) / each.name / "student.cpp", source_of(each));
-  write(place.path / "hanging" / "slow" / "student.cpp",
+    write(directory.path / class_of(each) / each.name / "student.cpp", source_of(each));
+  write(directory.path / "hanging" / "slow" / "student.cpp",
         submission("return 2 * x;", "for (;;) {}"));
   for (const Hostile& each : sources)
-    write(place.path / "class" / each.name / "student.cpp", each.body);
-  write(place.path / "class" / "the-solution" / "student.cpp", solution());
+    write(directory.path / "class" / each.name / "student.cpp", each.body);
+  write(directory.path / "class" / "the-solution" / "student.cpp", solution());
   const std::string reference = read(TINY_SOLUTION), program = read(TINY_GRADER);
   fs::remove("/tmp/glassbox-was-here");
 
@@ -62,7 +62,7 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
                                    "--memory-limit",
                                    "128"};
     if (!sandbox.empty()) words.insert(words.end(), {"--sandbox", sandbox});
-    const Outcome outcome = grader(words, place.path);
+    const Outcome outcome = grader(words, directory.path);
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     CHECK(outcome.err.find("sandbox: ") != std::string::npos);
@@ -71,7 +71,7 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
   for (const Hostile& each : runs) {
     INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
     const auto results =
-        read_json(place.path / (class_of(each) + "-results") / each.name / "results.json");
+        read_json(directory.path / (class_of(each) + "-results") / each.name / "results.json");
     REQUIRE(results.is_object());
     INFO(results.at("output").get<std::string>());
     REQUIRE(results.at("extra_data").at("outcome") == "graded");
@@ -95,7 +95,7 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
   }
   for (const Hostile& each : sources) {
     INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
-    const auto results = read_json(place.path / "class-results" / each.name / "results.json");
+    const auto results = read_json(directory.path / "class-results" / each.name / "results.json");
     REQUIRE(results.is_object());
     INFO(results.at("output").get<std::string>());
     CHECK(total(results) == 0);
@@ -103,7 +103,7 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
     CHECK(named == each.outcome);
     CHECK(results.at("tests").size() == 3);
   }
-  CHECK(total(read_json(place.path / "class-results/the-solution/results.json")) == 10);
+  CHECK(total(read_json(directory.path / "class-results/the-solution/results.json")) == 10);
   CHECK(read(TINY_SOLUTION) == reference);
   CHECK(read(TINY_GRADER) == program);
   CHECK_FALSE(fs::exists("/tmp/glassbox-was-here"));
@@ -111,22 +111,22 @@ void grade_hostile_class(const std::string& sandbox, const Share& share) {
 
 // Whether this machine has the sandbox, according to the grader.
 bool has(const std::string& sandbox) {
-  const Place place;
-  write(place.path / "one/student.cpp", solution());
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp", solution());
   return grader(
              {"grade", "one", "--one", "--lab", "99", "-o", "results.json", "--sandbox", sandbox},
-             place.path)
+             directory.path)
              .exit_code == 0;
 }
 
-void grade_where_there_is(const std::string& sandbox, const Share& share) {
+void grade_where_there_is(const std::string& sandbox, const DailyShare& share) {
   if (!has(sandbox)) SKIP_TEST("no confinement by " << sandbox << " on this machine");
   grade_hostile_class(sandbox, share);
 }
 
 // Every day each kind is graded in one of the three sandboxes, and in three days in all of them.
-Share share_of(std::uint64_t sandbox) {
-  return Share(3, seed_of_shares() + sandbox);
+DailyShare share_of(std::uint64_t sandbox) {
+  return DailyShare(3, seed_of_shares() + sandbox);
 }
 
 }  // namespace
@@ -136,14 +136,14 @@ TEST_CASE("there are at least 15 kinds of hostile submission") {
 }
 
 TEST_CASE("bubblewrap that is asked for and not permitted is named as the reason") {
-  const Place place;
-  write(place.path / "one/student.cpp", solution());
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp", solution());
   // A user namespace that does not allow further namespaces, as in many containers.
   const std::string shut =
       "for f in /proc/sys/user/max_*_namespaces; do echo 0 > $f || exit 9; done; ";
   const auto in_container = [&](const std::string& command) {
     return run_program("/bin/sh", {"-c", "unshare -Ur sh -c '" + shut + command + "'"},
-                       place.path.string());
+                       directory.path.string());
   };
   if (in_container("true").exit_code != 0) SKIP_TEST("no user namespaces on this machine");
   const Outcome outcome = in_container(
@@ -168,7 +168,7 @@ TEST_CASE("hostile submissions are contained and named in limits") {
 
 TEST_CASE("every kind of hostile submission is contained and named in every sandbox", "[.faults]") {
   const std::string sandbox = GENERATE("bubblewrap", "landlock", "limits");
-  grade_where_there_is(sandbox, Share::everything());
+  grade_where_there_is(sandbox, DailyShare::everything());
 }
 
 }  // namespace glassbox::test

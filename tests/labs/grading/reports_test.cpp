@@ -2,7 +2,7 @@
 // reads.
 #include "labs/grading/reports.h"
 
-#include "labs/grading/messages.h"
+#include "labs/grading/compiler_messages.h"
 #include "labs/grading/vpl.h"
 #include "tests/labs/grading/grading.h"
 #include "tests/labs/grading/tiny_lab.h"
@@ -21,15 +21,17 @@ bool is_in(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of the hidden one") {
-  const Place place;
-  write(place.path / "one/student.cpp", submission("return x < 0 ? 0 : 2 * x;", "return 1 / x;"));
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp",
+        submission("return x < 0 ? 0 : 2 * x;", "return 1 / x;"));
   const Outcome outcome = grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit",
                                   "junit.xml", "--vpl", "vpl.txt"},
-                                 place.path);
+                                 directory.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  const std::string xml = read(place.path / "junit.xml"), text = read(place.path / "vpl.txt");
-  CHECK(run_program("/usr/bin/xmllint", {"--noout", (place.path / "junit.xml").string()}, "/")
+  const std::string xml = read(directory.path / "junit.xml"),
+                    text = read(directory.path / "vpl.txt");
+  CHECK(run_program("/usr/bin/xmllint", {"--noout", (directory.path / "junit.xml").string()}, "/")
             .exit_code == 0);
   CHECK(is_in(xml, "tests=\"2\" failures=\"1\" errors=\"0\""));
   CHECK(is_in(xml, "<testcase classname=\"task 99.2\" name=\"a reciprocal\"/>"));
@@ -40,44 +42,45 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
   CHECK(is_in(text, "-99.1.1 twice a number: wrong answer\n>wrong answer: 3 of 4"));
   for (const std::string& each : {xml, text}) CHECK_FALSE(is_in(each, "undone"));
 
-  write(place.path / "one/student.cpp", "int x = ;");
+  write(directory.path / "one/student.cpp", "int x = ;");
   grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit", "junit.xml", "--vpl",
           "vpl.txt"},
-         place.path);
-  CHECK(is_in(read(place.path / "junit.xml"), "errors=\"1\""));
-  CHECK(run_program("/usr/bin/xmllint", {"--noout", (place.path / "junit.xml").string()}, "/")
+         directory.path);
+  CHECK(is_in(read(directory.path / "junit.xml"), "errors=\"1\""));
+  CHECK(run_program("/usr/bin/xmllint", {"--noout", (directory.path / "junit.xml").string()}, "/")
             .exit_code == 0);
-  CHECK(is_in(read(place.path / "vpl.txt"), "Grade :=>>0.00\n"));
-  CHECK(is_in(read(place.path / "vpl.txt"), "student.cpp:1:9: error:"));
+  CHECK(is_in(read(directory.path / "vpl.txt"), "Grade :=>>0.00\n"));
+  CHECK(is_in(read(directory.path / "vpl.txt"), "student.cpp:1:9: error:"));
 }
 
 TEST_CASE("no two results of a submission go to one file") {
-  const Place place;
-  write(place.path / "one/student.cpp", solution());
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp", solution());
   for (const char* option : {"--junit", "--classroom", "--vpl"}) {
     for (const char* file : {"r.json", "./r.json", "r.json.unfinished"}) {
       INFO(option << " " << file);
       const Outcome outcome = grader(
-          {"grade", "one", "--one", "--lab", "99", "-o", "r.json", option, file}, place.path);
+          {"grade", "one", "--one", "--lab", "99", "-o", "r.json", option, file}, directory.path);
       CHECK(outcome.exit_code == 2);
       CHECK(is_in(outcome.err, "two outputs would go to this file"));
-      CHECK_FALSE(fs::exists(place.path / "r.json"));
+      CHECK_FALSE(fs::exists(directory.path / "r.json"));
     }
   }
 }
 
 TEST_CASE("Moodle's scripts leave a program that grades and writes a grade out of the activity's") {
-  const Place place;
-  write(place.path / "student.cpp", solution());
-  write(place.path / "vpl_environment.sh", "export VPL_GRADEMAX=20\n");
-  write(place.path / "bin/glassbox", std::string("#!/bin/sh\nexec ") + TINY_GRADER + " \"$@\"\n");
-  fs::permissions(place.path / "bin/glassbox", fs::perms(0755));
+  const TestDirectory directory;
+  write(directory.path / "student.cpp", solution());
+  write(directory.path / "vpl_environment.sh", "export VPL_GRADEMAX=20\n");
+  write(directory.path / "bin/glassbox",
+        std::string("#!/bin/sh\nexec ") + TINY_GRADER + " \"$@\"\n");
+  fs::permissions(directory.path / "bin/glassbox", fs::perms(0755));
   const auto said = [&](const std::string& script) {
-    write(place.path / "script.sh", script);
+    write(directory.path / "script.sh", script);
     return run_program("/bin/bash",
-                       {"-c", "PATH=" + (place.path / "bin").string() +
+                       {"-c", "PATH=" + (directory.path / "bin").string() +
                                   ":$PATH; bash ./script.sh && ./vpl_execution"},
-                       place.path.string())
+                       directory.path.string())
         .out;
   };
   const std::string evaluated = said(vpl_evaluate_script(99));
@@ -94,26 +97,26 @@ TEST_CASE("an error in a header or of the linker begins with the student's line"
   const std::string header =
       "In file included from student.cpp:1:\n/usr/include/v.h: In instantiation of 'x':\n"
       "student.cpp:3:21:   required from here\n/usr/include/v.h:10:2: error: no such thing\n";
-  CHECK(own_line_first(header, source) ==
+  CHECK(student_line_first(header, source) ==
         "student.cpp:3: this line leads to the error below:\n    std::vector<void> all;\n" +
             header);
   const std::string own = "student.cpp:3:2: error: x\n/usr/include/v.h:1:1: error: y\n";
-  CHECK(own_line_first(own, source) == own);
-  CHECK(own_line_first("a warning\n", source) == "a warning\n");
+  CHECK(student_line_first(own, source) == own);
+  CHECK(student_line_first("a warning\n", source) == "a warning\n");
   CHECK(
-      own_line_first("ld: visible.o: undefined reference to `twice(double)'\n", "")
+      student_line_first("ld: visible.o: undefined reference to `twice(double)'\n", "")
           .starts_with("student.cpp does not define twice(double), which is called somewhere.\n"));
 }
 
 TEST_CASE("all checks of a submission have one budget of time together") {
-  const Place place;
-  write(place.path / "one/student.cpp",
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp",
         submission("for (volatile int i = 0;; ++i) {}", "for (volatile int i = 0;; ++i) {}"));
   REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--time-limit", "30",
                   "--total-time", "2"},
-                 place.path)
+                 directory.path)
               .exit_code == 0);
-  const auto results = read_json(place.path / "r.json");
+  const auto results = read_json(directory.path / "r.json");
   for (const auto& test : results.at("tests")) {
     CHECK(test.at("extra_data").at("outcome") ==
           "timeout (the time limit of the whole submission is reached)");
@@ -122,11 +125,12 @@ TEST_CASE("all checks of a submission have one budget of time together") {
 }
 
 TEST_CASE("a task that answers as the starter does is not written yet") {
-  const Place place;
-  write(place.path / "one/student.cpp", submission("return 2 * x;", "return 0 * x;"));
-  REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json"}, place.path).exit_code ==
-          0);
-  const auto results = read_json(place.path / "r.json");
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp", submission("return 2 * x;", "return 0 * x;"));
+  REQUIRE(
+      grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json"}, directory.path).exit_code ==
+      0);
+  const auto results = read_json(directory.path / "r.json");
   CHECK(results.at("tests")[0].at("extra_data").at("outcome") == "passed");
   CHECK(results.at("tests")[1].at("extra_data").at("outcome") == "not written yet");
 }

@@ -1,6 +1,6 @@
 #include "labs/grading/results.h"
 
-#include "labs/grading/overview.h"
+#include "labs/grading/class_overview.h"
 #include "tests/labs/grading/grading.h"
 #include "tests/labs/grading/tiny_lab.h"
 #include "tests/support/catch.h"
@@ -10,7 +10,8 @@ namespace glassbox::test {
 using namespace labs::grading;
 
 TEST_CASE("results.json has Gradescope's fields, in its types and with its words") {
-  const auto json = gradescope_json(nothing_yet(tiny_labs()[0], "compile error"), "a sandbox");
+  const auto json =
+      gradescope_json(ungraded_submission(tiny_labs()[0], "compile error"), "a sandbox");
   CHECK(json.at("output").is_string());
   CHECK(json.at("output_format") == "text");
   CHECK_FALSE(json.contains("score"));  // Gradescope adds up the tests
@@ -37,7 +38,7 @@ TEST_CASE("results.json has Gradescope's fields, in its types and with its words
 
 TEST_CASE("GitHub Classroom's JSON has what its reporter adds up, and hides what is hidden") {
   const auto json =
-      classroom_json(gradescope_json(nothing_yet(tiny_labs()[0], "compile error"), ""));
+      classroom_json(gradescope_json(ungraded_submission(tiny_labs()[0], "compile error"), ""));
   CHECK(json.at("version") == 1);
   CHECK(json.at("status") == "error");
   CHECK(json.at("max_score") == 10);
@@ -49,10 +50,10 @@ TEST_CASE("GitHub Classroom's JSON has what its reporter adds up, and hides what
 }
 
 TEST_CASE("what a student wrote is text in every file: no markup, no formula, no broken UTF-8") {
-  Graded graded = nothing_yet(tiny_labs()[0], "compile error");
-  graded.said = "<script>alert(1)</script>\xff\xfe";
+  GradedSubmission graded = ungraded_submission(tiny_labs()[0], "compile error");
+  graded.messages = "<script>alert(1)</script>\xff\xfe";
   const auto json = nlohmann::ordered_json::parse(text_of(gradescope_json(graded, "")));
-  const std::vector<Row> rows{{"=HYPERLINK(\"x\",1)", json}, {"a,b<i>", json}};
+  const std::vector<ClassRow> rows{{"=HYPERLINK(\"x\",1)", json}, {"a,b<i>", json}};
   const std::string html = class_html(rows), csv = class_csv(rows);
   CHECK(html.find("<script>") == std::string::npos);
   CHECK(html.find("&lt;script&gt;") != std::string::npos);

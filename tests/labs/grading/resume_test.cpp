@@ -36,11 +36,11 @@ std::vector<std::string> with(std::vector<std::string> words, const std::string&
 }
 
 // Grades the class again and kills the grader when some of the results are new.
-Outcome killed_regrade(const fs::path& place, std::vector<std::string> words,
+Outcome killed_regrade(const fs::path& directory, std::vector<std::string> words,
                        const std::string& old) {
-  return grader(words, place, [&](pid_t process) {
+  return grader(words, directory, [&](pid_t process) {
     for (int i = 0; i < 6000; ++i) {
-      const auto first = read_json(place / "results" / name_of(2) / "results.json");
+      const auto first = read_json(directory / "results" / name_of(2) / "results.json");
       if (first.is_object() && first.at("extra_data").value("digest", "") != old) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
@@ -60,46 +60,46 @@ std::size_t scratch_folders(const fs::path& temporary) {
 
 TEST_CASE(
     "kill -9 of a regrade loses no grade, collect counts what is unfinished, --resume goes on") {
-  const Place place;
-  const fs::path results = place.path / "results";
-  const fs::path temporary = place.path / "tmp";
+  const TestDirectory directory;
+  const fs::path results = directory.path / "results";
+  const fs::path temporary = directory.path / "tmp";
   fs::create_directories(temporary);
   fs::permissions(temporary, fs::perms(0711));
   const std::string before = std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "";
   ::setenv("TMPDIR", temporary.c_str(), 1);
-  write_class(place.path / "class", "");
-  REQUIRE(grader(kGrade, place.path).exit_code == 0);
+  write_class(directory.path / "class", "");
+  REQUIRE(grader(kGrade, directory.path).exit_code == 0);
   std::vector<double> totals;
   for (int i = 0; i < kClass; ++i) totals.push_back(total(result_of(results, i)));
   const std::string old = result_of(results, 2).at("extra_data").at("digest");
 
-  write_class(place.path / "class", "// handed in again\n");
-  CHECK(killed_regrade(place.path, kGrade, old).exit_code == 128 + SIGKILL);
+  write_class(directory.path / "class", "// handed in again\n");
+  CHECK(killed_regrade(directory.path, kGrade, old).exit_code == 128 + SIGKILL);
   for (int i = 0; i < kClass; ++i) CHECK(total(result_of(results, i)) == totals[std::size_t(i)]);
   CHECK(scratch_folders(temporary) == 1);
 
-  const Outcome collected = grader({"collect", "results"}, place.path);
+  const Outcome collected = grader({"collect", "results"}, directory.path);
   CHECK(collected.exit_code == 1);
   CHECK(collected.err.find("of 6 gradings did not finish") != std::string::npos);
   CHECK(read(results / "class.csv").find("this is an earlier result") != std::string::npos);
 
-  const Outcome resumed = grader(with(kGrade, "--resume"), place.path);
+  const Outcome resumed = grader(with(kGrade, "--resume"), directory.path);
   CHECK(resumed.exit_code == 0);
   CHECK(resumed.err.find("of 6 submissions already have their results") != std::string::npos);
   CHECK(scratch_folders(temporary) == 0);
   for (int i = 0; i < kClass; ++i)
     CHECK(result_of(results, i).at("extra_data").at("digest") != old);
-  CHECK(grader({"collect", "results"}, place.path).exit_code == 0);
+  CHECK(grader({"collect", "results"}, directory.path).exit_code == 0);
   before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
 }
 
 TEST_CASE("--resume grades again what has another submission or other limits") {
-  const Place place;
-  write(place.path / "class/ann/student.cpp", solution());
+  const TestDirectory directory;
+  write(directory.path / "class/ann/student.cpp", solution());
   const std::vector<std::string> words{"grade", "class/ann", "--one",  "--lab",
                                        "99",    "-o",        "r.json", "--resume"};
   const auto graded_anew = [&](const std::vector<std::string>& called) {
-    const Outcome outcome = grader(called, place.path);
+    const Outcome outcome = grader(called, directory.path);
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     return outcome.out.find("already") == std::string::npos;
@@ -107,10 +107,10 @@ TEST_CASE("--resume grades again what has another submission or other limits") {
   CHECK(graded_anew(words));
   CHECK_FALSE(graded_anew(words));
   CHECK(graded_anew(with(with(words, "--time-limit"), "7")));
-  write(place.path / "class/ann/student.cpp", solution() + "// more\n");
+  write(directory.path / "class/ann/student.cpp", solution() + "// more\n");
   CHECK(graded_anew(words));
   CHECK_FALSE(graded_anew(words));
-  write(place.path / "r.json", "{}");
+  write(directory.path / "r.json", "{}");
   CHECK(graded_anew(words));
 }
 

@@ -10,21 +10,21 @@ namespace glassbox::test {
 namespace {
 
 // Returns the results of one submission.
-nlohmann::json graded(const Place& place, const std::string& text,
+nlohmann::json graded(const TestDirectory& directory, const std::string& text,
                       const std::vector<std::string>& options = {}) {
-  write(place.path / "one/student.cpp", text);
+  write(directory.path / "one/student.cpp", text);
   std::vector<std::string> words{"grade", "one",    "--one",        "--lab", "99",
                                  "-o",    "r.json", "--time-limit", "60"};
   words.insert(words.end(), options.begin(), options.end());
-  const Outcome outcome = grader(words, place.path);
+  const Outcome outcome = grader(words, directory.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  return read_json(place.path / "r.json");
+  return read_json(directory.path / "r.json");
 }
 
 // Returns what Gradescope shows before publishing: neither extra_data nor tests of another
 // visibility.
-std::string seen_before_publishing(const nlohmann::json& results) {
+std::string visible_before_publishing(const nlohmann::json& results) {
   nlohmann::json seen;
   for (const auto& [key, value] : results.items()) {
     if (key != "tests" && key != "extra_data") seen[key] = value;
@@ -87,9 +87,9 @@ const std::string kSpy = R"cpp(#include "student.h"
 
 TEST_CASE(
     "a submission that calls the runner's own checks finds no hidden one in a visible check") {
-  const Place place;
-  const auto results = graded(place, kSpy);
-  const std::string seen = seen_before_publishing(results);
+  const TestDirectory directory;
+  const auto results = graded(directory, kSpy);
+  const std::string seen = visible_before_publishing(results);
   // It sees the visible checks, so it would have seen the others as well.
   CHECK(seen.find("check twice a number") != std::string::npos);
   CHECK(seen.find("input 8") != std::string::npos);
@@ -102,19 +102,19 @@ TEST_CASE(
 
 TEST_CASE(
     "submissions that differ in hidden checks alone look the same until grades are published") {
-  const Place place;
-  const auto right = graded(place, submission("return 2 * x;", "return 1 / x;"));
-  const auto wrong = graded(place, submission("return 2 * x;", "return x == -5 ? 0 : 1 / x;"));
+  const TestDirectory directory;
+  const auto right = graded(directory, submission("return 2 * x;", "return 1 / x;"));
+  const auto wrong = graded(directory, submission("return 2 * x;", "return x == -5 ? 0 : 1 / x;"));
   CHECK(total(right) != total(wrong));
-  CHECK(seen_before_publishing(right) == seen_before_publishing(wrong));
+  CHECK(visible_before_publishing(right) == visible_before_publishing(wrong));
   CHECK(right.at("tests")[2].at("visibility") == "after_published");
 }
 
 TEST_CASE("a file that the assembler would read is refused before it reads it") {
   const std::string secret = "the secret of this test";
-  const Place place;
-  write(place.path / "secret", secret);
-  const std::string file = (place.path / "secret").string();
+  const TestDirectory directory;
+  write(directory.path / "secret", secret);
+  const std::string file = (directory.path / "secret").string();
   const std::string right =
       "double twice(double x) { return 2 * x; }\ndouble reciprocal(double x) { return 1 / x; }\n";
   const std::string shows =
@@ -134,19 +134,19 @@ TEST_CASE("a file that the assembler would read is refused before it reads it") 
     for (const std::string& attack : attacks) {
       const auto options = sandbox.empty() ? std::vector<std::string>{}
                                            : std::vector<std::string>{"--sandbox", sandbox};
-      const auto results = graded(place, "#include \"student.h\"\n" + attack + shows, options);
+      const auto results = graded(directory, "#include \"student.h\"\n" + attack + shows, options);
       INFO(attack << results.dump(2));
       CHECK(results.at("extra_data").at("outcome") == "compile error");
       CHECK(results.dump().find(secret) == std::string::npos);
     }
   }
-  CHECK(total(graded(place, "#include \"student.h\"\n" + right)) == 10);
+  CHECK(total(graded(directory, "#include \"student.h\"\n" + right)) == 10);
 }
 
 TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
-  const Place place;
-  write(place.path / "secret", "constexpr int kSecret = 90210;\n");
-  const std::string file = "\"" + (place.path / "secret").string() + "\"";
+  const TestDirectory directory;
+  write(directory.path / "secret", "constexpr int kSecret = 90210;\n");
+  const std::string file = "\"" + (directory.path / "secret").string() + "\"";
   const std::vector<std::string> attacks{
       "#include " + file + "\nint kSecret = 8;\n",  // the message quotes the earlier definition
       "#line 1 " + file + "\nint f() { return unknown; }\n",  // g++ quotes line 1 of that file
@@ -158,14 +158,14 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
     for (const std::string& attack : attacks) {
       const auto options = sandbox.empty() ? std::vector<std::string>{}
                                            : std::vector<std::string>{"--sandbox", sandbox};
-      const auto results = graded(place, "#include \"student.h\"\n" + attack, options);
+      const auto results = graded(directory, "#include \"student.h\"\n" + attack, options);
       INFO(attack << results.dump(2));
       CHECK(results.at("extra_data").at("outcome") == "compile error");
       CHECK(results.dump().find("90210") == std::string::npos);
     }
   }
   // For the student's own file the message states what is wrong and where.
-  const std::string own = graded(place, "#include \"student.h\"\nint f() { return unknown; }\n",
+  const std::string own = graded(directory, "#include \"student.h\"\nint f() { return unknown; }\n",
                                  {"--sandbox", "limits"})
                               .at("output");
   CHECK(own.find("student.cpp:2:18: error: ") != std::string::npos);
@@ -173,8 +173,8 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
 }
 
 TEST_CASE("a foreign file is found however much is included before it") {
-  const Place place;
-  write(place.path / "secret", "constexpr int kSecret = 90210;\n");
+  const TestDirectory directory;
+  write(directory.path / "secret", "constexpr int kSecret = 90210;\n");
   std::string many;
   for (const char* header : {"algorithm", "chrono", "complex", "deque", "filesystem", "fstream",
                              "functional", "future", "map", "memory", "mutex", "random", "ranges",
@@ -182,19 +182,19 @@ TEST_CASE("a foreign file is found however much is included before it") {
     many += "#include <" + std::string(header) + ">\n";
   // The preprocessor's list of includes is longer than the 16 KiB that are kept of other programs'
   // output.
-  write(place.path / "many.cpp", many);
+  write(directory.path / "many.cpp", many);
   const Outcome listed =
       run_program("/usr/bin/env", {"g++", "-std=c++20", "-E", "-H", "-o", "/dev/null", "many.cpp"},
-                  place.path.string());
+                  directory.path.string());
   REQUIRE(listed.exit_code == 0);
   CHECK(listed.err.size() > std::size_t(16) << 10);
 
   const auto in_limits = [&](const std::string& before) {
-    return graded(place, before + solution(), {"--sandbox", "limits"});
+    return graded(directory, before + solution(), {"--sandbox", "limits"});
   };
   CHECK(total(in_limits(many)) == 10);
   const auto results =
-      in_limits(many + "#include \"" + (place.path / "secret").string() + "\"\n#error here\n");
+      in_limits(many + "#include \"" + (directory.path / "secret").string() + "\"\n#error here\n");
   INFO(results.dump(2));
   CHECK(results.at("extra_data").at("outcome") == "compile error");
   const std::string output = results.at("output");

@@ -56,8 +56,8 @@ bool has_part(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("folders, archives and single files are submissions; the rest is skipped with a reason") {
-  const Place place;
-  const fs::path folder = place.path / "class";
+  const TestDirectory directory;
+  const fs::path folder = directory.path / "class";
   write(folder / "ann/student.cpp", solution());
   write_archive(folder / "ann.zip", {{"student.cpp", "// not this one"}});
   fs::create_directory_symlink("ann", folder / "bob");
@@ -72,7 +72,8 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   write(folder / "grades.xlsx", "x");
   write_archive(folder / "class.csv.zip", {{"student.cpp", solution()}});
   write(folder / "index.html/student.cpp", solution());
-  const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path);
+  const Outcome outcome =
+      grader({"grade", "class", "--lab", "99", "-o", "results"}, directory.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK(has_part(outcome.err, "grades.xlsx: is neither a folder nor an archive nor a .cpp file"));
@@ -80,7 +81,7 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   CHECK(has_part(outcome.err, "class.csv.zip: a file of the results has this name"));
   CHECK(has_part(outcome.err, "index.html: a file of the results has this name"));
   const auto result = [&](const std::string& name) {
-    return read_json(place.path / "results" / name / "results.json");
+    return read_json(directory.path / "results" / name / "results.json");
   };
   for (const char* name : {"ann", "cid", "dan", "eve", "gus"}) {
     INFO(name);
@@ -91,14 +92,14 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   CHECK(result("fay").at("extra_data").at("outcome") == "file refused");
   CHECK(result("hal").at("extra_data").at("outcome") == "missing file");
   CHECK(has_part(result("hal").at("output"), "there is main.cpp"));
-  CHECK(has_part(read(place.path / "results/class.csv"), "bob,0,10,file refused"));
+  CHECK(has_part(read(directory.path / "results/class.csv"), "bob,0,10,file refused"));
 }
 
 TEST_CASE("hostile archives are refused with the reason, and nothing of them is written anywhere") {
-  const Place place;
+  const TestDirectory directory;
   const auto refused = [&](const std::string& name, const std::vector<Entry>& entries) {
-    write_archive(place.path / name, entries);
-    return message_of(read_from_archive(place.path / name, "student.cpp"));
+    write_archive(directory.path / name, entries);
+    return message_of(read_from_archive(directory.path / name, "student.cpp"));
   };
   CHECK(has_part(refused("a.zip", {{"../student.cpp", "x"}}), "has the path \"../student.cpp\""));
   CHECK(
@@ -117,10 +118,11 @@ TEST_CASE("hostile archives are refused with the reason, and nothing of them is 
   CHECK(has_part(refused("h.zip", {{"main.cpp", "x"}, {"lib/x.cpp", "x"}}),
                  "there is lib/x.cpp, main.cpp"));
   CHECK(refused("i.zip", {{"student.cpp", "x"}, {"lab/student.cpp", "y"}}) == "read: x");
-  write(place.path / "cut.zip", read(place.path / "i.zip").substr(0, 40));
-  CHECK(has_part(message_of(read_from_archive(place.path / "cut.zip", "student.cpp")), "damaged"));
+  write(directory.path / "cut.zip", read(directory.path / "i.zip").substr(0, 40));
+  CHECK(has_part(message_of(read_from_archive(directory.path / "cut.zip", "student.cpp")),
+                 "damaged"));
   std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(place.path))
+  for (const auto& entry : fs::directory_iterator(directory.path))
     files += entry.is_regular_file() ? 1U : 0U;
   CHECK(files == 10);
 }

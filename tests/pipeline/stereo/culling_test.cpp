@@ -46,8 +46,8 @@ std::vector<ClipPlane> drawn_planes(const View& view) {
   return {drawn[0], drawn[2], frustum[2], frustum[3], frustum[4], frustum[5]};
 }
 
-bool sees(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>& shape,
-          const std::vector<ClipPlane>& planes) {
+bool is_visible(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>& shape,
+                const std::vector<ClipPlane>& planes) {
   if (shape.size() == 1) return clip_point(clip_from_object * shape[0], planes);
   const std::array<ClipVertex, 3> triangle{{{clip_from_object * shape[0], {1, 0, 0}},
                                             {clip_from_object * shape[1], {0, 1, 0}},
@@ -77,15 +77,16 @@ TEST_CASE("a point is unseen by both exactly where neither eye's frustum holds i
     const auto planes = drawn_planes(view);
     for (int k = 0; k < 500; ++k) {
       const std::vector<Point<Object>> point{around_the_picture(random, view, pose)};
-      const bool visible = sees(eyes.left, point, planes) || sees(eyes.right, point, planes);
+      const bool visible =
+          is_visible(eyes.left, point, planes) || is_visible(eyes.right, point, planes);
       const Outcode code[] = {eyes.outcode_of(point[0])};
-      if (unseen_by_both(code) == visible) {
+      if (is_outside_both_views(code) == visible) {
         CAPTURE(i, k, point[0].x, point[0].y, point[0].z, visible);
-        CHECK(unseen_by_both(code) != visible);
+        CHECK(is_outside_both_views(code) != visible);
       }
       const Outcode centre[] = {eyes.centre_outcode_of(point[0])};
       seen += visible ? 1 : 0;
-      lost_by_centre += visible && unseen_by_both(centre) ? 1 : 0;
+      lost_by_centre += visible && is_outside_both_views(centre) ? 1 : 0;
     }
   }
   CHECK(seen > 10000);
@@ -115,15 +116,16 @@ TEST_CASE(
         codes[c] = eyes.outcode_of(triangle[c]);
         centre_codes[c] = eyes.centre_outcode_of(triangle[c]);
       }
-      const bool visible = sees(eyes.left, triangle, planes) || sees(eyes.right, triangle, planes);
-      const bool unseen = unseen_by_both(codes);
+      const bool visible =
+          is_visible(eyes.left, triangle, planes) || is_visible(eyes.right, triangle, planes);
+      const bool unseen = is_outside_both_views(codes);
       if (visible && unseen)
         FAIL_CHECK("case " << i << ", triangle " << k << " is drawn and culled");
       drawn += visible ? 1 : 0;
       culled += unseen ? 1 : 0;
       lost += visible && unseen ? 1 : 0;
       kept_unseen += !visible && !unseen ? 1 : 0;
-      lost_by_centre += visible && unseen_by_both(centre_codes) ? 1 : 0;
+      lost_by_centre += visible && is_outside_both_views(centre_codes) ? 1 : 0;
     }
   }
   WARN("C-74: of 100000 triangles "
@@ -154,19 +156,19 @@ TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
                         float(double(middle.z) + random.between(-size, size))});
       box.include(inside.back());
     }
-    const bool unseen = box_unseen_by_both(box, eyes.left, eyes.right, planes);
+    const bool unseen = is_box_outside_both_views(box, eyes.left, eyes.right, planes);
     std::vector<Outcode> corners;
     for (int corner = 0; corner < 8; ++corner) {
       const Point<Object, double> p = box.corner(corner);
       corners.push_back(eyes.outcode_of({float(p.x), float(p.y), float(p.z)}));
     }
-    if (unseen && !unseen_by_both(corners))
+    if (unseen && !is_outside_both_views(corners))
       FAIL_CHECK("case " << i << ": culled, its corners kept");
-    kept_for_rounding += !unseen && unseen_by_both(corners) ? 1 : 0;
-    const bool by_centre = box_unseen_by_both(box, eyes.centre, eyes.centre, planes);
+    kept_for_rounding += !unseen && is_outside_both_views(corners) ? 1 : 0;
+    const bool by_centre = is_box_outside_both_views(box, eyes.centre, eyes.centre, planes);
     bool visible = false;
     for (const Point<Object>& p : inside) {
-      visible = visible || sees(eyes.left, {p}, drawn) || sees(eyes.right, {p}, drawn);
+      visible = visible || is_visible(eyes.left, {p}, drawn) || is_visible(eyes.right, {p}, drawn);
     }
     if (visible && unseen)
       FAIL_CHECK("case " << i << ": a point in the box is drawn, the box culled");
@@ -190,20 +192,20 @@ TEST_CASE("what only one eye sees, close to the pair, is kept (C-73)") {
   // In front of the left eye, to the left of the centre camera's frustum.
   const std::vector<Point<Object>> triangle{
       {-0.25f, 0, float(-z)}, {-0.24f, 0, float(-z)}, {-0.245f, 0.02f, float(-z)}};
-  CHECK(sees(eyes.left, triangle, planes));
-  CHECK_FALSE(sees(eyes.right, triangle, planes));
+  CHECK(is_visible(eyes.left, triangle, planes));
+  CHECK_FALSE(is_visible(eyes.right, triangle, planes));
   std::vector<Outcode> codes, centre_codes;
   for (const auto& p : triangle) {
     codes.push_back(eyes.outcode_of(p));
     centre_codes.push_back(eyes.centre_outcode_of(p));
   }
-  CHECK_FALSE(unseen_by_both(codes));
-  CHECK(unseen_by_both(centre_codes));
+  CHECK_FALSE(is_outside_both_views(codes));
+  CHECK(is_outside_both_views(centre_codes));
   // Between the two eyes' frusta: outside the right plane of the left eye and the left plane of the
   // right eye.
   const Outcode between[] = {eyes.outcode_of({0, 0, float(-z)})};
-  CHECK_FALSE(sees(eyes.left, {{0, 0, float(-z)}}, planes));
-  CHECK(unseen_by_both(between));
+  CHECK_FALSE(is_visible(eyes.left, {{0, 0, float(-z)}}, planes));
+  CHECK(is_outside_both_views(between));
 }
 
 TEST_CASE(
@@ -224,8 +226,8 @@ TEST_CASE(
     const View view = test::view_of(PerspectiveLens{0.8, 0.1, c.far}, 64, 64, c.range);
     const Outcode one[] = {stereo_outcode(beyond, view)};
     const Outcode other[] = {stereo_outcode(before, view)};
-    CHECK(unseen_by_both(one) == c.beyond_unseen);
-    CHECK(unseen_by_both(other));
+    CHECK(is_outside_both_views(one) == c.beyond_unseen);
+    CHECK(is_outside_both_views(other));
   }
 }
 
@@ -235,7 +237,7 @@ TEST_CASE("vertices that are not finite hide their triangle from the eyes that h
               nan = std::numeric_limits<float>::quiet_NaN();
   const auto unseen = [&](const StereoClipPoint& p) {
     const Outcode codes[] = {stereo_outcode({0, 0, 0, 0.5f, 1}, view), stereo_outcode(p, view)};
-    return unseen_by_both(codes);
+    return is_outside_both_views(codes);
   };
   CHECK_FALSE(unseen({0, 0, 0, 0.5f, 1}));
   CHECK_FALSE(unseen({inf, 0, 0, 0.5f, 1}));
@@ -277,8 +279,8 @@ TEST_CASE(
                                float(p.z)};
       const Outcode centre[] = {eyes.centre_outcode_of(seen)};
       const Outcode both[] = {eyes.outcode_of(seen)};
-      lost += unseen_by_both(centre) ? 1 : 0;
-      by_union += unseen_by_both(both) ? 1 : 0;
+      lost += is_outside_both_views(centre) ? 1 : 0;
+      by_union += is_outside_both_views(both) ? 1 : 0;
       predicted += missing_strip_px(view, pair, z) / 1280;
     }
     const double measured = double(lost) / points;
@@ -308,7 +310,7 @@ TEST_CASE("the strip that is missing at one distance is half the parallax wide (
       const double x = (ndc * z + left.clip_from_eye.at(0, 2) * z - left.clip_from_eye.at(0, 3)) /
                        left.clip_from_eye.at(0, 0);
       const Outcode code[] = {eyes.centre_outcode_of({float(x), 0, float(-z)})};
-      if (!unseen_by_both(code)) continue;
+      if (!is_outside_both_views(code)) continue;
       ++missing;
       missing_left += ndc < 0 ? 1 : 0;
     }

@@ -115,7 +115,9 @@ TEST_CASE("the far parallax grows by 2 s d/h per inverse window distance (S0-12)
 
 TEST_CASE("more than 65 mm behind a two-metre screen makes the eyes diverge (C-72)") {
   const Display display{2000, 3000};
-  const auto shown = [&](double mm) { return on_display({0, mm / 1000, 0, mm / 20}, display); };
+  const auto shown = [&](double mm) {
+    return displayed_parallax({0, mm / 1000, 0, mm / 20}, display);
+  };
   CHECK_FALSE(shown(64.9).diverges);
   CHECK(shown(65.1).diverges);
   CHECK(shown(65.1).mm == Approx(65.1).epsilon(1e-14));

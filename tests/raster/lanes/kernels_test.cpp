@@ -273,7 +273,7 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
         }
         std::vector<std::uint32_t> batch;
         for (; i < shapes.size() && as_small[i]; ++i) batch.push_back(i);
-        k.draw_small(job, batch.data(), batch.size(), {&tile, 1}, counts);
+        k.draw_small(job, batch, {&tile, 1}, counts);
       }
       Image<std::uint32_t> actual(window.x1, window.y1, kEmptyDepth);
       ResolveJob resolve;
@@ -337,7 +337,7 @@ TEST_CASE("of small triangles at a pixel the nearest is seen, and of equally nea
       SmallJob job;
       job.positions = positions.data();
       job.screen = screen.data();
-      kernels(target).draw_small(job, batch.data(), batch.size(), {&tile, 1}, counts);
+      kernels(target).draw_small(job, batch, {&tile, 1}, counts);
       CHECK(counts.covered == covered);
       CHECK(counts.written == written);
       std::size_t wrong = 0;

@@ -85,9 +85,9 @@ inline void sample_all(const MipChain& texture, const Sampler& sampler,
     HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;
     const std::array<Floats, 2> texcoord{HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)};
-    const Shorts sampled = samples_base_only(sampler)
-                               ? sample_base(texels, sampler, texcoord)
-                               : sample_texture(texels, sampler, texcoord, load(levels, i));
+    const Int16x4 sampled = samples_base_only(sampler)
+                                ? sample_base(texels, sampler, texcoord)
+                                : sample_texture(texels, sampler, texcoord, load(levels, i));
     float channels[3][kLanes], alpha[kLanes];
     store_components(color_of(sampled), channels);
     hn::StoreU(alpha_of(sampled).v, kF, alpha);

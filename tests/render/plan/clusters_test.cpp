@@ -7,7 +7,7 @@
 #include <glassbox/render/plan/cluster_cull.h>
 #include <glassbox/render/renderer.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 #include "tests/render/stereo/pairs.h"
 
 namespace glassbox {
@@ -30,7 +30,7 @@ Point<Object, double> corner(const Mesh& mesh, const Triangle& triangle, std::si
 TEST_CASE("small meshes have no clusters; large ones have all their triangles in them, in order") {
   for (const int n : {9, 10, 12, 40}) {
     const Scene scene = rough_ball(n, 0.1, 3);
-    const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+    const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
     const PreparedMesh& mesh = prepared.meshes[0];
     const std::size_t triangles = mesh.triangulation.triangles.size();
     REQUIRE(triangles == std::size_t(12 * n * n));
@@ -38,7 +38,7 @@ TEST_CASE("small meshes have no clusters; large ones have all their triangles in
     CHECK(mesh.clusters.clusters.size() == expected);
     for (std::size_t i = 0; i < triangles && expected > 0; ++i) {
       const Cluster& cluster = mesh.clusters.clusters[i / 64];
-      const auto blocks = mesh.clusters.positions.of(i / 64);
+      const auto blocks = mesh.clusters.positions.of_cluster(i / 64);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t position = mesh.indices.positions[i * 3 + k];
         const Point<Object>& p = scene.meshes[0].positions[position];
@@ -57,7 +57,7 @@ TEST_CASE(
   std::uint64_t with_cone = 0, without = 0;
   for (const double roughness : {0.0, 0.002, 0.02, 0.2, 1.0}) {
     const Scene scene = rough_ball(24, roughness, 5);
-    const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+    const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
     const PreparedMesh& mesh = prepared.meshes[0];
     for (std::size_t i = 0; i < mesh.triangulation.triangles.size(); ++i) {
       const Cluster& cluster = mesh.clusters.clusters[i / 64];
@@ -122,14 +122,14 @@ TEST_CASE(
     "a cluster that a plane cuts is not said to be turned away, since its pieces may be slivers") {
   // The near plane cuts the far half of a ball, where all clusters show their backs.
   Scene scene = *make_builtin("sphere:128");
-  place(scene, 0, {0, 0, -3});
+  add_instance_at(scene, 0, {0, 0, -3});
   scene.instances.erase(scene.instances.begin());
   const View view = planned_view(PerspectiveLens{kDegrees45, 3.5, 20}, 640, 480);
   RenderSettings settings;
   settings.cull = Cull::kBack;
-  const Planned planned = plan_of(scene, view, settings);
+  const PlannedScene planned = plan_of(scene, view, settings);
   const Draw& draw = planned.list.draws[0];
-  const ClusterCull test(draw, view, settings.cull, planned.plan.methods[0].place.inside);
+  const ClusterCull test(draw, view, settings.cull, planned.plan.methods[0].classification.inside);
   int cut = 0, turned_away = 0;
   for (const Cluster& cluster : draw.prepared->clusters.clusters) {
     Box<Object> box;
@@ -137,7 +137,7 @@ TEST_CASE(
     box.include(cluster.high);
     const bool is_cut =
         classify_box(box, draw.clip_from_anchored, render_planes(view)) == ClipVerdict::kClip;
-    const ClusterVerdict verdict = test.judge(cluster);
+    const ClusterVerdict verdict = test.classify(cluster);
     if (is_cut) CHECK(verdict != ClusterVerdict::kTurnedAway);
     cut += is_cut;
     turned_away += verdict == ClusterVerdict::kTurnedAway;
@@ -168,7 +168,7 @@ TEST_CASE(
                                     : Lens(PerspectiveLens{random.between(0.1, 2.5), 0.1, 40.0});
     const int width = int(random.integer(40, 1000)), height = int(random.integer(40, 1000));
     const View view = planned_view(lens, width, height);
-    const Planned planned = plan_of(scene, view);
+    const PlannedScene planned = plan_of(scene, view);
     const Draw& draw = planned.list.draws[0];
     for (const Cull cull : {Cull::kBack, Cull::kFront}) {
       const ObjectCulling culling = certain_culling(draw, view, cull);
@@ -201,7 +201,7 @@ TEST_CASE(
   Material both_sides;
   both_sides.double_sided = true;
   Scene scene = rough_ball(20, 0.1, 11, both_sides);
-  place(scene, 0, {3.1, 0, -5});
+  add_instance_at(scene, 0, {3.1, 0, -5});
   scene.instances.erase(scene.instances.begin());
   const Statistics s = check_planned(scene, planned_view());
   CHECK(s.plane_tests == 0);
@@ -262,7 +262,7 @@ Case random_case(Random& random) {
 
 TEST_CASE("leaving clusters out changes no byte of random pictures of rough surfaces") {
   std::uint64_t outside = 0, away = 0, asked = 0;
-  for (std::uint64_t seed = 0; seed < 1200 / kShare; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1200 / kCaseDivisor; ++seed) {
     Random random(seed);
     const Case c = random_case(random);
     INFO("seed " << seed);
@@ -276,8 +276,8 @@ TEST_CASE("leaving clusters out changes no byte of random pictures of rough surf
     away += tiled.statistics.clusters_turned_away;
   }
   WARN("of " << asked << " clusters " << outside << " outside, " << away << " turned away");
-  CHECK(outside > 5000 / kShare);
-  CHECK(away > 1000 / kShare);
+  CHECK(outside > 5000 / kCaseDivisor);
+  CHECK(away > 1000 / kCaseDivisor);
 }
 
 TEST_CASE("both eyes of a pair leave out what they do not see, and carry over what either does") {
@@ -307,7 +307,7 @@ TEST_CASE("explain says which meshes are asked cluster by cluster") {
   Material both_sides;
   both_sides.double_sided = true;
   Scene in_picture = rough_ball(20, 0.1, 11, both_sides);
-  place(in_picture, 0, {0, 0, -5});
+  add_instance_at(in_picture, 0, {0, 0, -5});
   in_picture.instances.erase(in_picture.instances.begin());
   CHECK(decision(in_picture, view, "triangles out of sight").because ==
         "its box is inside the picture, and both sides of its faces are drawn");

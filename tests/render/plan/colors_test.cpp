@@ -1,7 +1,7 @@
 // The planes of the framebuffer and the parts of colour computation that the plan leaves out.
 #include <glassbox/mesh/builtin/scenes.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -39,12 +39,12 @@ TEST_CASE("a picture without colours needs no light, no normals and no texture")
     const Statistics counts = check_planned(room, view, settings);
     CHECK(counts.normals == 0);
     CHECK(counts.eye_positions == 0);
-    const Planned planned = plan_of(room, view, settings);
+    const PlannedScene planned = plan_of(room, view, settings);
     CHECK_FALSE(planned.plan.colors);
     for (const DrawMethod& method : planned.plan.methods) CHECK_FALSE(method.texture);
   }
   CHECK(plan_of(room, view).plan.colors);
-  CHECK(is_caught(room, view, {}, plans_with<[](Plan& plan) { plan.colors = false; }>));
+  CHECK(differs_with_planner(room, view, {}, plans_with<[](Plan& plan) { plan.colors = false; }>));
 }
 
 TEST_CASE(
@@ -69,7 +69,8 @@ TEST_CASE(
   add_object(scene, marks, glass);
   check_planned(scene, view, settings);
   CHECK(plan_of(scene, view, settings).plan.colors);
-  CHECK(is_caught(scene, view, settings, plans_with<[](Plan& plan) { plan.colors = false; }>));
+  CHECK(differs_with_planner(scene, view, settings,
+                             plans_with<[](Plan& plan) { plan.colors = false; }>));
   // An opaque surface is behind the other draws anyway, and its colour has no effect.
   scene.materials.back().alpha_mode = AlphaMode::kOpaque;
   check_planned(scene, view, settings);
@@ -84,8 +85,8 @@ TEST_CASE("highlights are left out where the material has none") {
   CHECK(plan_of(ball_at({0, 0, -4}), view, {}, false).plan.methods[0].highlights);
   check_planned(ball_at({0, 0, -4}), view);
   check_planned(ball_at({0, 0, -4}, shiny), view);
-  CHECK(is_caught(ball_at({0, 0, -4}, shiny), view, {},
-                  plans_with<[](Plan& plan) { plan.methods[0].highlights = false; }>));
+  CHECK(differs_with_planner(ball_at({0, 0, -4}, shiny), view, {},
+                             plans_with<[](Plan& plan) { plan.methods[0].highlights = false; }>));
 }
 
 TEST_CASE(
@@ -96,9 +97,9 @@ TEST_CASE(
   check_planned(checker, view);
   CHECK(decision(checker, view, "texture coordinates").needed);
   CHECK(decision(checker, view, "choice of a mip level").needed);
-  CHECK(is_caught(checker, view, {}, plans_with<[](Plan& plan) {
-                    for (DrawMethod& method : plan.methods) method.texture = false;
-                  }>));
+  CHECK(differs_with_planner(checker, view, {}, plans_with<[](Plan& plan) {
+                               for (DrawMethod& method : plan.methods) method.texture = false;
+                             }>));
   for (Texture& texture : checker.textures) {
     texture.sampler.mip = MipFilter::kNone;
     texture.sampler.magnify = texture.sampler.minify;
@@ -122,7 +123,8 @@ TEST_CASE("channels that the mask keeps are not encoded, and those that it write
   check_planned(room, view, settings);
   settings.mask = {false, true, true, true};
   check_planned(room, view, settings);
-  CHECK(is_caught(room, view, settings, plans_with<[](Plan& plan) { plan.channels.b = false; }>));
+  CHECK(differs_with_planner(room, view, settings,
+                             plans_with<[](Plan& plan) { plan.channels.b = false; }>));
 }
 
 TEST_CASE("depths are kept in a plane for somebody who asks") {
@@ -134,7 +136,8 @@ TEST_CASE("depths are kept in a plane for somebody who asks") {
   settings.want_depth = true;
   CHECK(render_tiled(scene, view, settings).buffers.depth.pixels.size() == 96 * 64);
   check_planned(scene, view, settings);
-  CHECK(is_caught(scene, view, settings, plans_with<[](Plan& plan) { plan.keep_depth = false; }>));
+  CHECK(differs_with_planner(scene, view, settings,
+                             plans_with<[](Plan& plan) { plan.keep_depth = false; }>));
 }
 
 TEST_CASE("what is blended reads what lies behind it, and nothing else does") {
@@ -162,8 +165,8 @@ TEST_CASE("turning the order of what is blended round is caught") {
   scene.instances.push_back(scene.instances.front());
   scene.instances.back().mesh = std::uint32_t(scene.meshes.size() - 1);
   check_planned(scene, view);
-  CHECK(
-      is_caught(scene, view, {}, plans_with<[](Plan& plan) { std::ranges::reverse(plan.order); }>));
+  CHECK(differs_with_planner(scene, view, {},
+                             plans_with<[](Plan& plan) { std::ranges::reverse(plan.order); }>));
 }
 
 TEST_CASE("with the plan off every built-in scene has the same bytes, whatever is asked for") {

@@ -5,10 +5,10 @@
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/mesh/builtin/scenes.h>
-#include <glassbox/render/plan/group_place.h>
+#include <glassbox/render/plan/group_classifier.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -53,9 +53,9 @@ struct Misplaced {
   std::size_t left_out = 0, accepted = 0, opened = 0;  // groups
   std::size_t vertices = 0;
 };
-Misplaced judge(const Scene& scene, const View& view, double shrink = 1) {
-  const Planned planned = plan_of(scene, view);
-  const GroupPlaces places(view);
+Misplaced count_misplaced(const Scene& scene, const View& view, double shrink = 1) {
+  const PlannedScene planned = plan_of(scene, view);
+  const GroupClassifier classifier(view);
   const auto planes = render_planes(view);
   const auto edges = picture_edges(view.viewport, kOutsideMarginPx);
   Misplaced found;
@@ -69,18 +69,21 @@ Misplaced judge(const Scene& scene, const View& view, double shrink = 1) {
     }
   }
   for (const InstanceGroup& group : groups) {
-    const auto place = places.place(group);
-    ++(!place ? found.opened : place->outside_of != nullptr ? found.left_out : found.accepted);
+    const auto classification = classifier.classify(group);
+    ++(!classification                         ? found.opened
+       : classification->outside_of != nullptr ? found.left_out
+                                               : found.accepted);
   }
   for (const Draw& draw : planned.list.draws) {
     const InstanceGroup& group = groups[planned.prepared.groups->of_instance[draw.instance]];
-    const auto place = places.place(group);
-    if (!place) continue;
-    const DepthCodes codes = places.codes(group, DepthFormat::kFloat32);
+    const auto classification = classifier.classify(group);
+    if (!classification) continue;
+    const DepthCodes codes = classifier.codes(group, DepthFormat::kFloat32);
     for (const Point<Clip>& p : project_vertices(draw, view).positions) {
-      if (place->outside_of != nullptr) {
+      if (classification->outside_of != nullptr) {
         const auto beyond = [&](const ClipPlane& plane) {
-          return std::string(plane.name) == place->outside_of && signed_distance(plane, p) < 0;
+          return std::string(plane.name) == classification->outside_of &&
+                 signed_distance(plane, p) < 0;
         };
         found.vertices +=
             std::ranges::none_of(planes, beyond) && std::ranges::none_of(edges, beyond);
@@ -96,7 +99,7 @@ Misplaced judge(const Scene& scene, const View& view, double shrink = 1) {
 
 TEST_CASE("what is said of a group holds for every vertex of its instances, as it is computed") {
   for (const View& view : views()) {
-    const Misplaced found = judge(many_objects(30000, 3), view);
+    const Misplaced found = count_misplaced(many_objects(30000, 3), view);
     CHECK(found.vertices == 0);
     CHECK(found.left_out > 5);
     CHECK(found.accepted > 0);
@@ -105,7 +108,7 @@ TEST_CASE("what is said of a group holds for every vertex of its instances, as i
 }
 
 TEST_CASE("boxes of groups that are a tenth too small are found out") {
-  CHECK(judge(many_objects(30000, 3), views().front(), 0.9).vertices > 0);
+  CHECK(count_misplaced(many_objects(30000, 3), views().front(), 0.9).vertices > 0);
 }
 
 TEST_CASE("scenes of many instances have the same bytes with groups and runs, and without") {
@@ -128,9 +131,9 @@ TEST_CASE("a coordinate that may overflow, or is not finite, opens a group") {
   for (Node& node : scene.nodes) {
     node.world_from_node = scale<World, World>(1e38, 1e38, 1e38) * node.world_from_node;
   }
-  const GroupPlaces places(planned_view());
-  const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
-  for (const InstanceGroup& group : prepared.groups->groups) CHECK(!places.place(group));
+  const GroupClassifier classifier(planned_view());
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
+  for (const InstanceGroup& group : prepared.groups->groups) CHECK(!classifier.classify(group));
 }
 
 // ---- the rounding slack ----
@@ -201,7 +204,7 @@ TEST_CASE(
       add_pane(scene, 1e6f + float(k) * 0.0625f, 1e-5,
                5e-4 + k * 0.0625 * 1e-5 + (k - i) * 2e-8 * -1, {k == i ? 1.0f : 0.0f, 0, 1});
     }
-    const Planned planned = plan_of(scene, view);
+    const PlannedScene planned = plan_of(scene, view);
     const PaneDepth first = depth_of_pane(planned.list.draws[0], view);
     const PaneDepth second = depth_of_pane(planned.list.draws[1], view);
     // Nearer by more than the 32 roundings by which a depth code may be off in general.
@@ -220,14 +223,14 @@ TEST_CASE(
 TileReport report_of(const Scene& scene, const View& view, const RenderSettings& settings) {
   TileReport report;
   Rendering drawn;
-  const PreparedScene prepared = prepare(scene, settings.transfer);
+  const PreparedScene prepared = prepare_scene(scene, settings.transfer);
   TileEngine({.threads = 1}).render(scene, prepared, view, settings, drawn, &report);
   return report;
 }
 
 TEST_CASE("instances of one mesh that follow each other are one list of triangles") {
   Scene scene = ball_to_place();
-  for (int i = 0; i < 10; ++i) place(scene, 0, {i * 0.3 - 1.5, 0, -5.0}, 0.1);
+  for (int i = 0; i < 10; ++i) add_instance_at(scene, 0, {i * 0.3 - 1.5, 0, -5.0}, 0.1);
   const View view = planned_view();
   const TileReport report = report_of(scene, view, {});
   CHECK(report.draws == 10);

@@ -1,11 +1,11 @@
 // Whole draws that are left out because others hide them.
 #include <glassbox/raster/coverage.h>
-#include <glassbox/render/plan/depth_cover.h>
 #include <glassbox/render/plan/hidden_draws.h>
+#include <glassbox/render/plan/occlusion_buffer.h>
 #include <glassbox/render/renderer.h>
 #include <glassbox/render/stereo/render_pair.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -45,7 +45,7 @@ constexpr std::array<double, 4> kWholeView{-4, -3, 4, 3};
 // Balls of mesh 0, which precede all walls in the scene.
 Scene balls_at(const std::vector<Vector<World, double>>& places, double size = 1) {
   Scene scene = ball_to_place();
-  for (const auto& at : places) place(scene, 0, at, size);
+  for (const auto& at : places) add_instance_at(scene, 0, at, size);
   return scene;
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("explain says what is hidden, and where another eye sees it") {
   const Decision hidden = decision(scene, view, "the whole draw");
   CHECK_FALSE(hidden.needed);
   const RenderSettings settings;
-  const Planned planned = plan_of(scene, view, settings);
+  const PlannedScene planned = plan_of(scene, view, settings);
   const std::vector<Decision> picture =
       decisions(planned.plan, PlannedEye{planned.list, view, settings});
   REQUIRE(picture.front().stage == std::string("file order"));
@@ -179,7 +179,7 @@ Scene near_the_edge(Random& random) {
   const double at = edge / z * behind + random.between(-6, 1) * size;
   const bool upright = random.integer(0, 1) == 0;
   Scene scene = ball_to_place({}, random.bits());
-  place(scene, 0, {upright ? at : 0, upright ? 0 : at, behind}, size);
+  add_instance_at(scene, 0, {upright ? at : 0, upright ? 0 : at, behind}, size);
   add_wall(scene,
            {upright ? edge - 20 : -20, upright ? -20 : edge - 20, upright ? edge : 20,
             upright ? 20 : edge},
@@ -190,8 +190,8 @@ Scene near_the_edge(Random& random) {
 struct HiddenBalls {
   int hidden = 0, visible = 0;
 };
-HiddenBalls judge_hidden(double margin_px, int tries) {
-  HiddenBalls judged;
+HiddenBalls count_hidden_balls(double margin_px, int tries) {
+  HiddenBalls counts;
   Random random(20261123);
   for (int i = 0; i < tries; ++i) {
     const Scene scene = near_the_edge(random);
@@ -199,28 +199,28 @@ HiddenBalls judge_hidden(double margin_px, int tries) {
     const View view = planned_view(PerspectiveLens{kDegrees45, 0.5, 20.0}, width, height);
     RenderSettings settings = with_planes();
     settings.samples = random.integer(0, 3) == 0 ? 4 : 1;
-    Planned planned = plan_of(scene, view, settings, false);
+    PlannedScene planned = plan_of(scene, view, settings, false);
     std::ranges::reverse(planned.plan.order);  // the wall first
     planned.plan.codes = plan_of(scene, view, settings).plan.codes;
     const PlannedEye eye{planned.list, view, settings};
-    if (!find_hidden(eye, planned.plan, margin_px)[0]) continue;
-    ++judged.hidden;
+    if (!find_hidden_draws(eye, planned.plan, margin_px)[0]) continue;
+    ++counts.hidden;
     const Rendering staged = render_staged(scene, view, settings);
     const std::uint32_t ball = planned.list.draws[0].triangulation->numbered;
-    judged.visible += std::ranges::any_of(staged.buffers.id.pixels,
+    counts.visible += std::ranges::any_of(staged.buffers.id.pixels,
                                           [&](std::uint32_t id) { return id >= 1 && id <= ball; });
   }
-  return judged;
+  return counts;
 }
 
 TEST_CASE("what is hidden by its box shows in no pixel, however close to the wall's edge it is") {
-  const HiddenBalls judged = judge_hidden(kOutsideMarginPx, 1000);
-  CHECK(judged.hidden > 100);
-  CHECK(judged.visible == 0);
+  const HiddenBalls counts = count_hidden_balls(kOutsideMarginPx, 1000);
+  CHECK(counts.hidden > 100);
+  CHECK(counts.visible == 0);
 }
 
 TEST_CASE("a box that is taken for smaller than it is, is caught") {
-  CHECK(judge_hidden(-20, 1000).visible > 0);
+  CHECK(count_hidden_balls(-20, 1000).visible > 0);
   const Planner wrong = [](std::span<const PlannedEye> eyes, bool leave_out) {
     std::vector<Plan> plans = make_plans(eyes, leave_out);
     std::erase(plans.front().order, 0u);
@@ -228,19 +228,19 @@ TEST_CASE("a box that is taken for smaller than it is, is caught") {
   };
   Scene scene = balls_at({{0.5, 0, -7}});
   add_wall(scene, {-4, -3, 0.3, 3}, -4);
-  CHECK(is_caught(scene, planned_view(), {}, wrong));
+  CHECK(differs_with_planner(scene, planned_view(), {}, wrong));
 }
 
 TEST_CASE("random balls and walls: the same bytes, hidden or not") {
   Random random(77);
   std::size_t hidden = 0;
-  for (int i = 0; i < 400 / kShare; ++i) {
+  for (int i = 0; i < 400 / kCaseDivisor; ++i) {
     Scene scene = ball_to_place({}, random.bits());
     const auto coordinate = [&](double z) { return random.between(-0.6, 0.6) * z; };
     for (int ball = 0; ball < 4; ++ball) {
       const double z = -random.between(2, 18);
       const double x = coordinate(z), y = coordinate(z);
-      place(scene, 0, {x, y, z}, random.between(0.05, 1));
+      add_instance_at(scene, 0, {x, y, z}, random.between(0.05, 1));
     }
     for (int wall = 0; wall < 3; ++wall) {
       const double z = -random.between(1, 12);
@@ -258,7 +258,7 @@ TEST_CASE("random balls and walls: the same bytes, hidden or not") {
     hidden += hidden_in(scene, view, settings);
     check_same(scene, view, settings);
   }
-  CHECK(hidden > 200 / kShare);
+  CHECK(hidden > 200 / kCaseDivisor);
 }
 
 // ---- two eyes ----
@@ -299,9 +299,9 @@ TEST_CASE("a part that is said to be covered is covered at each of its points, a
   constexpr PixelRect kWindow{0, 0, 53, 37};  // some cells reach beyond the window
   Random random(5);
   int covered = 0, asked = 0;
-  for (int i = 0; i < 300 / kShare; ++i) {
+  for (int i = 0; i < 300 / kCaseDivisor; ++i) {
     const std::span<const SampleOffset> points = sample_offsets(i % 2 == 0 ? 1 : 4);
-    DepthCover cover(kWindow, points);
+    OcclusionBuffer cover(kWindow, points);
     // The nearest code for each sample point and pixel.
     std::vector<std::uint32_t> nearest(points.size() * 53 * 37, kEmptyDepth);
     for (int t = 0; t < 12; ++t) {
@@ -326,7 +326,7 @@ TEST_CASE("a part that is said to be covered is covered at each of its points, a
       const PixelRect part{x, y, x + int(random.integer(1, 30)), y + int(random.integer(1, 30))};
       const auto code = std::uint32_t(random.integer(1, 1000));
       ++asked;
-      if (!cover.hides(part, code)) continue;
+      if (!cover.occludes(part, code)) continue;
       ++covered;
       const PixelRect seen = intersect(part, kWindow);
       for (std::size_t p = 0; p < points.size(); ++p) {
@@ -342,21 +342,21 @@ TEST_CASE("a part that is said to be covered is covered at each of its points, a
 }
 
 TEST_CASE("a triangle alone covers the cells that lie within it, with its own code") {
-  DepthCover cover({0, 0, 64, 64}, sample_offsets(1));
+  OcclusionBuffer cover({0, 0, 64, 64}, sample_offsets(1));
   const auto corner = [](float x, float y) { return ScreenVertex{{x, y, 0.5f}, 1.0f}; };
   const auto far = setup_triangle({corner(0, 0), corner(40, 0), corner(0, 40)});
   const auto near = setup_triangle({corner(-100, -100), corner(300, -100), corner(-100, 300)});
   REQUIRE(far);
   REQUIRE(near);
   cover.add(*far, 900);  // covers some cells only in part
-  CHECK(cover.hides({0, 0, 16, 16}, 900));
-  CHECK_FALSE(cover.hides({0, 0, 16, 16}, 899));
+  CHECK(cover.occludes({0, 0, 16, 16}, 900));
+  CHECK_FALSE(cover.occludes({0, 0, 16, 16}, 899));
   // A cell is judged as a whole, and the next one is not covered.
-  CHECK_FALSE(cover.hides({0, 0, 17, 16}, 1000));
+  CHECK_FALSE(cover.occludes({0, 0, 17, 16}, 1000));
   cover.add(*near, 500);
-  CHECK(cover.hides({0, 0, 64, 64}, 500));
-  CHECK_FALSE(cover.hides({0, 0, 64, 64}, 499));
-  CHECK_FALSE(cover.hides({64, 0, 80, 16}, 1000));  // nothing is known outside the window
+  CHECK(cover.occludes({0, 0, 64, 64}, 500));
+  CHECK_FALSE(cover.occludes({0, 0, 64, 64}, 499));
+  CHECK_FALSE(cover.occludes({64, 0, 80, 16}, 1000));  // nothing is known outside the window
 }
 
 }  // namespace

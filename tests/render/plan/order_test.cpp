@@ -4,7 +4,7 @@
 
 #include <glassbox/render/plan/draw_order.h>
 
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -91,8 +91,8 @@ TEST_CASE("turning the order of draws with equal depths round is caught") {
     std::ranges::reverse(plans.front().order);
     return plans;
   };
-  CHECK(is_caught(squares({-5, -5, -5}, 0), planned_view(), {}, reversed));
-  CHECK_FALSE(is_caught(back_to_front(), planned_view(), {}, reversed));  // no tie there
+  CHECK(differs_with_planner(squares({-5, -5, -5}, 0), planned_view(), {}, reversed));
+  CHECK_FALSE(differs_with_planner(back_to_front(), planned_view(), {}, reversed));  // no tie there
 }
 
 TEST_CASE("nothing is moved past what is blended or drawn without the plan") {
@@ -125,10 +125,10 @@ TEST_CASE("all depth codes of a draw lie within those that are foreseen for it")
       Scene scene = ball_to_place({}, random.bits());
       const double x = random.between(-1, 1), y = random.between(-1, 1);
       const double z = -random.between(0, 21);
-      place(scene, 0, {x, y, z}, std::exp(random.between(-5, 1)));
+      add_instance_at(scene, 0, {x, y, z}, std::exp(random.between(-5, 1)));
       RenderSettings settings;
       settings.depth = format;
-      const Planned planned = plan_of(scene, view, settings);
+      const PlannedScene planned = plan_of(scene, view, settings);
       const DepthCodes codes = depth_codes(planned.list.draws[0], view, format);
       narrow += codes.farthest != kEmptyDepth;
       for (const std::uint32_t code : render_staged(scene, view, settings).buffers.depth.pixels) {

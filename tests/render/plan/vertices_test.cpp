@@ -1,5 +1,5 @@
 // The work per vertex that the plan leaves out.
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -56,14 +56,14 @@ TEST_CASE("vertices of a draw that reaches a plane are tested, and leaving that 
   for (const auto& [z, size] : {std::pair{-0.58, 0.1}, std::pair{-21.15, 1.0}}) {
     INFO("at z = " << z);
     Scene scene = ball_to_place();
-    place(scene, 0, {0, 0, z}, size);
+    add_instance_at(scene, 0, {0, 0, z}, size);
     CHECK(check_planned(scene, planned_view()).plane_tests == scene.meshes[0].positions.size());
-    CHECK(is_caught(scene, planned_view(), {},
-                    plans_with_methods<[](DrawMethod& m) { m.test_planes = false; }>));
+    CHECK(differs_with_planner(scene, planned_view(), {},
+                               plans_with_methods<[](DrawMethod& m) { m.test_planes = false; }>));
   }
   // A ball that reaches beyond the guard band.
   Scene giant = ball_to_place();
-  place(giant, 0, {0, 0, -30000}, 29995);
+  add_instance_at(giant, 0, {0, 0, -30000}, 29995);
   const View deep = planned_view(PerspectiveLens{kDegrees45, 0.001, std::nullopt});
   CHECK(check_planned(giant, deep).plane_tests > 0);
   CHECK(decision(giant, deep, "clipping in x and y").needed);
@@ -76,8 +76,8 @@ TEST_CASE("nothing is divided by w in a parallel view, where w is 1") {
   CHECK_FALSE(plan_of(scene, parallel).plan.methods[0].divide);
   check_planned(ball_at({0.3, 0, -0.9}), parallel);  // with the plane tests
   CHECK(plan_of(scene, planned_view()).plan.methods[0].divide);
-  CHECK(is_caught(scene, planned_view(), {},
-                  plans_with_methods<[](DrawMethod& m) { m.divide = false; }>));
+  CHECK(differs_with_planner(scene, planned_view(), {},
+                             plans_with_methods<[](DrawMethod& m) { m.divide = false; }>));
 }
 
 TEST_CASE("normals are carried to eye space where light asks for them, and nowhere else") {
@@ -93,8 +93,8 @@ TEST_CASE("normals are carried to eye space where light asks for them, and nowhe
 
   const Scene lit = ball_at({0, 0, -4});
   CHECK(check_planned(lit, view).normals == lit.meshes[0].faces.size());
-  CHECK(is_caught(lit, view, {},
-                  plans_with_methods<[](DrawMethod& m) { m.light = LightAt::kNowhere; }>));
+  CHECK(differs_with_planner(
+      lit, view, {}, plans_with_methods<[](DrawMethod& m) { m.light = LightAt::kNowhere; }>));
 }
 
 TEST_CASE("positions are carried to eye space where light depends on them, and nowhere else") {
@@ -104,8 +104,8 @@ TEST_CASE("positions are carried to eye space where light depends on them, and n
   CHECK(check_planned(lit_by(sun(), shiny()), view).eye_positions > 0);
   const Scene near = lit_by(point_light());
   CHECK(check_planned(near, view).eye_positions == near.meshes[0].positions.size());
-  CHECK(is_caught(near, view, {},
-                  plans_with_methods<[](DrawMethod& m) { m.eye_positions = false; }>));
+  CHECK(differs_with_planner(near, view, {},
+                             plans_with_methods<[](DrawMethod& m) { m.eye_positions = false; }>));
 }
 
 TEST_CASE("each position is carried over once, however many corners name it") {

@@ -1,5 +1,5 @@
 // Whole draws that are left out because their box is outside of a plane.
-#include "tests/render/plan/planned.h"
+#include "tests/render/plan/plan_checks.h"
 
 namespace glassbox {
 namespace {
@@ -9,12 +9,12 @@ using namespace test;
 TEST_CASE("draws beyond any plane of the view are left out, and no stage sees them") {
   const View view = planned_view();
   Scene scene = ball_to_place();
-  place(scene, 0, {0, 0, -5});
+  add_instance_at(scene, 0, {0, 0, -5});
   const std::uint64_t positions = scene.meshes[0].positions.size();
   const std::uint64_t faces = 2 * scene.meshes[0].faces.size();
   const std::array<Vector<World, double>, 6> beyond{
       {{-9, 0, -5}, {9, 0, -5}, {0, 9, -5}, {0, -9, -5}, {0, 0, 5}, {0, 0, -30}}};
-  for (const auto& at : beyond) place(scene, 0, at);
+  for (const auto& at : beyond) add_instance_at(scene, 0, at);
 
   const Statistics planned = check_planned(scene, view, test::with_ids());
   CHECK(planned.vertices == positions);
@@ -23,12 +23,12 @@ TEST_CASE("draws beyond any plane of the view are left out, and no stage sees th
   CHECK(all.vertices == 7 * positions);
   CHECK(all.left_out == 0);
 
-  const Planned plan = plan_of(scene, view);
+  const PlannedScene plan = plan_of(scene, view);
   const std::array<const char*, 6> names{"left edge",   "right edge", "top edge",
                                          "bottom edge", "near",       "far"};
   for (std::size_t i = 0; i < 6; ++i) {
-    REQUIRE(plan.plan.methods[i + 1].place.outside_of != nullptr);
-    CHECK(std::string(plan.plan.methods[i + 1].place.outside_of) == names[i]);
+    REQUIRE(plan.plan.methods[i + 1].classification.outside_of != nullptr);
+    CHECK(std::string(plan.plan.methods[i + 1].classification.outside_of) == names[i]);
   }
 }
 
@@ -69,41 +69,42 @@ AtTheEdge at_the_edge(Random& random) {
   const double y = random.between(-half, half);
   const bool upright = random.integer(0, 1) == 0;
   Scene scene = ball_to_place({}, random.bits());
-  place(scene, 0, {upright ? x : y * aspect, upright ? y : x / aspect, z}, size);
+  add_instance_at(scene, 0, {upright ? x : y * aspect, upright ? y : x / aspect, z}, size);
   return {std::move(scene), planned_view(lens, width, height)};
 }
 
 // How many draws a given margin leaves out, and how many of those are visible in some pixel.
-struct Judged {
+struct OutsideDraws {
   int outside = 0, visible = 0;
 };
-Judged judge_margin(double margin_px, int tries) {
-  Judged judged;
+OutsideDraws count_outside(double margin_px, int tries) {
+  OutsideDraws found;
   Random random(20260611);
   for (int i = 0; i < tries; ++i) {
     const AtTheEdge at = at_the_edge(random);
-    const Planned planned = plan_of(at.scene, at.view);
-    if (place_box(planned.list.draws[0], at.view, margin_px).outside_of == nullptr) continue;
-    ++judged.outside;
+    const PlannedScene planned = plan_of(at.scene, at.view);
+    if (classify_draw_box(planned.list.draws[0], at.view, margin_px).outside_of == nullptr)
+      continue;
+    ++found.outside;
     const Rendering staged = render_staged(at.scene, at.view, test::with_ids());
-    judged.visible +=
+    found.visible +=
         std::ranges::any_of(staged.buffers.id.pixels, [](std::uint32_t id) { return id != 0; });
   }
-  return judged;
+  return found;
 }
 
 TEST_CASE("what lies outside by its box shows in no pixel, however close to the edge it is") {
-  const Judged judged = judge_margin(kOutsideMarginPx, 1000);
-  CHECK(judged.outside > 50);
-  CHECK(judged.visible == 0);
+  const OutsideDraws found = count_outside(kOutsideMarginPx, 1000);
+  CHECK(found.outside > 50);
+  CHECK(found.visible == 0);
 }
 
 TEST_CASE("a margin of the wrong sign is caught") {
-  CHECK(judge_margin(-kOutsideMarginPx, 1000).visible > 0);
+  CHECK(count_outside(-kOutsideMarginPx, 1000).visible > 0);
   const Planner wrong = [](std::span<const PlannedEye> eyes, bool leave_out) {
     std::vector<Plan> plans = make_plans(eyes, leave_out);
     const Draw& draw = eyes.front().list.draws.front();
-    if (place_box(draw, eyes.front().view, -30).outside_of != nullptr) {
+    if (classify_draw_box(draw, eyes.front().view, -30).outside_of != nullptr) {
       plans.front().methods.front().drawn = false;
       plans.front().order.clear();
     }
@@ -111,7 +112,7 @@ TEST_CASE("a margin of the wrong sign is caught") {
   };
   const Scene scene = ball_at({-3.6, 0, -5});
   check_same(scene, planned_view(), test::with_ids());
-  CHECK(is_caught(scene, planned_view(), test::with_ids(), wrong));
+  CHECK(differs_with_planner(scene, planned_view(), test::with_ids(), wrong));
 }
 
 TEST_CASE(

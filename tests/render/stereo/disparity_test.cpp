@@ -84,7 +84,7 @@ TEST_CASE(
     const Measured m = measure(scene);
     const double expected = 32 * (1.0 / 4 - 1 / distance);
     for (const Image<float>* map : {&m.left, &m.right}) {
-      const DisparitySummary summary = summarise(*map, {});
+      const DisparitySummary summary = summarise_disparity(*map, {});
       CHECK(summary.drawn == kPictureSide * kPictureSide);
       CHECK(std::abs(summary.least_px - expected) <= tolerance_px(distance));
       CHECK(std::abs(summary.greatest_px - expected) <= tolerance_px(distance));
@@ -96,16 +96,16 @@ TEST_CASE("nothing drawn has no disparity") {
   Scene scene;
   add_wall(scene, "half", 8, -40, 0, -40, 40);
   const Measured m = measure(scene);
-  const DisparitySummary summary = summarise(m.left, {100, 100});
+  const DisparitySummary summary = summarise_disparity(m.left, {100, 100});
   CHECK(summary.drawn == 30 * kPictureSide);  // the left eye has its edge 2 px left of the middle
   CHECK(std::isnan(m.left.at(40, 10)));
-  CHECK(count(m.monocular.left).all() == 0);
+  CHECK(count_monocular(m.monocular.left).all() == 0);
 
   const Image<float> empty(3, 2, NAN);
-  CHECK(summarise(empty, {}).drawn == 0);
-  CHECK(summarise(empty, {}).share_beyond() == 0);
+  CHECK(summarise_disparity(empty, {}).drawn == 0);
+  CHECK(summarise_disparity(empty, {}).share_beyond() == 0);
   CHECK(histogram_of(empty).counts.empty());
-  CHECK(count(monocular_maps(empty, empty).left).all() == 0);
+  CHECK(count_monocular(monocular_maps(empty, empty).left).all() == 0);
 }
 
 TEST_CASE(
@@ -113,7 +113,7 @@ TEST_CASE(
     "(S0-13)") {
   Image<float> map(5, 1);
   map.pixels = {-3, -2, 0, 2, 2.5};
-  const DisparitySummary summary = summarise(map, {2, 2});
+  const DisparitySummary summary = summarise_disparity(map, {2, 2});
   CHECK(summary.too_near == 1);
   CHECK(summary.too_far == 1);
   CHECK(summary.share_beyond() == 0.4);
@@ -122,7 +122,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the separation that comfort.h chooses for what is seen leaves no pixel beyond the budget "
+    "the separation that parallax_budget.h chooses for what is seen leaves no pixel beyond the "
+    "budget "
     "(S0-13)") {
   for (const PairCase& c : pair_cases()) {
     INFO(c.name);
@@ -142,7 +143,8 @@ TEST_CASE(
     pair.half_separation = largest_half_separation(c.centre, pair.window, seen, budget);
     // The distances are unchanged: what the new eyes would see in addition is not tested.
     for (const Framebuffer* eye : {&wide.left, &wide.right}) {
-      CHECK(summarise(disparity_map(c.centre, pair, eye->distance), budget).share_beyond() == 0);
+      CHECK(summarise_disparity(disparity_map(c.centre, pair, eye->distance), budget)
+                .share_beyond() == 0);
     }
   }
 }
@@ -179,17 +181,17 @@ TEST_CASE(
   add_backdrop(scene, 8);                                // 4 px
   add_wall(scene, "pillar", 2, -0.5, 0.5, -0.25, 0.25);  // -8 px: 16 columns, 8 rows
   const Measured m = measure(scene);
-  for (const Image<OtherEye>* map : {&m.monocular.left, &m.monocular.right}) {
-    const MonocularCounts counts = count(*map);
+  for (const Image<OtherEyeVisibility>* map : {&m.monocular.left, &m.monocular.right}) {
+    const MonocularCounts counts = count_monocular(*map);
     CHECK(counts.hidden == 12 * 8);
     CHECK(counts.beside == 4 * kPictureSide);  // of the wall, whose parallax is 4 px
     CHECK(counts.missing == 0);
   }
   CHECK(m.monocular.left.at(20, 32) ==
-        OtherEye::kHidden);  // left of the pillar in the left picture
-  CHECK(m.monocular.right.at(40, 32) == OtherEye::kHidden);
-  CHECK(m.monocular.left.at(63, 5) == OtherEye::kBesideIt);
-  CHECK(m.monocular.right.at(0, 5) == OtherEye::kBesideIt);
+        OtherEyeVisibility::kHidden);  // left of the pillar in the left picture
+  CHECK(m.monocular.right.at(40, 32) == OtherEyeVisibility::kHidden);
+  CHECK(m.monocular.left.at(63, 5) == OtherEyeVisibility::kOutsidePicture);
+  CHECK(m.monocular.right.at(0, 5) == OtherEyeVisibility::kOutsidePicture);
 }
 
 TEST_CASE("a slanted floor is seen by both eyes wherever it is in both pictures") {
@@ -202,11 +204,11 @@ TEST_CASE("a slanted floor is seen by both eyes wherever it is in both pictures"
   add_rectangle(side, {-30, -30, -20}, {60, 0, -20}, {0, 90, 0});
   add_object(scene, std::move(side));
   const Measured m = measure(scene);
-  CHECK(count(m.monocular.left).hidden == 0);
-  CHECK(count(m.monocular.right).hidden == 0);
-  CHECK(count(m.monocular.left).missing == 0);
-  CHECK(count(m.monocular.right).missing == 0);
-  CHECK(count(m.monocular.left).beside > 0);
+  CHECK(count_monocular(m.monocular.left).hidden == 0);
+  CHECK(count_monocular(m.monocular.right).hidden == 0);
+  CHECK(count_monocular(m.monocular.left).missing == 0);
+  CHECK(count_monocular(m.monocular.right).missing == 0);
+  CHECK(count_monocular(m.monocular.left).beside > 0);
 }
 
 TEST_CASE("a face that looks away from one eye is missing there") {
@@ -219,8 +221,8 @@ TEST_CASE("a face that looks away from one eye is missing there") {
   // It is drawn from -1.33 px at its near edge, 21 rows high, to 1.33 px at its far edge, 11 rows
   // high: 43 square pixels. Those near the window's plane are within half a pixel of the other
   // eye's.
-  CHECK(count(m.monocular.right).missing > 20);
-  CHECK(count(m.monocular.left).missing == 0);
+  CHECK(count_monocular(m.monocular.right).missing > 20);
+  CHECK(count_monocular(m.monocular.left).missing == 0);
 }
 
 TEST_CASE(
@@ -229,8 +231,9 @@ TEST_CASE(
   Scene scene;
   add_wall(scene, "finger", 0.25, -0.6, -0.3, -0.1, 0.1);  // -120 px: more than the picture's width
   const Measured m = measure(scene);
-  const MonocularCounts left = count(m.monocular.left), right = count(m.monocular.right);
-  CHECK(left.beside == summarise(m.left, {}).drawn);
+  const MonocularCounts left = count_monocular(m.monocular.left),
+                        right = count_monocular(m.monocular.right);
+  CHECK(left.beside == summarise_disparity(m.left, {}).drawn);
   CHECK(left.beside > 100);
   CHECK(left.hidden + left.missing == 0);
   CHECK(right.all() == 0);

@@ -30,7 +30,7 @@ inline PairCase pair_case(const std::string& name, double share, int width = 96,
   const auto scene = make_builtin(name);
   REQUIRE(scene);
   c.scene = *scene;
-  const auto framed = frame(c.scene, double(width) / height);
+  const auto framed = framing_camera(c.scene, double(width) / height);
   REQUIRE(framed);
   const auto view =
       make_view(c.scene.cameras.empty() ? *framed : c.scene.cameras.front(), width, height);

@@ -107,7 +107,7 @@ TEST_CASE(
 
     const View left = eye_view(c.centre, c.pair, Side::kLeft);
     const View right = eye_view(c.centre, c.pair, Side::kRight);
-    const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
+    const PreparedScene prepared = prepare_scene(c.scene, Transfer::kSrgb);
     const DrawList list = make_draw_list(c.scene, prepared, left);
     const std::vector<Draw> others = draws_of_other_eye(list.draws, right);
     const DrawList own = make_draw_list(c.scene, prepared, right);
@@ -270,7 +270,7 @@ TEST_CASE("a depth buffer that is not cleared between the eyes shows in the righ
   RenderSettings red, cyan;
   red.mask = {true, false, false, false};
   cyan.mask = {false, true, true, true};
-  const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
+  const PreparedScene prepared = prepare_scene(c.scene, Transfer::kSrgb);
   Framebuffer of_left, of_right;
   Statistics statistics;
   StagedEngine engine;

@@ -35,7 +35,7 @@ Image<Pixel> columns(const Image<Pixel>& image, int first, int width) {
 // The snapped picture positions of all vertices in front of the near plane.
 std::vector<SnappedVertex> snapped_vertices(const Scene& scene, const View& view) {
   std::vector<SnappedVertex> all;
-  const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kSrgb);
   for (const Draw& draw : make_draw_list(scene, prepared, view).draws) {
     for (const Point<Clip>& p : project_vertices(draw, view).positions) {
       if (p.w < float(view.near)) continue;

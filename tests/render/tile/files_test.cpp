@@ -43,7 +43,7 @@ bool check_scene(const Result<Scene>& scene, std::size_t number) {
   if (!scene->cameras.empty()) {
     camera = scene->cameras.front();
   } else {
-    const auto framed = frame(bounds(*scene), double(width) / height);
+    const auto framed = framing_camera(bounds(*scene), double(width) / height);
     if (!framed) return false;
     camera = *framed;
   }

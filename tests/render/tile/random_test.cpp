@@ -8,41 +8,41 @@
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/render/stereo/render_pair.h>
 
-#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/generated_case.h"
 #include "tests/render/tile/same_picture.h"
 
 namespace glassbox {
 namespace {
 
-using test::AnyCase;
-using test::kShare;
+using test::GeneratedCase;
+using test::kCaseDivisor;
 
-std::string difference(const AnyCase& c) {
+std::string difference(const GeneratedCase& c) {
   const Rendering staged = render_staged(c.scene, c.view, c.settings);
   const Rendering tiled = render_tiled(c.scene, c.view, c.settings, c.options);
   return test::planes_differ(staged.buffers, tiled.buffers, c.settings.want_depth);
 }
 
-void check_case(std::uint64_t seed, const AnyCase& c) {
+void check_case(std::uint64_t seed, const GeneratedCase& c) {
   test::check_no_difference(seed, c, difference);
 }
 
 TEST_CASE("the tile engine draws any triangles as the staged reference does", "[tile]") {
   std::size_t triangles = 0;
-  for (std::uint64_t seed = 0; seed < 1200 / kShare; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1200 / kCaseDivisor; ++seed) {
     Random random(seed);
-    const AnyCase c = test::any_case(random, 220, 130);
+    const GeneratedCase c = test::generate_case(random, 220, 130);
     for (const Mesh& mesh : c.scene.meshes) triangles += mesh.faces.size();
     check_case(seed, c);
   }
-  CHECK(triangles > 100000 / kShare);
+  CHECK(triangles > 100000 / kCaseDivisor);
 }
 
 // ---- with a plan and without, with one eye and with two ----
 
 // Where the tile engine's picture, with a plan or without, differs from the staged reference's;
 // empty if nowhere.
-std::string difference_of_plans(const AnyCase& c) {
+std::string difference_of_plans(const GeneratedCase& c) {
   const Rendering staged = render_staged(c.scene, c.view, c.settings);
   std::string text;
   for (const bool plan : {true, false}) {
@@ -62,7 +62,7 @@ struct EyesOfCase {
   StereoPair pair;
   AnaglyphMasks masks;
 };
-std::optional<EyesOfCase> eyes_of(const AnyCase& c, Random& random) {
+std::optional<EyesOfCase> eyes_of(const GeneratedCase& c, Random& random) {
   EyesOfCase eyes;
   eyes.pair.window = c.view.near + random.unit() * 10;
   eyes.pair.half_separation = eyes.pair.window * random.unit() / 10;
@@ -75,7 +75,7 @@ std::optional<EyesOfCase> eyes_of(const AnyCase& c, Random& random) {
   eyes.masks = {mask, but(mask)};
   return eyes;
 }
-std::string difference_of_pairs(const AnyCase& c, const EyesOfCase& eyes) {
+std::string difference_of_pairs(const GeneratedCase& c, const EyesOfCase& eyes) {
   StereoSettings settings{c.settings};
   settings.render.mask = {};  // the eyes' masks replace it
   const StereoRendering staged =
@@ -87,8 +87,8 @@ std::string difference_of_pairs(const AnyCase& c, const EyesOfCase& eyes) {
   both.right.color = {};
   TileEngine engine(c.options);
   StereoRendering tiled;
-  render_masked_anaglyph(engine, c.scene, prepare(c.scene, c.settings.transfer), c.view, eyes.pair,
-                         settings, eyes.masks, tiled);
+  render_masked_anaglyph(engine, c.scene, prepare_scene(c.scene, c.settings.transfer), c.view,
+                         eyes.pair, settings, eyes.masks, tiled);
   const bool depth = c.settings.want_depth;
   return test::planes_differ(both.left, staged.left, depth) +
          test::planes_differ(staged.left, tiled.left, depth) +
@@ -102,7 +102,7 @@ std::size_t check_small_cases(std::uint64_t first, std::uint64_t last) {
   std::size_t pairs = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     Random random(0x5ca1ab1e + seed);
-    AnyCase c = test::any_case(random, kMostFaces, kLargestSide);
+    GeneratedCase c = test::generate_case(random, kMostFaces, kLargestSide);
     test::check_no_difference(seed, c, difference_of_plans);
     if (const auto eyes = eyes_of(c, random)) {
       ++pairs;
@@ -111,8 +111,9 @@ std::size_t check_small_cases(std::uint64_t first, std::uint64_t last) {
                              << eyes->pair.half_separation << ", masks " << left.r << left.g
                              << left.b << left.a << " and " << right.r << right.g << right.b
                              << right.a);
-      test::check_no_difference(
-          seed, c, [&](const AnyCase& smaller) { return difference_of_pairs(smaller, *eyes); });
+      test::check_no_difference(seed, c, [&](const GeneratedCase& smaller) {
+        return difference_of_pairs(smaller, *eyes);
+      });
     }
   }
   return pairs;
@@ -120,7 +121,7 @@ std::size_t check_small_cases(std::uint64_t first, std::uint64_t last) {
 
 TEST_CASE("any small scene has the same bytes by the stages, with a plan, without, and in a pair",
           "[tile]") {
-  CHECK(check_small_cases(0, 5000 / kShare - 1) > 4250 / kShare);  // 4482 of 5000
+  CHECK(check_small_cases(0, 5000 / kCaseDivisor - 1) > 4250 / kCaseDivisor);  // 4482 of 5000
 }
 // All of them, which takes some minutes: ./glassbox test scenes, or test_render "[.small-scenes]".
 // SEEDS=30000-49999 selects these only.
@@ -141,7 +142,7 @@ TEST_CASE("the tile engine draws wide, high and large pictures as the staged ref
   for (const auto& [width, height] : sizes) {
     for (const int side : {16, 64, 256}) {
       Random random(std::uint64_t(width * 100 + height));
-      AnyCase c = test::any_case(random, 60 / kShare + 5, 4);
+      GeneratedCase c = test::generate_case(random, 60 / kCaseDivisor + 5, 4);
       // The same scene in a picture of another size.
       const Camera camera{"wide", PerspectiveLens{1.0, 0.1, {}}, {}};
       c.view = *make_view(camera, width, height);
@@ -168,7 +169,7 @@ View view_of_size(int width, int height) {
   return *make_view({"front", PerspectiveLens{1.2, 0.1, {}}, {}}, width, height);
 }
 
-void place(Mesh mesh, std::uint32_t material, Scene& scene) {
+void add_instance_of(Mesh mesh, std::uint32_t material, Scene& scene) {
   mesh.material = material;
   scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
   scene.meshes.push_back(std::move(mesh));
@@ -183,11 +184,12 @@ TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside 
   mask.base_color = {1, 0, 0, 1};
   scene.materials = {Material{}, mask};
   // Drawn by lanes and by stages in turn, each in front of the one before.
-  for (int i = 0; i < 6; ++i) place(quad_at(7.0f - float(i), false), std::uint32_t(i % 2), scene);
+  for (int i = 0; i < 6; ++i)
+    add_instance_of(quad_at(7.0f - float(i), false), std::uint32_t(i % 2), scene);
   // And small triangles.
   Random random(1);
   for (int i = 0; i < 3; ++i) {
-    place(test::star_shaped_surface(12, 0.3, random), std::uint32_t(i % 2), scene);
+    add_instance_of(test::star_shaped_surface(12, 0.3, random), std::uint32_t(i % 2), scene);
     scene.nodes.push_back({"back", kNone, {}, {}});
     scene.nodes.back().world_from_node.at(2, 3) = -3.0 + i;
     scene.instances.back().node = std::uint32_t(scene.nodes.size() - 1);
@@ -218,8 +220,8 @@ TEST_CASE("a textured mesh has a table of texture coordinates that no corner use
 
 TEST_CASE("round after round, draws meet what was drawn before", "[tile]") {
   Random random(7);
-  for (int i = 0; i < 40 / kShare + 2; ++i) {
-    AnyCase c = test::any_case(random, 100, 100);
+  for (int i = 0; i < 40 / kCaseDivisor + 2; ++i) {
+    GeneratedCase c = test::generate_case(random, 100, 100);
     for (const std::size_t round : {std::size_t{1}, std::size_t{150}}) {
       c.options.round_size = round;
       check_case(7, c);

@@ -4,15 +4,15 @@
 
 #include <cstdio>
 
-#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/generated_case.h"
 #include "tests/render/tile/same_picture.h"
 
 namespace glassbox {
 namespace {
 
-using test::AnyCase;
+using test::GeneratedCase;
 
-constexpr int kFrames = test::kShare == 1 ? 1000 : 200;
+constexpr int kFrames = test::kCaseDivisor == 1 ? 1000 : 200;
 constexpr int kCases = 50;  // drawn again and again
 
 // How many bytes of this process are resident in memory.
@@ -28,12 +28,12 @@ std::size_t resident_bytes() {
 TEST_CASE("an engine draws a thousand frames of changing scenes and sizes as one made for each",
           "[tile]") {
   Random random(31);
-  std::vector<AnyCase> cases;
+  std::vector<GeneratedCase> cases;
   std::vector<PreparedScene> prepared;
   cases.reserve(kCases);
   for (int i = 0; i < kCases; ++i) {
-    cases.push_back(test::any_case(random, 60, 200));
-    prepared.push_back(prepare(cases.back().scene, cases.back().settings.transfer));
+    cases.push_back(test::generate_case(random, 60, 200));
+    prepared.push_back(prepare_scene(cases.back().scene, cases.back().settings.transfer));
   }
   TileOptions options;
   options.threads = 3;
@@ -45,7 +45,7 @@ TEST_CASE("an engine draws a thousand frames of changing scenes and sizes as one
   std::size_t smallest_plane = 0, drawn_since = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
     const auto i = std::size_t(frame % kCases);
-    const AnyCase& c = cases[i];
+    const GeneratedCase& c = cases[i];
     engine.render(c.scene, prepared[i], c.view, c.settings, into);
     if (frame % 10 == frame / kCases % 10) {  // each case once in ten rounds
       INFO("frame " << frame);
@@ -85,10 +85,10 @@ TEST_CASE("what a picture before has left behind is not seen in an empty one", "
     settings.want_depth = settings.want_distance = settings.want_id = true;
     for (const bool no_instances : {false, true}) {
       INFO("show " << int(show));
-      engine.render(full, prepare(full, settings.transfer), view, settings, into);
+      engine.render(full, prepare_scene(full, settings.transfer), view, settings, into);
       Scene empty = scene;
       if (no_instances) empty.instances.clear();
-      engine.render(empty, prepare(empty, settings.transfer), view, settings, into);
+      engine.render(empty, prepare_scene(empty, settings.transfer), view, settings, into);
       test::check_same_planes(render_staged(empty, view, settings).buffers, into.buffers);
     }
   }

@@ -8,7 +8,7 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "tests/render/scenes.h"
-#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/generated_case.h"
 #include "tests/render/tile/planes_differ.h"
 #include "tests/support/catch.h"
 
@@ -46,9 +46,9 @@ inline void check_same(const Scene& scene, const View& view, const RenderSetting
 // Fails if `difference`, which says in words where two pictures of a case differ, is not empty. The
 // case is then shrunk and printed.
 template <class Difference>
-void check_no_difference(std::uint64_t seed, AnyCase c, const Difference& difference) {
+void check_no_difference(std::uint64_t seed, GeneratedCase c, const Difference& difference) {
   if (difference(c).empty()) return;
-  shrink(c, [&](const AnyCase& smaller) { return !difference(smaller).empty(); });
+  shrink(c, [&](const GeneratedCase& smaller) { return !difference(smaller).empty(); });
   FAIL_CHECK("seed " << seed << ": " << difference(c) << "\n" << in_words(c));
 }
 

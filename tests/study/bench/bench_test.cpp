@@ -1,5 +1,5 @@
 // The command `glassbox bench`.
-#include <tests/app/run.h>
+#include <tests/app/working_directory.h>
 #include <tests/support/catch.h>
 #include <tests/support/manifest.h>
 #include <tests/support/skip.h>
@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 using test::Outcome;
-using test::Workplace;
+using test::WorkingDirectory;
 
 bool mesa_is_here() {
   void* library = ::dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL);
@@ -27,7 +27,7 @@ bool mesa_is_here() {
 }
 
 TEST_CASE("bench writes machine, compiler, target and results as JSON") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("bench S2 cube --size 64x36 --frames 4 --json -");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -53,7 +53,7 @@ TEST_CASE("bench writes machine, compiler, target and results as JSON") {
 }
 
 TEST_CASE("bench tells people what it tells programs, and writes the file as well") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("bench s3 --size 64x36 --frames 1 --json out.json");
   REQUIRE(run.exit_code == 0);
   CHECK(run.out.find("64 x 36") != std::string::npos);
@@ -62,7 +62,7 @@ TEST_CASE("bench tells people what it tells programs, and writes the file as wel
 }
 
 TEST_CASE("S6 reports the run that shares the eyes' work, S7 the rejection of whole objects") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("bench S6 S7 --threads 1 --size 64x36 --frames 1 --json -");
   REQUIRE(run.exit_code == 0);
   const json results = json::parse(run.out).at("results");
@@ -73,7 +73,7 @@ TEST_CASE("S6 reports the run that shares the eyes' work, S7 the rejection of wh
 }
 
 TEST_CASE("bench refuses what it cannot measure, with a remedy") {
-  const Workplace place;
+  const WorkingDirectory place;
   const auto refused = [&](const std::string& words, const std::string& says) {
     INFO(words);
     const Outcome run = place.run("bench " + words);
@@ -95,7 +95,7 @@ TEST_CASE("bench refuses what it cannot measure, with a remedy") {
 }
 
 TEST_CASE("bench draws with either engine, and refuses threads for the one that has none") {
-  const Workplace place;
+  const WorkingDirectory place;
   for (const char* words : {"--engine staged", "--target scalar", "--threads 2"}) {
     INFO(words);
     const Outcome run =
@@ -108,7 +108,7 @@ TEST_CASE("bench draws with either engine, and refuses threads for the one that 
 }
 
 TEST_CASE("two points give the ratio of their times, and no law is fitted to them") {
-  const Workplace here;
+  const WorkingDirectory here;
   const auto run =
       here.run("bench --scaling triangles --most 3000 --size 64x36 --frames 1 --json s.json");
   REQUIRE(run.exit_code == 0);
@@ -127,7 +127,7 @@ TEST_CASE("two points give the ratio of their times, and no law is fitted to the
 }
 
 TEST_CASE("scaling reports every point up to --most, and what a triangle takes") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "bench --scaling triangles --most 10000 --size 64x36 --frames 1 --json - --html page.html");
   INFO(run.err);
@@ -148,7 +148,7 @@ TEST_CASE("scaling reports every point up to --most, and what a triangle takes")
 TEST_CASE(
     "the page has the times that it draws, the floor's beside them, and no peer of which none was "
     "asked") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "bench S2 cube --threads 1 --floor --size 64x36 --frames 1 --json - --html page.html");
   INFO(run.err);
@@ -166,7 +166,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a path is written out in the numbers of the page") {
-  const Workplace place;
+  const WorkingDirectory place;
   const std::string name = std::string(50, 'u') + "-the-end.obj";
   place.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   REQUIRE(
@@ -178,7 +178,7 @@ TEST_CASE("a path is written out in the numbers of the page") {
 }
 
 TEST_CASE("the floor is above nothing and the scene's bytes are those of its tables") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("bench S4bf --floor --threads 1 --size 64x36 --frames 1 --json -");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -194,7 +194,7 @@ TEST_CASE("the floor is above nothing and the scene's bytes are those of its tab
 
 TEST_CASE("Mesa draws the same pictures") {
   if (!mesa_is_here()) SKIP_TEST("no libOSMesa.so.8 (Debian: libosmesa6)");
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --threads 2 --size 480x270 --frames 1 "
       "--json - --html page.html");
@@ -217,7 +217,7 @@ TEST_CASE("Mesa draws the same pictures") {
 
 TEST_CASE("Mesa draws the same pictures of built-in scenes, with samples and for two eyes") {
   if (!mesa_is_here()) SKIP_TEST("no libOSMesa.so.8 (Debian: libosmesa6)");
-  const Workplace place;
+  const WorkingDirectory place;
   for (const char* words : {"cube sphere f-glyph room thicket R9 R12", "cube R6 --samples 4",
                             "teapot:8 R7 --stereo anaglyph"}) {
     INFO(words);
@@ -235,7 +235,7 @@ TEST_CASE("Mesa draws the same pictures of built-in scenes, with samples and for
 }
 
 TEST_CASE("what the peer cannot do is drawn alone, and the reason is told") {
-  const Workplace place;
+  const WorkingDirectory place;
   place.write("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
   const Outcome run = place.run(
       "bench cube line.obj --samples 8 --against mesa --threads 1 --size 64x36 --frames 1 --json "
@@ -254,7 +254,7 @@ TEST_CASE("what the peer cannot do is drawn alone, and the reason is told") {
 
 TEST_CASE(
     "the real scenes have their names and samples, and one whose file is missing is left out") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "bench R1 r2 R3 R4 R5 R6 R7 R8 R9 R10 R11 R12 --threads 1 --size 64x36 --frames 1 --json -");
   INFO(run.err);
@@ -273,7 +273,7 @@ TEST_CASE(
 }
 
 TEST_CASE("--samples takes what the program draws, --stereo an anaglyph") {
-  const Workplace place;
+  const WorkingDirectory place;
   CHECK(place.run("bench cube --samples 3").exit_code == 2);
   CHECK(place.run("bench cube --stereo side-by-side").exit_code == 2);
   const Outcome run = place.run(

@@ -56,26 +56,27 @@ Scene make_everything() {
     return scene.materials[add_material(scene, "m", color)];
   };
   material({1, 1, 1, 1}).texture = checks;  // 0: tilted, so that levels are interpolated
-  add_object(scene, pane(0, 3), place({-1.6, 0.9, -1}, 50));
+  add_object(scene, pane(0, 3), placement_transform({-1.6, 0.9, -1}, 50));
   Material& shiny = material({0.2f, 0.5f, 0.3f, 1});  // 1
   shiny.specular = {0.5f, 0.5f, 0.4f};
   shiny.shininess = 24;
-  add_object(scene, ball(1), place({1.4, 0.9, 0}, 20, {0.8, 0.5, 0.6}));  // scaled unevenly
-  Material& glowing = material({0.1f, 0.1f, 0.4f, 1});                    // 2
+  add_object(scene, ball(1),
+             placement_transform({1.4, 0.9, 0}, 20, {0.8, 0.5, 0.6}));  // scaled unevenly
+  Material& glowing = material({0.1f, 0.1f, 0.4f, 1});                  // 2
   glowing.emission = {0.3f, 0.1f, 0};
   glowing.emission_texture = checks;
   glowing.double_sided = true;
-  add_object(scene, pane(2, 1), place({1.3, -0.9, -0.5}, 160));  // shows its back
-  Material& leaves = material({1, 1, 1, 1});                     // 3
+  add_object(scene, pane(2, 1), placement_transform({1.3, -0.9, -0.5}, 160));  // shows its back
+  Material& leaves = material({1, 1, 1, 1});                                   // 3
   Image<Rgba8> cut = make_checks(4, 32, {90, 160, 60, 255}, {90, 160, 60, 0});
   leaves.texture = add_texture(scene, std::move(cut));
   leaves.alpha_mode = AlphaMode::kMask;
-  add_object(scene, pane(3, 1), place({-1.4, -0.9, -0.3}));
+  add_object(scene, pane(3, 1), placement_transform({-1.4, -0.9, -0.3}));
   Material& glass = material({0.9f, 0.3f, 0.2f, 0.4f});  // 4
   glass.alpha_mode = AlphaMode::kBlend;
-  add_object(scene, pane(4, 1), place({0.1, 0, 0.6}));
-  add_object(scene, pane(4, 1), place({-0.3, 0.2, 0.9}));
-  add_object(scene, ball(1), place({0, -0.2, -1}, 0, {-0.5, 0.5, 0.5}));  // mirrored
+  add_object(scene, pane(4, 1), placement_transform({0.1, 0, 0.6}));
+  add_object(scene, pane(4, 1), placement_transform({-0.3, 0.2, 0.9}));
+  add_object(scene, ball(1), placement_transform({0, -0.2, -1}, 0, {-0.5, 0.5, 0.5}));  // mirrored
   add_directional(scene, "sun", {-1, -1, -2}, 1.5);
   add_light(scene, LightKind::kPoint, {1, 2, 3});
   add_light(scene, LightKind::kSpot, {-2, 1, 4});
@@ -91,7 +92,7 @@ BenchScene bench_of(Scene scene) {
   return bench;
 }
 
-std::string told(const PictureMatch& found) {
+std::string describe_match(const PictureMatch& found) {
   std::string text =
       std::to_string(found.at_edges()) + " of " + std::to_string(found.allowed_at_edges()) +
       " at edges, " + std::to_string(found.colored_away_from_edges) + " elsewhere by up to " +
@@ -115,7 +116,7 @@ TEST_CASE("the peer draws every kind of material and light as the engines do") {
   const auto mesa = MesaRenderer::make(bench);
   REQUIRE(mesa);
   const PictureMatch found = match(GlassboxPeer(bench).picture(), (*mesa)->picture());
-  INFO(told(found));
+  INFO(describe_match(found));
   CHECK(found.same());
   CHECK(found.covered > 10000);
 }
@@ -132,7 +133,7 @@ TEST_CASE("a fault planted in the scene is seen in the comparison with the peer"
     plant(scene);
     const BenchScene planted = bench_of(std::move(scene));
     const PictureMatch found = match(GlassboxPeer(planted).picture(), theirs);
-    INFO(told(found));
+    INFO(describe_match(found));
     CHECK_FALSE(found.same());
   };
   differs("a light from the other side", [](Scene& s) { s.lights[0].direction.x *= -1; });

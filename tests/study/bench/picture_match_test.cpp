@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 
-JudgedPicture drawn(std::string_view name) {
+EnginePicture drawn(std::string_view name) {
   const auto bench = make_bench_scene(name, kWidth, kHeight);
   REQUIRE(bench);
   return GlassboxPeer(*bench).picture();
@@ -18,7 +18,7 @@ JudgedPicture drawn(std::string_view name) {
 TEST_CASE("a picture is the same as itself") {
   for (const char* name : {"S2", "S3", "S4bf", "S6"}) {
     INFO(name);
-    const JudgedPicture ours = drawn(name);
+    const EnginePicture ours = drawn(name);
     const PictureMatch found = match(ours, ours.picture);
     CHECK(found.same());
     CHECK(found.differing() == 0);
@@ -29,7 +29,7 @@ TEST_CASE("a picture is the same as itself") {
 }
 
 TEST_CASE("colours two steps apart are the same, three steps are not") {
-  const JudgedPicture ours = drawn("S3");
+  const EnginePicture ours = drawn("S3");
   Picture theirs = ours.picture;
   int inside = 0;
   while (ours.edge.pixels[std::size_t(inside)] != 0) ++inside;
@@ -45,7 +45,7 @@ TEST_CASE("colours two steps apart are the same, three steps are not") {
 }
 
 TEST_CASE("a hole inside a triangle is found, one pixel of the outline is counted and forgiven") {
-  const JudgedPicture ours = drawn("S3");
+  const EnginePicture ours = drawn("S3");
   Picture theirs = ours.picture;
   int at_edge = 0, inside = 0;
   while (ours.edge.pixels[std::size_t(at_edge)] == 0) ++at_edge;
@@ -58,7 +58,7 @@ TEST_CASE("a hole inside a triangle is found, one pixel of the outline is counte
 }
 
 TEST_CASE("more differences at edges than a handful are no handful") {
-  const JudgedPicture ours = drawn("S2");
+  const EnginePicture ours = drawn("S2");
   const PictureMatch none = match(ours, ours.picture);
   Picture theirs = ours.picture;
   std::uint64_t planted = 0;
@@ -74,7 +74,7 @@ TEST_CASE("more differences at edges than a handful are no handful") {
 TEST_CASE("a scene that lacks one triangle, or has it the other way round, is not the same") {
   auto bench = make_bench_scene("S3", kWidth, kHeight);
   REQUIRE(bench);
-  const JudgedPicture ours = GlassboxPeer(*bench).picture();
+  const EnginePicture ours = GlassboxPeer(*bench).picture();
   Mesh& mesh = bench->scene.meshes[0];
   std::swap(mesh.corners[0], mesh.corners[1]);
   CHECK_FALSE(match(ours, GlassboxPeer(*bench).picture().picture).same());

@@ -26,7 +26,7 @@ VertexArrays arrays_of(const Mesh& mesh) {
   Scene scene;
   scene.meshes.push_back(mesh);
   scene.materials.emplace_back();
-  const PreparedScene prepared = prepare(scene, Transfer::kNone);
+  const PreparedScene prepared = prepare_scene(scene, Transfer::kNone);
   return vertex_arrays(scene.meshes[0], prepared.meshes[0], true);
 }
 

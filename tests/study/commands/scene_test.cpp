@@ -1,5 +1,5 @@
 // The command `glassbox study scene`.
-#include <tests/app/run.h>
+#include <tests/app/working_directory.h>
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace {
 
 using nlohmann::json;
 using test::Outcome;
-using test::Workplace;
+using test::WorkingDirectory;
 
-json curve_of(const Workplace& place, const std::string& words) {
+json curve_of(const WorkingDirectory& place, const std::string& words) {
   const Outcome run = place.run("study scene " + words + " --json -");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -27,7 +27,7 @@ json curve_of(const Workplace& place, const std::string& words) {
 }
 
 TEST_CASE("every way has the command that draws it, and these make as many pictures as it says") {
-  const Workplace place;
+  const WorkingDirectory place;
   for (const char* words : {"checker --size 48x36", "sphere:8 --size 48x36 --quick",
                             "room --size 48x36 --depth d24 --fov 80 --quick",
                             "cube --size 32x24 --projection t_pers --cull-stage object --quick"}) {
@@ -51,7 +51,7 @@ TEST_CASE("every way has the command that draws it, and these make as many pictu
 }
 
 TEST_CASE("the front is what nothing beats, and times have their quartiles and octiles") {
-  const Workplace place;
+  const WorkingDirectory place;
   const json curve = curve_of(place, "checker --size 64x48 --quick --threads 2");
   bool front = false;
   for (const json& point : curve.at("points")) {
@@ -73,7 +73,7 @@ TEST_CASE("the front is what nothing beats, and times have their quartiles and o
 }
 
 TEST_CASE("CSV, JSON and text say the same, and the page has the pictures") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "study scene checker --size 48x36 --quick --csv out.csv --json out.json --html page.html");
   INFO(run.err);
@@ -96,7 +96,7 @@ TEST_CASE("CSV, JSON and text say the same, and the page has the pictures") {
 }
 
 TEST_CASE("bad usage of study scene ends in 2, says why, and writes nothing") {
-  const Workplace place;
+  const WorkingDirectory place;
   for (const char* words :
        {"study scene", "study scene absent.glb", "study scene room --show depth",
         "study scene room --quick --json - --csv -", "study scene room --html page.txt",

@@ -19,7 +19,7 @@ using nlohmann::json;
 using test::contains;
 using test::Outcome;
 using test::unwrapped;
-using test::Workplace;
+using test::WorkingDirectory;
 
 // One of the experiments that take little time.
 constexpr const char* kQuick = "D-13 --quick --threads 1";
@@ -34,7 +34,7 @@ json errors_of(json results) {
 }
 
 TEST_CASE("study list names every experiment and what it asks") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("study list --json list.json");
   REQUIRE(run.exit_code == 0);
   const json list = json::parse(place.read("list.json"));
@@ -49,7 +49,7 @@ TEST_CASE("study list names every experiment and what it asks") {
 }
 
 TEST_CASE("study run gives errors, theory, times and origin as JSON, CSV and text") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(std::string("study run --json out.json --csv out.csv ") + kQuick);
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -79,7 +79,7 @@ TEST_CASE("study run gives errors, theory, times and origin as JSON, CSV and tex
 
 TEST_CASE(
     "two runs give the same errors to the last digit, and JSON alone goes to standard output") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome one = place.run(std::string("study run --json - ") + kQuick);
   const Outcome two = place.run(std::string("study run --json - ") + kQuick);
   REQUIRE(one.exit_code == 0);
@@ -88,7 +88,7 @@ TEST_CASE(
 }
 
 TEST_CASE("study run goes on with its own file, and refuses one of another effort or of nobody") {
-  const Workplace place;
+  const WorkingDirectory place;
   REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
   const std::string kept = place.read("kept.json");
   REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
@@ -102,7 +102,7 @@ TEST_CASE("study run goes on with its own file, and refuses one of another effor
 }
 
 TEST_CASE("study report makes a page of kept results that asks nothing of the network") {
-  const Workplace place;
+  const WorkingDirectory place;
   REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
   const Outcome run = place.run("study report --from kept.json -o page.html");
   INFO(run.err);
@@ -118,7 +118,7 @@ TEST_CASE("study report makes a page of kept results that asks nothing of the ne
 }
 
 TEST_CASE("charts as SVG files are gnuplot's, and without it the error says so") {
-  const Workplace place;
+  const WorkingDirectory place;
   REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
   std::filesystem::create_directory(place.file("charts"));
   const Outcome run = place.run("study report --from kept.json --svg charts");
@@ -137,7 +137,7 @@ TEST_CASE("charts as SVG files are gnuplot's, and without it the error says so")
 }
 
 TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run gives") {
-  const Workplace place;
+  const WorkingDirectory place;
   const auto shell = [&](const std::string& command) {
     return test::run_program("/bin/sh", {"-c", command}, place.path());
   };
@@ -199,7 +199,7 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
 }
 
 TEST_CASE("two runs agree where neither states the opposite of the other") {
-  const Workplace place;
+  const WorkingDirectory place;
   REQUIRE(place.run(std::string("study run --json one.json ") + kQuick).exit_code == 0);
   CHECK(place.run("study agree one.json one.json").exit_code == 0);
   // In the second file the configuration that was fastest is slower than all others.
@@ -245,7 +245,7 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
 }
 
 TEST_CASE("study recommend says what fits on this scene, and with which options it is drawn") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run(
       "study recommend teapot --size 64x48 --error-budget position<0.01,depth<1e-3,colour<1/16 "
       "--json -");
@@ -276,7 +276,7 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
 }
 
 TEST_CASE("study recommend reads a scene from standard input") {
-  const Workplace place;
+  const WorkingDirectory place;
   place.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto shell = [&](const std::string& words) {
     return test::run_program("/bin/sh", {"-c", GLASSBOX_PROGRAM " study recommend " + words},
@@ -291,7 +291,7 @@ TEST_CASE("study recommend reads a scene from standard input") {
 }
 
 TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate candidate") {
-  const Workplace place;
+  const WorkingDirectory place;
   // A configuration that is precise enough has more subpixel bits than `render` offers.
   const Outcome finer =
       place.run("study recommend teapot --size 64x48 --error-budget position<0.001px");
@@ -303,7 +303,7 @@ TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate can
 }
 
 TEST_CASE("more samples are drawn only until one number of them fits") {
-  const Workplace place;
+  const WorkingDirectory place;
   const auto candidates = [&](const std::string& limit) {
     const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget colour<" +
                                   limit + " --json -");
@@ -322,7 +322,7 @@ TEST_CASE("more samples are drawn only until one number of them fits") {
 }
 
 TEST_CASE("bad usage of study ends in 2, says why, and writes nothing") {
-  const Workplace place;
+  const WorkingDirectory place;
   place.write("empty.json", "");
   for (const char* words : {"study",
                             "study run D-999",

@@ -1,4 +1,4 @@
-// The ways to draw a scene, and the measurements of them.
+// The variants of drawing a scene, and the measurements of them.
 #include <tests/support/catch.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <glassbox/pipeline/framing.h>
 
 #include "study/curve/curve.h"
-#include "study/curve/drawers.h"
+#include "study/curve/renderer_cache.h"
 
 namespace glassbox::study {
 namespace {
@@ -28,8 +28,9 @@ ViewOf view_of(const Scene& scene) {
   return [&scene](const RenderSettings& settings, int factor) {
     const auto range = settings.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
                                                                        : DepthRange::kStandard;
-    return make_view(scene.cameras.empty() ? *frame(scene, 4.0 / 3) : scene.cameras.front(),
-                     64 * factor, 48 * factor, range);
+    return make_view(
+        scene.cameras.empty() ? *framing_camera(scene, 4.0 / 3) : scene.cameras.front(),
+        64 * factor, 48 * factor, range);
   };
 }
 
@@ -37,20 +38,20 @@ CurveRequest request_of(const Scene& scene) {
   CurveRequest request;
   request.scene = &scene;
   request.view = view_of(scene);
-  request.ways.threads = 2;
+  request.variants.threads = 2;
   request.repetitions = 1;
   return request;
 }
 
-std::set<std::string> names_of(const std::vector<Way>& ways) {
+std::set<std::string> names_of(const std::vector<RenderVariant>& variants) {
   std::set<std::string> names;
-  for (const Way& way : ways) names.insert(name_of(way));
+  for (const RenderVariant& variant : variants) names.insert(name_of(variant));
   return names;
 }
 
 const CurvePoint& point(const Curve& curve, const std::string& name) {
   const auto found = std::ranges::find_if(
-      curve.points, [&](const CurvePoint& each) { return name_of(each.way) == name; });
+      curve.points, [&](const CurvePoint& each) { return name_of(each.variant) == name; });
   REQUIRE(found != curve.points.end());
   return *found;
 }
@@ -58,14 +59,14 @@ const CurvePoint& point(const Curve& curve, const std::string& name) {
 TEST_CASE("pictures that would not fit are refused before any is drawn") {
   const Scene scene = scene_of("checker");
   CurveRequest request = request_of(scene);
-  const std::size_t ways = single_turns(scene, request.ways).all.size();
+  const std::size_t variants = single_knob_variants(scene, request.variants).all.size();
   const double bytes = 64 * 48 * 4;
   request.combine = false;
-  request.most_bytes = bytes * double(ways) - 1;
+  request.most_bytes = bytes * double(variants) - 1;
   request.phase = [](const std::string& what) { FAIL(what); };
   const auto refused = measure_curve(request);
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().place == std::to_string(ways) + " pictures");
+  CHECK(refused.error().place == std::to_string(variants) + " pictures");
 }
 
 TEST_CASE("without a page pictures are told apart by their packed bytes, and none is kept") {
@@ -83,7 +84,7 @@ TEST_CASE("without a page pictures are told apart by their packed bytes, and non
   CHECK(packed->different == kept->different);
   REQUIRE(packed->points.size() == kept->points.size());
   for (std::size_t i = 0; i < kept->points.size(); ++i) {
-    CAPTURE(name_of(kept->points[i].way));
+    CAPTURE(name_of(kept->points[i].variant));
     CHECK(packed->points[i].picture == kept->points[i].picture);
     CHECK(packed->points[i].error.rms == kept->points[i].error.rms);
   }
@@ -91,10 +92,10 @@ TEST_CASE("without a page pictures are told apart by their packed bytes, and non
 
 TEST_CASE("each knob is turned alone to all that it has but what is asked for") {
   const Scene room = scene_of("room");
-  const Ways ways = single_turns(room, {.threads = 4});
-  CHECK(ways.all.front().knob == Knob::kNone);
-  const std::set<std::string> names = names_of(ways.all);
-  CHECK(names.size() == ways.all.size());  // no name occurs twice
+  const RenderVariants variants = single_knob_variants(room, {.threads = 4});
+  CHECK(variants.all.front().knob == Knob::kNone);
+  const std::set<std::string> names = names_of(variants.all);
+  CHECK(names.size() == variants.all.size());  // no name occurs twice
   for (const char* name :
        {"as asked", "--shade unlit", "--shade flat", "--shade gouraud", "--filter nearest",
         "--filter bilinear", "--filter bilinear-levels", "--samples 2", "--samples 16",
@@ -110,41 +111,44 @@ TEST_CASE("each knob is turned alone to all that it has but what is asked for") 
 TEST_CASE(
     "what is held is not turned, and what a scene does not have is left out, with the reason") {
   const Scene teapot = scene_of("teapot:2"), room = scene_of("room");
-  const auto why = [](const Ways& ways, Knob knob) {
-    for (const NotTurned& each : ways.left_out) {
+  const auto why = [](const RenderVariants& variants, Knob knob) {
+    for (const SkippedKnob& each : variants.skipped) {
       if (each.knob == knob) return each.why;
     }
     return std::string();
   };
-  const Ways of_teapot = single_turns(teapot, {.levels = {1, 4}});
+  const RenderVariants of_teapot = single_knob_variants(teapot, {.levels = {1, 4}});
   CHECK(why(of_teapot, Knob::kFilter) == "the scene has no texture");
   CHECK(names_of(of_teapot.all).contains("level 4"));
-  const Ways held = single_turns(room, {.held = {Knob::kShading, Knob::kFilter, Knob::kSamples}});
+  const RenderVariants held =
+      single_knob_variants(room, {.fixed_knobs = {Knob::kShading, Knob::kFilter, Knob::kSamples}});
   for (const Knob knob : {Knob::kShading, Knob::kFilter, Knob::kSamples}) {
     CHECK(why(held, knob) == "you gave its value");
-    CHECK(std::ranges::none_of(held.all, [&](const Way& way) { return way.knob == knob; }));
+    CHECK(std::ranges::none_of(held.all,
+                               [&](const RenderVariant& variant) { return variant.knob == knob; }));
   }
   CHECK(why(held, Knob::kLevel) == "the scene has only one level of detail");
 }
 
 TEST_CASE("shading, filter and samples are combined, each with each, and nothing else") {
   const Scene room = scene_of("room");
-  const Ways ways = single_turns(room, {});
+  const RenderVariants variants = single_knob_variants(room, {});
   std::map<Knob, std::size_t> turns;
-  for (const Way& way : ways.all) ++turns[way.knob];
-  const std::vector<Way> combined = combined_turns(ways.all);
+  for (const RenderVariant& variant : variants.all) ++turns[variant.knob];
+  const std::vector<RenderVariant> combined = combined_variants(variants.all);
   const std::size_t a = turns[Knob::kShading], b = turns[Knob::kFilter], c = turns[Knob::kSamples];
   CHECK(combined.size() == a * b + b * c + a * c + a * b * c);
   CHECK(names_of(combined).size() == combined.size());
-  for (const Way& way : combined) {
-    INFO(name_of(way));
-    CHECK(way.knob == Knob::kSeveral);
+  for (const RenderVariant& variant : combined) {
+    INFO(name_of(variant));
+    CHECK(variant.knob == Knob::kSeveral);
     // Each option has the value of the setting.
-    for (std::size_t i = 0; i < way.options.size(); i += 2) {
-      const std::string& option = way.options[i];
+    for (std::size_t i = 0; i < variant.options.size(); i += 2) {
+      const std::string& option = variant.options[i];
       CHECK((option == "--shade" || option == "--filter" || option == "--samples"));
-      if (option == "--samples") CHECK(std::stoi(way.options[i + 1]) == way.settings.samples);
-      if (option == "--filter") CHECK(way.options[i + 1] == name_of(*way.filter));
+      if (option == "--samples")
+        CHECK(std::stoi(variant.options[i + 1]) == variant.settings.samples);
+      if (option == "--filter") CHECK(variant.options[i + 1] == name_of(*variant.filter));
     }
   }
 }
@@ -178,12 +182,12 @@ TEST_CASE("a curve: more samples err less, the engine changes no byte, and all i
   CHECK(curve->position_error < 0.01);
   const CurvePoint& base = curve->points.front();
   for (const CurvePoint& each : curve->points) {
-    INFO(name_of(each.way));
+    INFO(name_of(each.variant));
     REQUIRE(each.picture < curve->pictures.size());
     CHECK(each.ns.lower <= each.ns.median);
     CHECK(each.ns.median > 0);
-    CHECK(each.standing.has_value() == (each.way.tile.threads == 1));
-    if (each.way.knob == Knob::kEngine) CHECK(each.picture == base.picture);
+    CHECK(each.standing.has_value() == (each.variant.tile.threads == 1));
+    if (each.variant.knob == Knob::kEngine) CHECK(each.picture == base.picture);
     // Each point has the error of its picture.
     CHECK(each.error.rms == picture_error(curve->pictures[each.picture], curve->reference).rms);
   }
@@ -203,12 +207,13 @@ TEST_CASE("a curve has the pictures that render makes") {
   const auto curve = measure_curve(request);
   REQUIRE(curve);
   for (const CurvePoint& each : curve->points) {
-    if (each.way.knob != Knob::kSeveral) continue;
-    INFO(name_of(each.way));
-    const Scene scene = each.way.filter ? with_filter(room, *each.way.filter) : room;
-    Renderer renderer(scene, each.way.settings.transfer, EngineKind::kStaged);
-    const auto view = request.view(each.way.settings, 1);
-    CHECK(renderer.render(*view, each.way.settings).buffers.color == curve->pictures[each.picture]);
+    if (each.variant.knob != Knob::kSeveral) continue;
+    INFO(name_of(each.variant));
+    const Scene scene = each.variant.filter ? with_filter(room, *each.variant.filter) : room;
+    Renderer renderer(scene, each.variant.settings.transfer, EngineKind::kStaged);
+    const auto view = request.view(each.variant.settings, 1);
+    CHECK(renderer.render(*view, each.variant.settings).buffers.color ==
+          curve->pictures[each.picture]);
   }
 }
 
@@ -219,7 +224,7 @@ TEST_CASE("the finest level is the reference, and coarser ones err more") {
   request.combine = false;
   for (const int level : {4, 8, 256}) {
     request.at_levels.emplace(level, scene_of(("sphere:" + std::to_string(level)).c_str()));
-    request.ways.levels.push_back(level);
+    request.variants.levels.push_back(level);
   }
   const auto curve = measure_curve(request);
   REQUIRE(curve);
@@ -234,7 +239,7 @@ TEST_CASE("a plan that leaves out what is seen is found out as a fault of the pr
   const Scene room = scene_of("room");
   CurveRequest request = request_of(room);
   request.combine = false;
-  request.ways.tile.planner = [](std::span<const PlannedEye> eyes, bool leave_out) {
+  request.variants.tile.planner = [](std::span<const PlannedEye> eyes, bool leave_out) {
     std::vector<Plan> plans = make_plans(eyes, leave_out);
     if (leave_out) plans.front().order.pop_back();  // for example a wall
     return plans;

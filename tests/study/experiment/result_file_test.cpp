@@ -15,7 +15,7 @@
 #include "study/experiment/result_file.h"
 #include "study/experiment/results_json.h"
 #include "study/experiment/study.h"
-#include "tests/study/experiment/sample.h"
+#include "tests/study/experiment/sample_experiment.h"
 
 namespace glassbox::study {
 namespace {
@@ -176,7 +176,7 @@ TEST_CASE("a file that is no result file, or half of one, is refused") {
     INFO(text.substr(0, 60));
     std::ofstream(path, std::ios::binary) << text;
     CHECK_FALSE(read_results(path));
-    CHECK_FALSE(resume(path, kHere));
+    CHECK_FALSE(resume_results(path, kHere));
   }
   auto damaged = nlohmann::ordered_json::parse(whole);
   damaged["experiments"][0]["configurations"][0]["error"] = "seven";
@@ -184,7 +184,7 @@ TEST_CASE("a file that is no result file, or half of one, is refused") {
   damaged["experiments"][0]["configurations"][0].erase("error");
   CHECK_FALSE(results_of(damaged));
   CHECK_FALSE(read_results(directory.file("absent.json")));
-  CHECK(resume(directory.file("absent.json"), kHere)->experiments.empty());
+  CHECK(resume_results(directory.file("absent.json"), kHere)->experiments.empty());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 
 #include "study/experiment/runner.h"
 #include "study/experiment/timing.h"
-#include "tests/study/experiment/sample.h"
+#include "tests/study/experiment/sample_experiment.h"
 
 namespace glassbox::study {
 namespace {

@@ -5,7 +5,7 @@
 #include "exact/clip.h"
 #include "exact/number.h"
 #include "study/experiments/d32_clippers.h"
-#include "tests/study/experiments/laws.h"
+#include "tests/study/experiments/check_experiment.h"
 
 namespace glassbox::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "study/experiments/d14_model.h"
 #include "study/experiments/d17_leaves.h"
-#include "tests/study/experiments/laws.h"
+#include "tests/study/experiments/check_experiment.h"
 
 using namespace glassbox;
 using namespace glassbox::study;

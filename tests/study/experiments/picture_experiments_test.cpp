@@ -16,7 +16,7 @@
 #include "study/experiments/d11_pair_setup.h"
 #include "study/experiments/d12_leaves.h"
 #include "study/experiments/warp/warp.h"
-#include "tests/study/experiments/laws.h"
+#include "tests/study/experiments/check_experiment.h"
 #include "tests/support/skip.h"
 
 using namespace glassbox;

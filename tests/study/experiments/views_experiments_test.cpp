@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "study/bench/statistics.h"
-#include "tests/study/experiments/laws.h"
+#include "tests/study/experiments/check_experiment.h"
 
 namespace glassbox::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "study/extremes/run.h"
+#include "study/extremes/run_case.h"
 
 namespace glassbox::study {
 namespace {
@@ -44,16 +44,16 @@ TEST_CASE(
     "[extremes]") {
   for (const ExtremeCase& each : extreme_cases()) {
     const RaisedExceptions exceptions;
-    const Outcome first = each.ours.judged();
+    const Outcome first = each.ours.measure_error();
     const std::string raised = exceptions.besides(each.exceptions_of_ours);
-    const Outcome second = each.ours.judged();
+    const Outcome second = each.ours.measure_error();
     INFO(each.id << " " << each.name << ": " << first.error << " " << each.unit << ", bound "
-                 << first.bound << "; " << first.seen);
+                 << first.bound << "; " << first.summary);
     CHECK(first.passes());
     CHECK(raised == "");
     // Errors are the same to the last digit; only times differ between runs.
     CHECK(same_bits(first.error, second.error));
-    CHECK(first.seen == second.seen);
+    CHECK(first.summary == second.summary);
   }
 }
 
@@ -61,13 +61,13 @@ TEST_CASE("in every extreme case naive code fails and every mutant is caught and
           "[extremes]") {
   int mutants = 0;
   for (const ExtremeCase& each : extreme_cases()) {
-    const Outcome naive = each.naive.judged();
+    const Outcome naive = each.naive.measure_error();
     INFO(each.id << " " << each.name << ", naive: " << each.naive.name << ": " << naive.error
                  << " within " << naive.bound);
     CHECK_FALSE(naive.passes());
     std::set<std::string> names;
     for (const Subject& mutant : each.mutants) {
-      const Outcome outcome = mutant.judged();
+      const Outcome outcome = mutant.measure_error();
       INFO("mutant: " << mutant.name << ": " << outcome.error << " within " << outcome.bound);
       CHECK_FALSE(outcome.passes());
       CHECK_FALSE(mutant.name.empty());
@@ -81,8 +81,8 @@ TEST_CASE("in every extreme case naive code fails and every mutant is caught and
 
 TEST_CASE("cases that show in a picture are drawn right by both engines and for every target",
           "[extremes]") {
-  REQUIRE(drawers().size() == 2 + available_targets().size());
-  CHECK(drawers().front().name == "staged");
+  REQUIRE(tested_engines().size() == 2 + available_targets().size());
+  CHECK(tested_engines().front().name == "staged");
   int drawn = 0;
   for (const ExtremeCase& each : extreme_cases()) {
     // Cases of stages outside the renderer have numbers from C-80 on.
@@ -93,10 +93,10 @@ TEST_CASE("cases that show in a picture are drawn right by both engines and for 
     }
     if (!each.drawn) continue;
     ++drawn;
-    for (const Drawer& drawer : drawers()) {
-      const Outcome outcome = each.drawn(drawer);
-      INFO(each.id << " " << each.name << ", drawn by " << drawer.name << ": " << outcome.error
-                   << "; " << outcome.seen);
+    for (const TestedEngine& engine : tested_engines()) {
+      const Outcome outcome = each.drawn(engine);
+      INFO(each.id << " " << each.name << ", drawn by " << engine.name << ": " << outcome.error
+                   << "; " << outcome.summary);
       CHECK(outcome.passes());
     }
   }
@@ -113,13 +113,13 @@ TEST_CASE("the list of extreme cases has C-01 to C-79 once each, done or left ou
     CHECK(last < number);
     last = number;
     CHECK(known.insert(each.id).second);
-    for (const std::string* text : {&each.name, &each.construction, &each.stage, &each.right,
+    for (const std::string* text : {&each.name, &each.construction, &each.stage, &each.right_answer,
                                     &each.unit, &each.ours.name, &each.naive.name}) {
       CHECK_FALSE(text->empty());
     }
     CHECK(find_case(each.id) == &each);
   }
-  for (const LeftOut& each : left_out_cases()) {
+  for (const OmittedCase& each : omitted_cases()) {
     INFO(each.id);
     CHECK_FALSE(each.reason.empty());
     known.insert(each.id);
@@ -149,24 +149,24 @@ TEST_CASE("a case with a mutant that survives does not hold", "[extremes]") {
   planted.ours = {"ours", answer(1)};
   planted.naive = {"naive", answer(2)};
   planted.mutants = {{"caught", answer(std::nan(""))}};
-  CHECK(run(planted).holds());
+  CHECK(run_case(planted).holds());
   planted.mutants.push_back({"survives", answer(0.5)});
-  CHECK_FALSE(run(planted).holds());
-  CHECK(run(planted).mutants_caught() == 1);
+  CHECK_FALSE(run_case(planted).holds());
+  CHECK(run_case(planted).mutants_caught() == 1);
   planted.mutants.pop_back();
-  planted.drawn = [](const Drawer& by) {
-    return Outcome{by.name == "staged" ? 0.0 : 2.0, 1, {}, {}};
+  planted.drawn = [](const TestedEngine& engine) {
+    return Outcome{engine.name == "staged" ? 0.0 : 2.0, 1, {}, {}};
   };
-  CHECK_FALSE(run(planted).holds());
-  CHECK(run(planted).drawn_right() == 1);
-  planted.drawn = [](const Drawer&) { return Outcome{1, 1, {}, {}}; };
-  CHECK(run(planted).holds());
+  CHECK_FALSE(run_case(planted).holds());
+  CHECK(run_case(planted).drawn_right() == 1);
+  planted.drawn = [](const TestedEngine&) { return Outcome{1, 1, {}, {}}; };
+  CHECK(run_case(planted).holds());
   planted.mutants.clear();
   planted.naive = {"as good as ours", answer(1)};
-  CHECK_FALSE(run(planted).holds());
+  CHECK_FALSE(run_case(planted).holds());
   planted.naive = {"naive", answer(2)};
   planted.ours = {"no number", answer(std::nan(""))};
-  CHECK_FALSE(run(planted).holds());
+  CHECK_FALSE(run_case(planted).holds());
 }
 
 TEST_CASE("pictures of extreme cases are PNG files", "[extremes]") {

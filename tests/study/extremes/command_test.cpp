@@ -1,5 +1,5 @@
 // The command `glassbox study extremes`.
-#include <tests/app/run.h>
+#include <tests/app/working_directory.h>
 #include <tests/support/catch.h>
 
 #include <nlohmann/json.hpp>
@@ -9,10 +9,10 @@ namespace {
 
 using nlohmann::json;
 using test::Outcome;
-using test::Workplace;
+using test::WorkingDirectory;
 
 TEST_CASE("study extremes shows chosen cases in a table and as JSON") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("study extremes C-43 c-52 --json report.json");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -29,7 +29,7 @@ TEST_CASE("study extremes shows chosen cases in a table and as JSON") {
 }
 
 TEST_CASE("study extremes --case shows one in full and writes its pictures") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("study extremes --case C-51 -o pictures");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -40,7 +40,7 @@ TEST_CASE("study extremes --case shows one in full and writes its pictures") {
 }
 
 TEST_CASE("study extremes --sweep prints the curve of one parameter") {
-  const Workplace place;
+  const WorkingDirectory place;
   const Outcome run = place.run("study extremes --sweep near-far --html curves.html");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
@@ -52,7 +52,7 @@ TEST_CASE("study extremes --sweep prints the curve of one parameter") {
 }
 
 TEST_CASE("study extremes refuses cases and sweeps that there are not, with the reason") {
-  const Workplace place;
+  const WorkingDirectory place;
   for (const char* wrong :
        {"study extremes C-999", "study extremes --sweep far", "study extremes --case x",
         "study extremes C-43 --case C-44", "study extremes --html page.txt"}) {

@@ -42,7 +42,7 @@ TEST_CASE("what is measured at the end of a sweep is harder than at its beginnin
       }
       // Shares of wrong pixels vary by chance; errors of numbers grow.
       const bool counted = sweep.error.starts_with("share");
-      if (series.gives_up && !series.ours && !counted) {
+      if (series.failure_parameter && !series.ours && !counted) {
         CHECK(series.points.back().error >= series.points.front().error);
       }
     }
@@ -55,9 +55,9 @@ TEST_CASE("float and 24 bits give up three decades of near-far ratio after 16 bi
   REQUIRE(sweep.name == "near-far");
   double at_16_bits = 0, at_float = 0;
   for (const SweepSeries& series : sweep.series()) {
-    if (series.ours) CHECK_FALSE(series.gives_up);
-    if (series.name == "16 bits") at_16_bits = series.gives_up.value_or(0);
-    if (series.name == "float") at_float = series.gives_up.value_or(0);
+    if (series.ours) CHECK_FALSE(series.failure_parameter);
+    if (series.name == "16 bits") at_16_bits = series.failure_parameter.value_or(0);
+    if (series.name == "float") at_float = series.failure_parameter.value_or(0);
   }
   // The ratio 2^8 is between two and three decades; the points are half a decade apart.
   CHECK(at_float / at_16_bits >= 99);
@@ -66,8 +66,8 @@ TEST_CASE("float and 24 bits give up three decades of near-far ratio after 16 bi
 
 TEST_CASE("a series gives up at its first point beyond the tolerance", "[extremes]") {
   const SweepSeries planted{"planted", false, {{1, 0.1, {}}, {2, 0.3, 0.2}, {3, 0.2, {}}}, {}};
-  CHECK(with_limit(planted, 0.2).gives_up == 2);
-  CHECK_FALSE(with_limit(planted, 0.5).gives_up);
+  CHECK(with_limit(planted, 0.2).failure_parameter == 2);
+  CHECK_FALSE(with_limit(planted, 0.5).failure_parameter);
   CHECK_FALSE(within_bounds(planted));
 }
 

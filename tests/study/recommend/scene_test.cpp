@@ -26,7 +26,7 @@ TEST_CASE(
     "more") {
   const auto scene = load_scene("sphere");
   REQUIRE(scene);
-  const auto vertices = SceneVertices::of(*scene, view_of(DepthRange::kStandard, 1, 20));
+  const auto vertices = SceneVertices::sample(*scene, view_of(DepthRange::kStandard, 1, 20));
   REQUIRE(vertices);
   REQUIRE(vertices->count() > 100);
   const Comparison positions = vertices->positions();
@@ -50,8 +50,8 @@ TEST_CASE("depth: each format errs by its own step, carried to the distance") {
   const auto scene = load_scene("sphere");
   REQUIRE(scene);
   const double near = 0.5, far = 1000;
-  const auto standard = SceneVertices::of(*scene, view_of(DepthRange::kStandard, near, far));
-  const auto reversed = SceneVertices::of(*scene, view_of(DepthRange::kReversed, near, far));
+  const auto standard = SceneVertices::sample(*scene, view_of(DepthRange::kStandard, near, far));
+  const auto reversed = SceneVertices::sample(*scene, view_of(DepthRange::kReversed, near, far));
   REQUIRE(standard);
   REQUIRE(reversed);
   // dz/z = z dd (f - n)/(f n), where z is between 4.9 and 7.1 from the eye (B.3). dd is half a step
@@ -73,7 +73,7 @@ TEST_CASE("depth: each format errs by its own step, carried to the distance") {
 TEST_CASE("a scene with no vertex between the planes is refused with a remedy") {
   const auto scene = load_scene("sphere");
   REQUIRE(scene);
-  const auto none = SceneVertices::of(*scene, view_of(DepthRange::kStandard, 100, 200));
+  const auto none = SceneVertices::sample(*scene, view_of(DepthRange::kStandard, 100, 200));
   REQUIRE_FALSE(none);
   CHECK_FALSE(none.error().remedy.empty());
 }
@@ -82,12 +82,12 @@ TEST_CASE("a picture is shrunk by averaging light, not bytes") {
   Image<Rgba8> large(4, 2, Rgba8{0, 0, 0, 255});
   for (int y = 0; y < 2; ++y)
     large.at(0, y) = large.at(2, y) = large.at(3, y) = {255, 255, 255, 255};
-  const Image<Rgba8> light = shrunk(large, 2, Transfer::kSrgb);
+  const Image<Rgba8> light = downsample(large, 2, Transfer::kSrgb);
   REQUIRE(light.width == 2);
   REQUIRE(light.height == 1);
   CHECK(light.at(0, 0) == Rgba8{188, 188, 188, 255});  // one half by IEC 61966-2-1: 187.5...
   CHECK(light.at(1, 0) == Rgba8{255, 255, 255, 255});
-  CHECK(shrunk(large, 2, Transfer::kNone).at(0, 0) == Rgba8{128, 128, 128, 255});
+  CHECK(downsample(large, 2, Transfer::kNone).at(0, 0) == Rgba8{128, 128, 128, 255});
 }
 
 TEST_CASE("the colour error is the root mean square over red, green and blue") {

@@ -1,5 +1,5 @@
 // The bounds of the condition numbers, compared with exact arithmetic: no error is larger.
-#include "study/stiffness/numbers.h"
+#include "study/stiffness/condition_formulas.h"
 
 #include <algorithm>
 #include <cmath>

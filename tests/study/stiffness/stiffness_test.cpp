@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
 #include "tests/app/text.h"
+#include "tests/app/working_directory.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 
@@ -37,8 +37,8 @@ View view_of(const Scene& scene, double near = 0.1) {
   return *view;
 }
 
-const StiffNumber& number(const Stiffness& stiffness, const std::string& key) {
-  const auto found = std::ranges::find(stiffness.numbers, key, &StiffNumber::key);
+const ConditionNumber& number(const Stiffness& stiffness, const std::string& key) {
+  const auto found = std::ranges::find(stiffness.numbers, key, &ConditionNumber::key);
   REQUIRE(found != stiffness.numbers.end());
   return *found;
 }
@@ -60,7 +60,7 @@ TEST_CASE("each condition number is worst where it was planted") {
   CHECK(number(found, "range-of-w").condition > 1);
   CHECK(number(found, "range-of-w").condition < 3);
   CHECK(number(found, "up").bound < 1e-9);
-  for (const StiffNumber& one : found.numbers) {
+  for (const ConditionNumber& one : found.numbers) {
     CAPTURE(one.key, one.bound);
     CHECK_FALSE(one.passes());
     CHECK_FALSE(one.formula.empty());
@@ -77,18 +77,18 @@ TEST_CASE("depth passes only where a test of the picture depends on it") {
   const Scene alone = test::scene_of(stack_of_quads(1, 0));
   RenderSettings settings;
   settings.depth = DepthFormat::kUnorm16;
-  const StiffNumber one =
+  const ConditionNumber one =
       number(stiffness_of(alone, view_of(alone, 1e-4), settings, {}), "far-over-near");
   CHECK(*one.pixels > 1);
   CHECK(one.tests_in_doubt == 0);
   CHECK_FALSE(one.passes());
   const Scene pair = test::scene_of(stack_of_quads(2, 0.001f));
-  const StiffNumber two =
+  const ConditionNumber two =
       number(stiffness_of(pair, view_of(pair, 1e-4), settings, {}), "far-over-near");
   CHECK(*two.tests_in_doubt > 1000);
   CHECK(two.passes());
   // With a suitable near plane the two are distinguished.
-  const StiffNumber kept =
+  const ConditionNumber kept =
       number(stiffness_of(pair, view_of(pair, 2), settings, {}), "far-over-near");
   CHECK_FALSE(kept.passes());
 }
@@ -97,7 +97,7 @@ TEST_CASE("coordinates far from their origin are found by the vertex") {
   Mesh mesh = stack_of_quads(2, 0.5f);
   for (Point<Object>& p : mesh.positions) p.x += 3e6f;
   const Scene scene = test::scene_of(mesh);
-  const StiffNumber offset =
+  const ConditionNumber offset =
       number(stiffness_of(scene, view_of(scene), {}, {}), "offset-over-size");
   CHECK(offset.condition > 1e6);
   CHECK(offset.passes());
@@ -113,7 +113,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_CASE("study stiffness prints, writes JSON and a page, and names the place for step") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome text = here.run("study stiffness room --size 160x90 --json s.json --html s.html");
   REQUIRE(text.exit_code == 0);
   CHECK(contains(text.out, "far over near"));
@@ -132,7 +132,7 @@ TEST_CASE("study stiffness prints, writes JSON and a page, and names the place f
 }
 
 TEST_CASE("info warns of what can be seen, and of nothing else") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* scene : {"teapot", "room", "forest", "checker", "thicket", "cube", "f-glyph"}) {
     const Outcome outcome = here.run(std::string("info ") + scene);
     INFO(outcome.out);
@@ -149,7 +149,7 @@ TEST_CASE("info warns of what can be seen, and of nothing else") {
 }
 
 TEST_CASE("info does not follow millions of fragments that nobody asked for") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf -3 -2 -1\n";
   here.write("deep.obj", text);

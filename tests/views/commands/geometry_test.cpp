@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 const std::string kNoisy =
     "--scene room --size 640x480 --move 0.5,0.1,0.2 --turn -10,3,5 --noise 0.5 --outliers 0.3 ";
 
-Json geometry_of(const Workplace& here, const std::string& words) {
+Json geometry_of(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("views geometry " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -55,7 +55,7 @@ double image_of(const Rows& f, const Row3& e, bool transposed) {
   return std::sqrt(squares);
 }
 
-bool says(const Json& json, const std::string& words) {
+bool has_omission(const Json& json, const std::string& words) {
   return std::ranges::any_of(json.at("left_out"), [&](const Json& one) {
     const std::string line =
         one.at("what").get<std::string>() + ": " + one.at("why").get<std::string>();
@@ -66,7 +66,7 @@ bool says(const Json& json, const std::string& words) {
 }  // namespace
 
 TEST_CASE("exact matches give the cameras of all three scenarios back (S2-02, S2-09, C-105)") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const std::string& words :
        {std::string("--eye-separation 0.3"),
         std::string("--arrangement converging --eye-separation 0.5 --window 4"),
@@ -90,13 +90,13 @@ TEST_CASE("exact matches give the cameras of all three scenarios back (S2-02, S2
     }
     CHECK(chosen == 1);
     CHECK(in_front == 500);
-    CHECK(says(json, "|T|"));
+    CHECK(has_omission(json, "|T|"));
   }
 }
 
 TEST_CASE(
     "of parallel eyes E is that of the slides, and epipolar lines are scan lines (S2-06, E4)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = geometry_of(here, "--scene room --size 320x240 --eye-separation 0.3");
   const Rows e = json["E"], other = json["E_of_shift"];
   // R = 1 and T = (1, 0, 0): S has -1 and 1 in its lower right corner, and [t]x R is the same with
@@ -114,7 +114,7 @@ TEST_CASE(
 }
 
 TEST_CASE("with noise and outliers every estimator finds the cameras (S2-12, C-99)") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const std::string& estimator : {std::string("8"), std::string("7"), std::string("5")}) {
     INFO(estimator);
     const Json json = geometry_of(here, kNoisy + "--estimator " + estimator);
@@ -139,7 +139,7 @@ TEST_CASE("with noise and outliers every estimator finds the cameras (S2-12, C-9
 }
 
 TEST_CASE("F, its residuals and its epipoles belong together") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json json = geometry_of(here, kNoisy);
   const Rows f = json["F"];
   CHECK(image_of(f, json["epipoles"]["left"], false) < 1e-12);
@@ -162,7 +162,7 @@ TEST_CASE("F, its residuals and its epipoles belong together") {
 }
 
 TEST_CASE("what --scene writes, --matches and --cameras read, and find the same in it") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json scene =
       geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
   const Json files =
@@ -182,14 +182,14 @@ TEST_CASE("what --scene writes, --matches and --cameras read, and find the same 
   CHECK(bare["estimator"] == "8-point");
   CHECK(bare["E"].is_null());
   CHECK(bare["pose"].is_null());
-  CHECK(says(bare, "K is unknown"));
+  CHECK(has_omission(bare, "K is unknown"));
   CHECK(std::abs(bare["inliers"].get<int>() - scene["inliers"].get<int>()) < 10);
   CHECK(here.run("views geometry --scene room --size 160x120 --count 20 --matches-out -")
             .out.starts_with("x_left,y_left,x_right,y_right\n"));
 }
 
 TEST_CASE("of a file of many cameras those of the pictures' names count") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json scene =
       geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
   std::istringstream lines(here.read("c.txt"));
@@ -208,7 +208,7 @@ TEST_CASE("of a file of many cameras those of the pictures' names count") {
 
 TEST_CASE(
     "two cameras are told apart by the pictures' names, and by their order where there are none") {
-  const Workplace here;
+  const WorkingDirectory here;
   geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
   std::istringstream lines(here.read("c.txt"));
   std::string count, left, right;
@@ -232,7 +232,7 @@ TEST_CASE(
 
 TEST_CASE(
     "a turned camera, a plane and one point of view are named, not estimated (C-101, C-102)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string turned = "--scene room --size 320x240 --turn 8,0,0";
   for (const std::string& words :
        {turned, turned + " --noise 0.5", turned + " --estimator 8 --noise 0.3",
@@ -242,7 +242,7 @@ TEST_CASE(
     CHECK(json["pair_is"]["kind"] == "one point of view");
     CHECK(json["F"].is_null());
     CHECK(json["pose"].is_null());
-    CHECK(says(json, "C-101"));
+    CHECK(has_omission(json, "C-101"));
   }
   const std::string plane =
       "--scene checker --size 320x240 --eye 0,2,4 --look-at 0,0,-2 --eye-separation 0.3 --window "
@@ -251,7 +251,7 @@ TEST_CASE(
     const Json eight = geometry_of(here, plane + noise + "--estimator 8");
     CHECK(eight["pair_is"]["kind"] == "a plane");
     CHECK(eight["pose"].is_null());
-    CHECK(says(eight, "C-102"));
+    CHECK(has_omission(eight, "C-102"));
   }
   const Json five = geometry_of(here, plane + "--estimator 5");
   CHECK(five["pair_is"]["kind"] == "a plane");
@@ -261,7 +261,7 @@ TEST_CASE(
 TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
   // The surface x^2 - x + y Z = 0 contains both camera centres, (0, 0, 0) and (1, 0, 0), but not
   // the line between them.
-  const Workplace here;
+  const WorkingDirectory here;
   constexpr double kFocal = 800;
   std::ostringstream matches;
   matches.precision(17);
@@ -278,12 +278,12 @@ TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
   const Json json = geometry_of(here, "--matches quadric.csv --cameras c.txt --sigma 0.1");
   CHECK(json["pair_is"]["kind"] == "a critical surface");
   CHECK(json["F"].is_null());
-  CHECK(says(json, "C-103"));
+  CHECK(has_omission(json, "C-103"));
 }
 
 TEST_CASE(
     "the text has what the slides and the other textbooks call E, the law, and what is left out") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views geometry " + kNoisy);
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
@@ -298,12 +298,13 @@ TEST_CASE(
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   // With almost only outliers, matches may agree by chance, and the report must state that.
-  CHECK(says(geometry_of(here, "--scene room --size 320x240 --outliers 0.97"), "by chance"));
+  CHECK(
+      has_omission(geometry_of(here, "--scene room --size 320x240 --outliers 0.97"), "by chance"));
 }
 
 TEST_CASE(
     "the page has both pictures, the report and the line that makes it, and takes names for text") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views geometry " + kNoisy + "--count 40 --draw page.html");
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -338,7 +339,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the page of very many matches has some of them, and says so") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry --scene room --size 320x240 --move 0.4,0,0 --count 2500 --draw "
                    "page.html")
               .exit_code == 0);
@@ -348,7 +349,7 @@ TEST_CASE("the page of very many matches has some of them, and says so") {
 }
 
 TEST_CASE("what has no geometry, and what contradicts itself, is refused in one line (C-104)") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry " + kNoisy +
                    "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png")
               .exit_code == 0);

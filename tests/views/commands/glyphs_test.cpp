@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 }  // namespace
 
 TEST_CASE("a wall is photographed, its glyphs are found, and the camera is that of the ring") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome sheet = here.run("views glyphs sheet -o wall.glb --json wall.json");
   INFO(sheet.err);
   REQUIRE(sheet.exit_code == 0);
@@ -49,7 +49,7 @@ TEST_CASE("a wall is photographed, its glyphs are found, and the camera is that 
 }
 
 TEST_CASE("a panel is printed at its size, and read from the print") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(
       here.run("views glyphs sheet -o sheet.png --pitch 28 --diameter 21 --dpi 100").exit_code ==
       0);
@@ -61,7 +61,7 @@ TEST_CASE("a panel is printed at its size, and read from the print") {
 }
 
 TEST_CASE("walls, pictures and cameras that are none are refused in a line") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube --size 64x48 -o cube.png").exit_code == 0);
   here.write("bad_par.txt", "1\ncube.png 1 2 3\n");
   here.write("short.png", here.read("cube.png").substr(0, 60));

@@ -8,14 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
 
-Json klt_answer(const Workplace& here, const std::string& words) {
+Json klt_answer(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("views klt " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -25,7 +25,7 @@ Json klt_answer(const Workplace& here, const std::string& words) {
 }  // namespace
 
 TEST_CASE("the generated planet's bands come back from files, and its clouds go round a globe") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json made =
       klt_answer(here, "clouds:128 --components 2 -o klt --globe globe.glb --html klt.html");
   CHECK(made["holds"] == true);
@@ -49,7 +49,7 @@ TEST_CASE("the generated planet's bands come back from files, and its clouds go 
 }
 
 TEST_CASE("components of one eigenvalue are said to be a space") {
-  const Workplace here;
+  const WorkingDirectory here;
   // Every pair of 0 and 1 occurs once.
   here.write("a.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\1\0\1", 4));
   here.write("b.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\0\1\1", 4));
@@ -61,7 +61,7 @@ TEST_CASE("components of one eigenvalue are said to be a space") {
 }
 
 TEST_CASE("bands that cannot be taken apart are refused in a line, and no file is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("one.pgm", "P5\n1 1\n255\nx");
   here.write("two.pgm", "P5\n2 1\n255\nxy");
   here.write("bad.hdr", "ENVI\nsamples = 2\n");
@@ -118,7 +118,7 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
 }
 
 TEST_CASE("no output of klt is an input or another output") {
-  const Workplace here;
+  const WorkingDirectory here;
   klt_answer(here, "clouds:32 -o ki");
   const std::string before = here.read("ki/components.img");
   for (const char* words : {"ki/components.hdr -o ki --components 1",
@@ -137,7 +137,7 @@ TEST_CASE("no output of klt is an input or another output") {
 }
 
 TEST_CASE("one band, and bands that do not vary, have components") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("two.pgm", "P5\n2 1\n255\nxy");
   here.write("flat.pgm", "P5\n2 1\n255\nxx");
   const Json one = klt_answer(here, "two.pgm");

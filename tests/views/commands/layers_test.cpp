@@ -10,14 +10,14 @@
 
 #include <glassbox/images/read.h>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
 
-Json answer(const Workplace& here, const std::string& words) {
+Json answer(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("views layers " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -30,7 +30,7 @@ const std::string kBeside = " --eye 1.75,1.62,-0.3 --look-at 0.68,1.39,-2.46 ";
 }  // namespace
 
 TEST_CASE("layers drawn from their own view are the picture that render draws, byte for byte") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render room --size 96x64 -o render.png").exit_code == 0);
   const Json built = answer(here, "build room --size 96x64 -o room.ldi");
   CHECK(built["covered_pixels"] == 96 * 64);
@@ -46,7 +46,7 @@ TEST_CASE("layers drawn from their own view are the picture that render draws, b
 
 TEST_CASE(
     "more layers leave fewer holes beside their view, and more of the picture right (S1-01)") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::size_t holes = 96 * 64, wrong = 96 * 64;
   for (const char* layers : {"1", "2", "10"}) {
     answer(here, std::string("build room --size 96x64 -o room.ldi --layers ") + layers);
@@ -67,7 +67,7 @@ TEST_CASE(
 }
 
 TEST_CASE("info says what a layered depth image has, and from where") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json built = answer(here, "build room --size 48x32 -o room.ldi --layers 3");
   const Outcome text = here.run("info room.ldi");
   CHECK(text.exit_code == 0);
@@ -91,7 +91,7 @@ TEST_CASE("info says what a layered depth image has, and from where") {
 }
 
 TEST_CASE("other views of a scene add what the camera's own does not see (S1-02)") {
-  const Workplace here;
+  const WorkingDirectory here;
   // The cameras beside the room's come from views geometry, which writes them in the right format.
   REQUIRE(here.run("views geometry --scene room --size 96x64 --eye-separation 0.8 --cameras-out "
                    "cameras.txt")
@@ -112,7 +112,7 @@ TEST_CASE("other views of a scene add what the camera's own does not see (S1-02)
 }
 
 TEST_CASE("a picture and its distances as files are layers") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry --scene room --size 96x64 --eye-separation 0.8 --cameras-out "
                    "cameras.txt")
               .exit_code == 0);
@@ -133,7 +133,7 @@ TEST_CASE("a picture and its distances as files are layers") {
 TEST_CASE(
     "of two samples of a pixel, the nearest and the farthest leave fewer holes than the first "
     "two") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json first = answer(here, "build room --size 150x150 --layers 2 -o first.ldi");
   const Json ends = answer(here, "build room --size 150x150 --ends -o ends.ldi");
   CHECK(ends["most_samples_of_a_pixel"] == 2);
@@ -147,7 +147,7 @@ TEST_CASE(
 }
 
 TEST_CASE("rays from around the eye find what one view does not see (S1-03)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json one = answer(here, "build room --size 96x64 --layers 1 -o one.ldi");
   const Json rays =
       answer(here, "build room --size 96x64 --rays 14,8 --cube 0.6 --threads 2 -o rays.ldi");
@@ -168,7 +168,7 @@ TEST_CASE("rays from around the eye find what one view does not see (S1-03)") {
 }
 
 TEST_CASE("frames of layers along a path are the pictures of their cameras") {
-  const Workplace here;
+  const WorkingDirectory here;
   answer(here, "build room --size 48x32 -o room.ldi");
   std::ofstream(here.file("walk.json")) << R"({"camera_path": 1, "keyframes": [
     {"time": 0, "eye": [1.75, 1.62, -0.3], "look_at": [0.68, 1.39, -2.46]},
@@ -182,7 +182,7 @@ TEST_CASE("frames of layers along a path are the pictures of their cameras") {
 }
 
 TEST_CASE("a page has the layers, and says when there is nowhere to write") {
-  const Workplace here;
+  const WorkingDirectory here;
   answer(here, "build room --size 48x32 -o room.ldi");
   REQUIRE(here.run("views layers draw room.ldi --html room.html").exit_code == 0);
   std::ifstream in(here.file("room.html"));
@@ -192,7 +192,7 @@ TEST_CASE("a page has the layers, and says when there is nowhere to write") {
 }
 
 TEST_CASE("repeated drawing tells the time of a picture, whatever draws it") {
-  const Workplace here;
+  const WorkingDirectory here;
   answer(here, "build room --size 48x32 -o room.ldi");
   const Json drawn = answer(here, "draw room.ldi -o a.png --repeat 5 --target scalar" + kBeside);
   CHECK(drawn["times"] == 5);
@@ -203,7 +203,7 @@ TEST_CASE("repeated drawing tells the time of a picture, whatever draws it") {
 
 TEST_CASE(
     "--second-eye warps the right eye's picture, and the report says how far off it is (S0-06)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string pair =
       "render room --size 192x108 --stereo pair --eye-separation 0.12 --window 3 ";
   REQUIRE(here.run(pair + "-o drawn.png").exit_code == 0);
@@ -247,7 +247,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a wall on the near plane is drawn from its own view by the program, too") {
-  const Workplace here;
+  const WorkingDirectory here;
   std::ofstream(here.file("q.obj"))
       << "v -9 -9 -0.7\nv 9 -9 -0.7\nv 9 9 -0.7\nv -9 9 -0.7\nf 1 2 3 4\n";
   const Json built = answer(here,
@@ -258,7 +258,7 @@ TEST_CASE("a wall on the near plane is drawn from its own view by the program, t
 }
 
 TEST_CASE("more threads than processors say nothing, wherever they draw, match or carve") {
-  const Workplace here;
+  const WorkingDirectory here;
   for (const char* words :
        {"views layers build cube --size 48x32 --rays 4 --threads 64 -o cube.ldi",
         "views layers draw cube.ldi --threads 64 -o a.png",
@@ -274,7 +274,7 @@ TEST_CASE("more threads than processors say nothing, wherever they draw, match o
 
 TEST_CASE(
     "what lies behind the last layer is said to be left out, of one surface and of other views") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry --scene room --size 48x32 --eye-separation 0.8 --cameras-out "
                    "cameras.txt")
               .exit_code == 0);
@@ -288,7 +288,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a page without a picture has no use for what a picture is drawn by, and says so") {
-  const Workplace here;
+  const WorkingDirectory here;
   answer(here, "build cube --size 24x16 -o cube.ldi");
   for (const char* option :
        {"--json out.json", "--eye 0,0,9", "--size 8x8", "--splat point", "--order occlusion",
@@ -311,14 +311,14 @@ TEST_CASE("a page without a picture has no use for what a picture is drawn by, a
 }
 
 TEST_CASE("a colour that is none is refused by the option that has it") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views layers draw room.ldi -o q.png --holes 2,0,0");
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.err.find("--holes: needs three numbers from 0 to 1") != std::string::npos);
 }
 
 TEST_CASE("what cannot be built or drawn is refused in a line, and no file is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views layers build cube --size 24x16 -o cube.ldi").exit_code == 0);
   std::ofstream(here.file("text.ldi")) << "glassbox-layers 1\nand no more";
   for (const char* words : {"build room -o room.png",

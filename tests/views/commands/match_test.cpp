@@ -14,7 +14,7 @@
 #include <glassbox/images/write.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 #include "tests/support/skip.h"
 
 namespace glassbox::test {
@@ -22,7 +22,7 @@ namespace {
 
 const std::string kPair = "--scene room --size 320x240 --eye-separation 0.2 ";
 
-void write_pgm(const Workplace& here, const std::string& name, int width, int height) {
+void write_pgm(const WorkingDirectory& here, const std::string& name, int width, int height) {
   const std::string size = std::to_string(width) + " " + std::to_string(height);
   here.write(
       name, "P5\n" + size + "\n255\n" + std::string(std::size_t(width) * std::size_t(height), '7'));
@@ -38,9 +38,9 @@ std::string clear_png() {
 
 // For each pixel, whether it is joined to its eight neighbours in the surface: their disparities
 // differ by at most one pixel.
-using Away = std::vector<bool>;
-Away away_from_jumps(const Plane& disparity) {
-  Away away(disparity.values.size(), false);
+using PixelMask = std::vector<bool>;
+PixelMask far_from_jumps(const Plane& disparity) {
+  PixelMask away(disparity.values.size(), false);
   for (int y = 1; y + 1 < disparity.height; ++y) {
     for (int x = 1; x + 1 < disparity.width; ++x) {
       float least = disparity.at(x, y), greatest = least;
@@ -56,7 +56,8 @@ Away away_from_jumps(const Plane& disparity) {
 
 // Returns how many pixels, in per cent of all, differ by more than `codes` in some channel between
 // two pictures of one size. With `of`, only those pixels count.
-double differing(const std::string& a, const std::string& b, int codes, const Away* of = nullptr) {
+double differing(const std::string& a, const std::string& b, int codes,
+                 const PixelMask* of = nullptr) {
   const auto first = read_image(a), second = read_image(b);
   REQUIRE(first);
   REQUIRE(second);
@@ -106,7 +107,7 @@ def imread(name):
 }  // namespace
 
 TEST_CASE("the surface that views match writes is drawn again by render, as the left eye saw it") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views match " + kPair + "--ply room.ply -o d.pfm");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -122,7 +123,7 @@ TEST_CASE("the surface that views match writes is drawn again by render, as the 
   // A vertex is drawn at its pixel's centre with its colour, up to the snap and rounding of codes.
   // The pixels that differ are in the gaps at jumps, where triangles are left out, and at the
   // picture's edge.
-  const Away away = away_from_jumps(parse_pfm(here.read("d.pfm")));
+  const PixelMask away = far_from_jumps(parse_pfm(here.read("d.pfm")));
   const double everywhere = differing(here.file("again.png"), here.file("left.png"), 2);
   const double elsewhere = differing(here.file("again.png"), here.file("left.png"), 2, &away);
   INFO(everywhere << " % of all pixels, " << elsewhere << " % away from jumps");
@@ -132,7 +133,7 @@ TEST_CASE("the surface that views match writes is drawn again by render, as the 
 
 TEST_CASE(
     "pictures that are not rectified are turned by their cameras, and what was lost is said") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry --scene room --size 320x240 --move 0.3,0.02,0.03 --turn -6,1,2 "
                    "--noise 0.2 --cameras-out c.txt --pair-out a.png b.png "
                    "--rectified-out ra.png rb.png --json g.json")
@@ -177,7 +178,7 @@ TEST_CASE(
 }
 
 TEST_CASE("views match writes a page of its pair, with and without a truth") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views match --scene room --size 64x48 --eye-separation 0.2 --html a.html")
               .exit_code == 0);
   const std::string page = here.read("a.html");
@@ -190,7 +191,7 @@ TEST_CASE("views match writes a page of its pair, with and without a truth") {
 }
 
 TEST_CASE("bench matches pairs beside OpenCV, or says that it is not there") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome =
       here.run("bench room --against opencv --size 64x48 --frames 1 --threads 1 --json -");
   INFO(outcome.err);
@@ -209,7 +210,7 @@ TEST_CASE("bench matches pairs beside OpenCV, or says that it is not there") {
 }
 
 TEST_CASE("where OpenCV cannot match one pair it is asked for the next one") {
-  const Workplace here;
+  const WorkingDirectory here;
   here.write("cv2.py", kFailingOpenCv);
   const Outcome outcome =
       here.run("bench room cube --against opencv --size 64x48 --frames 1 --threads 1 --json -");
@@ -230,7 +231,7 @@ TEST_CASE("where OpenCV cannot match one pair it is asked for the next one") {
 }
 
 TEST_CASE("eyes in one place are matched, and have no depth") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views match --scene cube --size 64x48 --eye-separation 0");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -246,7 +247,7 @@ TEST_CASE("eyes in one place are matched, and have no depth") {
 }
 
 TEST_CASE("a report advises nothing that the command refuses") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views geometry --scene room --size 64x48 --move 0.3,0.02,0.03 --turn -6,1,2 "
                    "--cameras-out c.txt --pair-out a.png b.png")
               .exit_code == 0);
@@ -265,7 +266,7 @@ TEST_CASE("a report advises nothing that the command refuses") {
 TEST_CASE(
     "views match finds the disparities of a scene's pair, the same for every target and threads "
     "(S2-04)") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Outcome outcome = here.run("views match " + kPair + "-o disparity.pfm --json -");
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -284,7 +285,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what views match cannot be asked is refused in a line, and no file is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("render cube --size 32x24 -o a.png").exit_code == 0);
   REQUIRE(here.run("render cube --size 24x32 -o other.png").exit_code == 0);
   write_pgm(here, "one.pgm", 1, 1);

@@ -8,14 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
 
 using SurfaceJson = nlohmann::json;
 
-SurfaceJson surface_answer(const Workplace& here, const std::string& words) {
+SurfaceJson surface_answer(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("views " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -27,7 +27,7 @@ SurfaceJson surface_answer(const Workplace& here, const std::string& words) {
 TEST_CASE(
     "a ring of a scene gives a closed surface, which is drawn, textured and looked at from "
     "elsewhere") {
-  const Workplace here;
+  const WorkingDirectory here;
   surface_answer(here, "ring cube -o ring --views 9 --elevation 40 --size 96x96");
   const SurfaceJson found =
       surface_answer(here,
@@ -66,7 +66,7 @@ TEST_CASE(
 }
 
 TEST_CASE("from a picture's own place a textured surface is that picture") {
-  const Workplace here;
+  const WorkingDirectory here;
   surface_answer(here, "ring sphere -o ring --views 7 --elevation 20 --size 64x64");
   surface_answer(here, "polygons ring --resolution 24 --threshold 200 -o ball.glb");
   // The set has the first picture twice: when one is left out, it is predicted from the other.
@@ -82,7 +82,7 @@ TEST_CASE("from a picture's own place a textured surface is that picture") {
 
 TEST_CASE(
     "surfaces that do not fit into memory are refused, before they are begun if that is known") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 64x64").exit_code == 0);
   REQUIRE(here.run("views polygons ring --resolution 96 -o cube.glb --threshold 200").exit_code ==
           0);
@@ -113,7 +113,7 @@ TEST_CASE(
 }
 
 TEST_CASE("surfaces and textures that cannot be made are refused in a line, and no file is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
   for (const char* words : {"polygons nowhere -o a.glb",
                             "polygons ring -o a.obj",

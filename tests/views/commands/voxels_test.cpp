@@ -8,14 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/working_directory.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
 
-Json voxels_answer(const Workplace& here, const std::string& words) {
+Json voxels_answer(const WorkingDirectory& here, const std::string& words) {
   const Outcome outcome = here.run("views " + words + " --json -");
   INFO(words << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -25,7 +25,7 @@ Json voxels_answer(const Workplace& here, const std::string& words) {
 }  // namespace
 
 TEST_CASE("a ring of a scene gives its shape again, and a picture that was left out") {
-  const Workplace here;
+  const WorkingDirectory here;
   const Json ring = voxels_answer(here, "ring cube -o ring --views 9 --elevation 40 --size 96x96");
   CHECK(ring["pictures"] == 9);
   CHECK(ring["unlit"] == true);
@@ -50,7 +50,7 @@ TEST_CASE("a ring of a scene gives its shape again, and a picture that was left 
 }
 
 TEST_CASE("carving, coarse to fine and the other tests of consistency are asked for by options") {
-  const Workplace here;
+  const WorkingDirectory here;
   voxels_answer(here, "ring cube -o ring --views 8 --elevation 35 --size 64x64 --matte alpha");
   const std::string voxels = "voxels ring --resolution 32 ";
   CHECK(voxels_answer(here, voxels + "--order carve")["order"] == "carve");
@@ -74,7 +74,7 @@ TEST_CASE("carving, coarse to fine and the other tests of consistency are asked 
 }
 
 TEST_CASE("rings and voxels that cannot be made are refused in a line, and no file is left") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
   // The camera is finite, but its pixel coordinates exceed the floats.
   for (const char* k : {"100 0 40 0 100 40 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1e300",
@@ -125,7 +125,7 @@ TEST_CASE("rings and voxels that cannot be made are refused in a line, and no fi
 }
 
 TEST_CASE("the numbers of a ring go to no file of its pictures") {
-  const Workplace here;
+  const WorkingDirectory here;
   const std::string ring = "views ring cube -o ring --views 2 --size 16x16";
   REQUIRE(here.run(ring).exit_code == 0);
   for (const char* name : {"box.txt", "ring_par.txt", "view001.png", "masks/view000.png"}) {
@@ -140,7 +140,7 @@ TEST_CASE("the numbers of a ring go to no file of its pictures") {
 }
 
 TEST_CASE("more voxels than fit into memory are refused by the option that asks for them") {
-  const Workplace here;
+  const WorkingDirectory here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 64x64").exit_code == 0);
   const auto refusal = [&](const std::string& words) {
     const Outcome outcome = here.run("views voxels ring -o a.ply " + words);

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "tests/support/skip.h"
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/files/camera_file.h"
 #include "views/files/match_file.h"
 

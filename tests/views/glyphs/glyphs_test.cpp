@@ -11,8 +11,8 @@
 
 #include "views/glyphs/colors.h"
 #include "views/glyphs/decoys.h"
-#include "views/glyphs/evaluate.h"
-#include "views/glyphs/photograph.h"
+#include "views/glyphs/glyph_score.h"
+#include "views/glyphs/picture_effects.h"
 #include "views/glyphs/pose.h"
 #include "views/glyphs/sensor.h"
 #include "views/glyphs/sweep.h"
@@ -26,38 +26,39 @@ std::array<bool, kGlyphs> all_glyphs() {
   return all;
 }
 
-struct Seen {
+struct WallPicture {
   Wall wall;
   PinholeCamera camera;
   Image<Rgba8> picture;
 };
-Seen seen_in(Studio& studio, const WallLayout& layout, double azimuth, int width) {
-  Seen seen{*make_wall(layout), {}, {}};
+WallPicture wall_picture_by(WallPhotographer& photographer, const WallLayout& layout,
+                            double azimuth, int width) {
+  WallPicture seen{*make_wall(layout), {}, {}};
   const int height = width * 3 / 4;
-  seen.camera = camera_before(2, azimuth, 3, width, height);
-  seen.picture = studio.photograph(seen.camera, width, height);
+  seen.camera = camera_in_front(2, azimuth, 3, width, height);
+  seen.picture = photographer.photograph(seen.camera, width, height);
   return seen;
 }
 
 // A picture of the default wall, which is prepared once for all cases.
-Seen seen_from(double azimuth, int width) {
-  static Studio studio(*make_wall({}));
-  return seen_in(studio, {}, azimuth, width);
+WallPicture wall_picture(double azimuth, int width) {
+  static WallPhotographer photographer(*make_wall({}));
+  return wall_picture_by(photographer, {}, azimuth, width);
 }
 
-Seen other_wall(const WallLayout& layout, double azimuth, int width) {
-  Studio studio(*make_wall(layout));
-  return seen_in(studio, layout, azimuth, width);
+WallPicture picture_of_wall(const WallLayout& layout, double azimuth, int width) {
+  WallPhotographer photographer(*make_wall(layout));
+  return wall_picture_by(photographer, layout, azimuth, width);
 }
 
 // The score of the glyphs that the camera sees at least `across` px large, in `picture`, which may
 // differ from the camera's own picture.
-GlyphScore score_in(const Seen& seen, const Image<Rgba8>& picture, const FindSettings& settings,
-                    double across = 0) {
+GlyphScore score_in(const WallPicture& seen, const Image<Rgba8>& picture,
+                    const FindSettings& settings, double across = 0) {
   auto visible = visible_glyphs(seen.wall, seen.camera, picture.width, picture.height);
   std::erase_if(visible, [&](const VisibleGlyph& glyph) { return glyph.shorter < across; });
-  return score_of(find_glyphs(picture, settings, seen.wall.identities()), seen.wall, seen.camera,
-                  visible);
+  return glyph_score(find_glyphs(picture, settings, seen.wall.identities()), seen.wall, seen.camera,
+                     visible);
 }
 
 // At least 29 of 30 glyphs must be right, and none may be wrong.
@@ -120,19 +121,19 @@ TEST_CASE("each rule leaves out what no other one does, and no glyph (S1-26)") {
   const DecoyPicture picture = draw_decoys();
   const DecoyScore all = score_decoys(picture, {});
   CHECK(all.found == all.glyphs);
-  CHECK(all.all_taken() == 0);
+  CHECK(all.all_accepted() == 0);
   // The number of decoys in each row that are taken without the row's rule; decoys of other rows
   // are not taken. docs/glyphs.md lists them.
   constexpr std::array<int, kGlyphRules> kTaken{2, 6, 12, 12, 12, 12, 2, 12, 12};
   for (int rule = 0; rule < kGlyphRules; ++rule) {
     FindSettings some;
-    some.asks[std::size_t(rule)] = false;
+    some.enabled_rules[std::size_t(rule)] = false;
     std::array<int, kGlyphRules> alone{};
     alone[std::size_t(rule)] = kTaken[std::size_t(rule)];
     const DecoyScore without = score_decoys(picture, some);
     INFO("without " << name_of(GlyphRule(rule)));
     CHECK(without.found == without.glyphs);
-    CHECK(without.taken == alone);
+    CHECK(without.accepted == alone);
   }
 }
 
@@ -142,11 +143,12 @@ TEST_CASE(
   for (const auto& [azimuth, width] :
        {std::pair(0.0, 480), std::pair(25.0, 480), std::pair(-12.0, 640)}) {
     INFO(azimuth << " degrees, " << width << " px");
-    const Seen seen = seen_from(azimuth, width);
+    const WallPicture seen = wall_picture(azimuth, width);
     const FoundGlyphs found = find_glyphs(seen.picture, {}, all_glyphs());
     check_found(score_in(seen, seen.picture, {}, 20));
-    const std::vector<SeenPoint> points = points_of(found, seen.wall).points;
-    for (const LensKnown known : {LensKnown::kAll, LensKnown::kCentre, LensKnown::kSquare}) {
+    const std::vector<PointCorrespondence> points = points_of(found, seen.wall).points;
+    for (const KnownIntrinsics known :
+         {KnownIntrinsics::kAll, KnownIntrinsics::kCentre, KnownIntrinsics::kSquare}) {
       const auto pose =
           find_pose(points, {known, seen.camera.intrinsic, width, seen.picture.height, 2});
       REQUIRE(pose);
@@ -162,56 +164,56 @@ namespace {
 // Means over all glyphs that are found: of the squared error of their centres, of the squared error
 // that is allowed (both in px^2), and of how much larger than the camera's picture of them they
 // are.
-struct Places {
+struct CentreErrors {
   double squares = 0, allowed = 0, larger = 0;
 };
-Places places_in(const Seen& seen, const Image<Rgba8>& picture) {
+CentreErrors centre_errors(const WallPicture& seen, const Image<Rgba8>& picture) {
   const FoundGlyphs found = find_glyphs(picture, {}, all_glyphs());
   const GlyphPoints points = points_of(found, seen.wall);
   REQUIRE(points.points.size() >= 100);
   const auto visible = visible_glyphs(seen.wall, seen.camera, picture.width, picture.height);
   const double count = double(points.points.size());
-  Places places;
+  CentreErrors errors;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
-    const GlyphRegion& region = found.regions[points.of[i]];
-    const Vector2d off = region.ellipse.centre - centre_seen(seen.camera, points.points[i]);
-    places.squares += off.squaredNorm() / count;
+    const GlyphRegion& region = found.regions[points.regions[i]];
+    const Vector2d off = region.ellipse.centre - project_centre(seen.camera, points.points[i]);
+    errors.squares += off.squaredNorm() / count;
     const auto there = std::ranges::find(visible, region.identity, &VisibleGlyph::identity);
     if (there != visible.end())
-      places.larger += (region.ellipse.diameter() / there->diameter - 1) / count;
+      errors.larger += (region.ellipse.diameter() / there->diameter - 1) / count;
     // A circle of radius r crosses 8 r pixels, whose shares are off by at most an eighth, evenly
     // distributed: a variance of 1/192 each. A share moves the centre by r / (pi r^2) of its error,
     // so both axes together have 8 r / 192 / (pi r)^2.
     const double r = region.ellipse.diameter() / 2;
-    places.allowed += 8 * r / 192 / (kPi * kPi * r * r) / count;
+    errors.allowed += 8 * r / 192 / (kPi * kPi * r * r) / count;
   }
-  return places;
+  return errors;
 }
 
 }  // namespace
 
 TEST_CASE("where a glyph is, and how large, is known as well as four samples a pixel allow") {
-  const Seen seen = seen_from(5, 640);
-  const Places places = places_in(seen, seen.picture);
-  INFO(std::sqrt(places.squares) << " px of " << std::sqrt(places.allowed));
+  const WallPicture seen = wall_picture(5, 640);
+  const CentreErrors errors = centre_errors(seen, seen.picture);
+  INFO(std::sqrt(errors.squares) << " px of " << std::sqrt(errors.allowed));
   // Errors of half a pixel in one coordinate, or of counting border pixels wholly or not at all,
   // are far larger.
-  CHECK(places.squares < 2 * places.allowed);
+  CHECK(errors.squares < 2 * errors.allowed);
   // Shares that are rounded to paper are lost: 0.04 of a border pixel, 8 r of them in pi r^2, 0.5 %
   // of a diameter of 25 px.
-  CHECK(std::abs(places.larger) < 0.005);
+  CHECK(std::abs(errors.larger) < 0.005);
   // With darker corners, the paper's colour is taken around each glyph: with that of the whole
   // picture a tenth of the ring would count as glyph.
-  const Places darker = places_in(seen, through_sensor(seen.picture, {.falloff = 0.3}, 1));
+  const CentreErrors darker = centre_errors(seen, apply_sensor(seen.picture, {.falloff = 0.3}, 1));
   INFO("darker: " << std::sqrt(darker.squares) << " px, " << darker.larger);
   CHECK(std::abs(darker.larger) < 0.01);
 }
 
 TEST_CASE("glyphs are found through blur, JPEG, another white, tilt, and beside each other") {
-  const Seen seen = seen_from(8, 640);
+  const WallPicture seen = wall_picture(8, 640);
   check_found(score_in(seen, seen.picture, {}));
   for (const auto& [what, changed] : {std::pair("blur", blurred(seen.picture, 0.7)),
-                                      {"JPEG", through_jpeg(seen.picture, 80)},
+                                      {"JPEG", apply_jpeg(seen.picture, 80)},
                                       {"white", with_gains(seen.picture, {0.9, 0.6, 0.4})}}) {
     INFO(what);
     check_found(score_in(seen, changed, {}));
@@ -228,25 +230,25 @@ TEST_CASE("glyphs are found through blur, JPEG, another white, tilt, and beside 
     WallLayout flat;
     flat.panels = 1;
     flat.columns = 12;
-    const Seen tilted = other_wall(flat, 50, 800);
+    const WallPicture tilted = picture_of_wall(flat, 50, 800);
     check_found(score_in(tilted, tilted.picture, {}, 20));
   }
   {
     INFO("an eighth of the pitch between two");
     WallLayout close;
     close.diameter = 0.105;
-    const Seen beside = other_wall(close, 5, 640);
+    const WallPicture beside = picture_of_wall(close, 5, 640);
     const Image<Rgba8> soft = blurred(beside.picture, 0.5);
     check_found(score_in(beside, soft, {}));
     const auto pose = find_pose(points_of(find_glyphs(soft, {}, all_glyphs()), beside.wall).points,
-                                {LensKnown::kAll, beside.camera.intrinsic, 640, 480, 2});
+                                {KnownIntrinsics::kAll, beside.camera.intrinsic, 640, 480, 2});
     REQUIRE(pose);
     CHECK(pose->rms < 0.1);
   }
 }
 
 TEST_CASE("a light that falls off and a highlight that outshines the paper change nothing") {
-  const Seen seen = seen_from(8, 640);
+  const WallPicture seen = wall_picture(8, 640);
   Image<Rgba8> uneven = seen.picture;
   for (int y = 0; y < 480; ++y) {
     for (int x = 0; x < 640; ++x) {
@@ -262,7 +264,7 @@ TEST_CASE("a light that falls off and a highlight that outshines the paper chang
 }
 
 TEST_CASE("what stands before the wall hides glyphs that it touches, and no others") {
-  const Seen seen = seen_from(8, 640);
+  const WallPicture seen = wall_picture(8, 640);
   const OccludedPicture hidden = occluded(seen.picture, 0.15, 3);
   auto clear = visible_glyphs(seen.wall, seen.camera, 640, 480);
   // Keeps the glyphs of which nothing is covered, including the ring of paper that their colours
@@ -279,7 +281,7 @@ TEST_CASE("what stands before the wall hides glyphs that it touches, and no othe
     return false;
   });
   check_found(
-      score_of(find_glyphs(hidden.picture, {}, all_glyphs()), seen.wall, seen.camera, clear));
+      glyph_score(find_glyphs(hidden.picture, {}, all_glyphs()), seen.wall, seen.camera, clear));
 }
 
 TEST_CASE("a panel's discs have their areas, in light") {

@@ -14,8 +14,8 @@
 #include <glassbox/images/srgb.h>
 
 #include "views/glyphs/colors.h"
-#include "views/glyphs/evaluate.h"
-#include "views/glyphs/photograph.h"
+#include "views/glyphs/glyph_score.h"
+#include "views/glyphs/picture_effects.h"
 #include "views/glyphs/sensor.h"
 #include "views/glyphs/sweep.h"
 
@@ -69,8 +69,7 @@ TEST_CASE("JPEG's rounding is that of a file") {
                255};
     }
     for (const int quality : {10, 30, 50, 75, 90}) {
-      const Image<Rgba8> ours = through_jpeg(picture, quality),
-                         file = through_file(picture, quality);
+      const Image<Rgba8> ours = apply_jpeg(picture, quality), file = through_file(picture, quality);
       int other = 0;
       for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
         const Rgba8 &a = ours.pixels[i], &b = file.pixels[i];
@@ -91,7 +90,7 @@ TEST_CASE("JPEG's chrominance is the mean of two by two pixels") {
   for (int y = 0; y < 16; ++y) {
     for (int x = 1; x < 16; x += 2) columns.at(x, y) = right;
   }
-  const Image<Rgba8> again = through_jpeg(columns, 100);
+  const Image<Rgba8> again = apply_jpeg(columns, 100);
   const auto luma = [](const Rgba8& p) { return 0.299 * p.r + 0.587 * p.g + 0.114 * p.b; };
   const double red = (left.r + right.r) / 2.0 - (luma(left) + luma(right)) / 2;
   // Rounding in steps of 1, times 1.402, and rounding to codes: little compared with the 98 codes
@@ -139,8 +138,8 @@ TEST_CASE(
       slope.at(x, y) = {light(0.1), light(0.2), light(0.3), 255};
     }
   }
-  CHECK(through_sensor(slope, {}, 1) == slope);
-  const Image<Rgba8> mosaic = through_sensor(slope, {.has_mosaic = true}, 1);
+  CHECK(apply_sensor(slope, {}, 1) == slope);
+  const Image<Rgba8> mosaic = apply_sensor(slope, {.has_mosaic = true}, 1);
   for (int y = 1; y < 29; ++y) {
     for (int x = 1; x < 39; ++x) {
       // In a linear slope the mean of the neighbours is the value between them, up to the rounding
@@ -154,7 +153,7 @@ TEST_CASE(
   // neighbours.
   Image<Rgba8> line(20, 20, {0, 0, 0, 255});
   for (int y = 0; y < 20; ++y) line.at(8, y) = {255, 255, 255, 255};
-  const Image<Rgba8> fringed = through_sensor(line, {.has_mosaic = true}, 1);
+  const Image<Rgba8> fringed = apply_sensor(line, {.has_mosaic = true}, 1);
   // Red is measured here; two of the four green neighbours are on the line, and no blue one is.
   CHECK(fringed.at(8, 8) == Rgba8{255, 188, 0, 255});
   CHECK(fringed.at(9, 8).r == 188);
@@ -164,7 +163,7 @@ TEST_CASE("noise has the variance of the electrons that are counted") {
   const std::uint8_t code = 137;
   const double light = double(decode_srgb(code)), electrons = 1000;  // light: 0.25
   const Image<Rgba8> noisy =
-      through_sensor(Image<Rgba8>(200, 200, {code, code, code, 255}), {.electrons = electrons}, 5);
+      apply_sensor(Image<Rgba8>(200, 200, {code, code, code, 255}), {.electrons = electrons}, 5);
   double sum = 0, squares = 0;
   for (const Rgba8& pixel : noisy.pixels) {
     const double off = double(decode_srgb(pixel.g)) - light;
@@ -179,7 +178,7 @@ TEST_CASE("noise has the variance of the electrons that are counted") {
 
 TEST_CASE("corners are darker, and a bent lens draws together") {
   const Image<Rgba8> white(81, 61, {255, 255, 255, 255});
-  const Image<Rgba8> dark = through_sensor(white, {.falloff = 0.5}, 1);
+  const Image<Rgba8> dark = apply_sensor(white, {.falloff = 0.5}, 1);
   CHECK(dark.at(40, 30).r == 255);
   // The centre of the corner's pixel is a hundredth nearer to the middle than the corner itself:
   // 0.5 of light is code 188, 0.51 is 190.
@@ -189,7 +188,7 @@ TEST_CASE("corners are darker, and a bent lens draws together") {
   for (int y = 0; y < 100; ++y) {
     for (int x = 81; x < 101; ++x) edge.at(x, y) = {255, 255, 255, 255};
   }
-  const Image<Rgba8> bent = through_sensor(edge, {.bend = 0.2}, 1);
+  const Image<Rgba8> bent = apply_sensor(edge, {.distortion = 0.2}, 1);
   double right = 0;
   for (int x = 60; x < 101; ++x) right += double(decode_srgb(bent.at(x, 50).r));
   // 101 minus the position of the edge, 50.5 + 50 r with r = 0.5634, where r + 0.2 r^3 = 0.61.
@@ -217,10 +216,10 @@ TEST_CASE("bars cover the share that is asked for, and little more") {
 
 TEST_CASE("a glyph is visible from the front, whole, and where at most a tenth of it is covered") {
   const Wall wall = *make_wall({});
-  const PinholeCamera camera = camera_before(3, 0, 0, 640, 480);
+  const PinholeCamera camera = camera_in_front(3, 0, 0, 640, 480);
   const auto all = visible_glyphs(wall, camera, 640, 480);
   CHECK(all.size() == 120);
-  CHECK(visible_glyphs(wall, camera_before(3, 180, 0, 640, 480), 640, 480).empty());
+  CHECK(visible_glyphs(wall, camera_in_front(3, 180, 0, 640, 480), 640, 480).empty());
   for (const VisibleGlyph& glyph : all) {
     const WallGlyph& there = *wall.find(glyph.identity);
     CHECK((glyph.centre - project(camera, there.centre).head<2>()).norm() < 1e-9);
@@ -248,13 +247,13 @@ TEST_CASE("a glyph is visible from the front, whole, and where at most a tenth o
 
 TEST_CASE("a glyph is right where it is, wrong elsewhere, and partly right where it is cut off") {
   const Wall wall = *make_wall({});
-  const PinholeCamera camera = camera_before(2, 0, 0, 640, 480);
+  const PinholeCamera camera = camera_in_front(2, 0, 0, 640, 480);
   auto visible = visible_glyphs(wall, camera, 640, 480);
   const auto score_at = [&](int identity, const Vector2d& centre) {
     GlyphRegion region;
     region.identity = identity;
     region.ellipse = {centre, 25 * Eigen::Matrix2d::Identity(), 314};  // 20 px across
-    return score_of({{region}}, wall, camera, visible);
+    return glyph_score({{region}}, wall, camera, visible);
   };
   const VisibleGlyph glyph = visible[40];
   CHECK(score_at(glyph.identity, glyph.centre + Vector2d(9, 0)).right == 1);

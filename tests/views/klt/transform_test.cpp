@@ -60,13 +60,14 @@ TEST_CASE(
       const Bands again = reconstructed(components_of(bands, *klt, kept), *klt, bands);
       const double error = mean_squared_error(bands, again);
       const double bound = identity_bound(bands, *klt, kept);
-      CHECK(std::abs(error - klt->dropped(kept)) <= bound);
+      CHECK(std::abs(error - klt->truncation_error(kept)) <= bound);
       // At most 8 (40 + 30 + 24) u = 8.4e-14 of the trace, added to the required 1e-10, and the
       // rounding caused by a large mean.
-      if (mean == 0) CHECK(bound <= 1.001e-10 * klt->dropped(kept) + 1e-13 * klt->trace());
+      if (mean == 0) CHECK(bound <= 1.001e-10 * klt->truncation_error(kept) + 1e-13 * klt->trace());
       // The check must be able to fail: one eigenvalue more or less gives a different number.
       if (kept > 0 && klt->eigenvalues[kept - 1] > 1e-6 * klt->trace())
-        CHECK(std::abs(error - klt->dropped(kept - 1)) > identity_bound(bands, *klt, kept));
+        CHECK(std::abs(error - klt->truncation_error(kept - 1)) >
+              identity_bound(bands, *klt, kept));
     }
   }
 }
@@ -89,7 +90,7 @@ TEST_CASE(
       const Bands again = reconstructed(components_of(bands, *klt, kept), *klt, bands);
       const double error = mean_squared_error(bands, again),
                    bound = identity_bound(bands, *klt, kept);
-      CHECK(std::abs(error - klt->dropped(kept)) <= bound);
+      CHECK(std::abs(error - klt->truncation_error(kept)) <= bound);
       CHECK(bound < klt->eigenvalues[1] / 10);  // otherwise one eigenvalue more or less would pass
     }
   }
@@ -164,7 +165,7 @@ TEST_CASE("of equal eigenvalues the space is compared, and not the vectors") {
   }
   const auto klt = klt_of(bands);
   REQUIRE(klt);
-  CHECK(groups_of(klt->eigenvalues, 1e-12) == std::vector<int>{0, 0, 0});
+  CHECK(eigenvalue_groups(klt->eigenvalues, 1e-12) == std::vector<int>{0, 0, 0});
   const Eigen::Matrix3d turned =
       Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 1, 1).normalized()) * klt->vectors;
   CHECK(angle_between(klt->vectors, turned) < 1e-15);
@@ -173,7 +174,7 @@ TEST_CASE("of equal eigenvalues the space is compared, and not the vectors") {
   const Eigen::Matrix3d nearly = Eigen::AngleAxisd(1e-10, Eigen::Vector3d::UnitX()).matrix();
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   CHECK(std::abs(angle_between(axes.leftCols(2), nearly.leftCols(2)) - 1e-10) < 1e-20);
-  CHECK(groups_of(Eigen::Vector3d(3, 2, 2), 0) == std::vector<int>{0, 1, 1});
+  CHECK(eigenvalue_groups(Eigen::Vector3d(3, 2, 2), 0) == std::vector<int>{0, 1, 1});
 }
 
 TEST_CASE("bands that do not vary have components of nothing") {

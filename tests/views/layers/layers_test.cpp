@@ -86,8 +86,8 @@ TEST_CASE("S1-06, C-85: packed from the bottom left, from back to front, and che
   REQUIRE(check(image, "test"));
   CHECK(image.depth == std::vector<float>{0.125f, 0.25f, 0.5f, 0.75f});
   CHECK(image.color[0] == Rgba8{3, 0, 0});
-  CHECK(image.first[image.place(3, 2)] == 0);
-  CHECK(image.first[image.place(0, 0)] == 3);
+  CHECK(image.first[image.pixel_index(3, 2)] == 0);
+  CHECK(image.first[image.pixel_index(0, 0)] == 3);
   const LayerCounts counts = count_layers(image);
   CHECK(counts.samples == 4);
   CHECK(counts.covered == 2);
@@ -142,7 +142,8 @@ TEST_CASE(
     "S1-09: at the view that layers were made from, the picture is that view's, byte for byte") {
   for (const char* name : {"room", "teapot"}) {
     const Scene scene = make_builtin(name).value();
-    const Camera camera = scene.cameras.empty() ? frame(scene, 1.5).value() : scene.cameras[0];
+    const Camera camera =
+        scene.cameras.empty() ? framing_camera(scene, 1.5).value() : scene.cameras[0];
     const View view = make_view(camera, 96, 64).value();
     Renderer renderer(scene, Transfer::kSrgb);
     const Image<Rgba8> own = renderer.render(view, plain()).buffers.color;
@@ -390,7 +391,7 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (const Face& face : mesh.faces)
-      has_two_sides.insert(has_two_sides.end(), numbers_of(face),
+      has_two_sides.insert(has_two_sides.end(), triangle_number_count(face),
                            scene.materials[mesh.material].double_sided);
   }
   std::size_t known = 0, backs = 0;
@@ -398,7 +399,7 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 48; ++x) {
-      const std::size_t place = image.place(x, y);
+      const std::size_t place = image.pixel_index(x, y);
       for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
         REQUIRE(image.triangle[i] > 0);
         CHECK(image.normal[i] == normals.at(image.triangle[i]));
@@ -418,7 +419,7 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   CHECK(known == image.samples());
   CHECK(backs < known / 2);
   // The nearest and the farthest samples keep their normals and numbers.
-  const LayeredImage ends = ends_of(image);
+  const LayeredImage ends = nearest_and_farthest(image);
   REQUIRE(check(ends, "ends"));
   CHECK(ends.normal.size() == ends.samples());
   CHECK(ends.triangle.size() == ends.samples());
@@ -437,10 +438,10 @@ TEST_CASE(
   // Nothing is drawn between the near plane and the eye.
   const auto at_near =
       draw_layers(image, layer_camera(view_at({0, 0, 5.25}, {0, 0, 0}, 64, 64)), {});
-  CHECK(at_near.counts.beside == image.samples());
+  CHECK(at_near.counts.outside == image.samples());
   // A near plane of 0.001: each sample is 3 / 0.01 pixels large.
   const View face = make_view(camera_at({0, 0, 5.01}, {0, 0, 0}, 1e-3, 50), 64, 64).value();
-  CHECK(draw_layers(image, layer_camera(face), {}).counts.cut > 0);
+  CHECK(draw_layers(image, layer_camera(face), {}).counts.oversized > 0);
 }
 
 TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view looks") {
@@ -466,7 +467,7 @@ TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view l
   // A point a thousandth nearer is between the near plane and the eye.
   LayerBuilder nearer(small_camera(), 0);
   nearer.add(1, 1, 1.001f, {9, 9, 9});
-  CHECK(draw_layers(nearer.pack(), small_camera(), {}).counts.beside == 1);
+  CHECK(draw_layers(nearer.pack(), small_camera(), {}).counts.outside == 1);
 }
 
 TEST_CASE("threads that have nothing to do, or no memory for a picture of their own, draw none") {

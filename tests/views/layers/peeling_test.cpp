@@ -12,8 +12,8 @@
 
 #include "tests/support/catch.h"
 #include "views/layers/depth_peeling.h"
+#include "views/layers/disocclusion.h"
 #include "views/layers/second_eye.h"
-#include "views/layers/seen_behind.h"
 
 using namespace glassbox;
 using namespace glassbox::views;
@@ -21,8 +21,9 @@ using namespace glassbox::views;
 namespace {
 
 View view_of(const Scene& scene, int width, int height, DepthRange range = DepthRange::kStandard) {
-  const Camera camera =
-      scene.cameras.empty() ? frame(scene, double(width) / height).value() : scene.cameras[0];
+  const Camera camera = scene.cameras.empty()
+                            ? framing_camera(scene, double(width) / height).value()
+                            : scene.cameras[0];
   return make_view(camera, width, height, range).value();
 }
 
@@ -136,13 +137,13 @@ TEST_CASE("a line of sight goes on to the first place that the other eye would s
   std::vector<float> scratch(2 * kWidth + 256);
   const EyeTarget to{color.data(), nearness.data()};
   eye_kernels(Target::kScalar)
-      .carry(shift, {colors.data(), last.data(), kWidth, true}, scratch.data(), to);
+      .warp_row(shift, {colors.data(), last.data(), kWidth, true}, scratch.data(), to);
   for (int q = 0; q < kWidth; ++q) {
     INFO(q);
     CHECK((nearness[std::size_t(q)] == 0) == ((q >= 20 && q < 28) || q >= 38));
   }
-  BehindMemory memory;
-  REQUIRE(find_seen_behind(shift, last.data(), kWidth, to, memory, behind.data()));
+  DisocclusionBuffers memory;
+  REQUIRE(find_disocclusions(shift, last.data(), kWidth, to, memory, behind.data()));
   for (int x = 0; x < kWidth; ++x) {
     INFO(x << ": " << behind[std::size_t(x)]);
     const bool card = x >= 20 && x < 30;
@@ -171,9 +172,9 @@ TEST_CASE("a surface that jumps over another one is looked for there") {
   nearness[2] = near(2);  // comes from 2 + 10; the wall after it comes from q + 2
   std::vector<std::uint32_t> last(kWidth, depth_code(DepthFormat::kFloat32, 1 - 1 / 4.0f));
   std::vector<std::uint32_t> behind(kWidth);
-  BehindMemory memory;
+  DisocclusionBuffers memory;
   const EyeTarget to{color.data(), nearness.data()};
-  CHECK(find_seen_behind(shift, last.data(), kWidth, to, memory, behind.data()));
+  CHECK(find_disocclusions(shift, last.data(), kWidth, to, memory, behind.data()));
   // A line of sight that ends at x + 1/2 is in front of all that comes from further left: the wall
   // at q >= 3 comes from q + 2 1/2, which is more than a pixel less for x > q + 3.
   for (int x = 0; x < kWidth; ++x) {
@@ -182,6 +183,6 @@ TEST_CASE("a surface that jumps over another one is looked for there") {
   }
   // Where nothing is open, there is nothing to find.
   nearness[2] = near(10);
-  CHECK_FALSE(find_seen_behind(shift, last.data(), kWidth, to, memory, behind.data()));
+  CHECK_FALSE(find_disocclusions(shift, last.data(), kWidth, to, memory, behind.data()));
   CHECK(std::ranges::all_of(behind, [](std::uint32_t code) { return code == kEmptyDepth; }));
 }

@@ -58,7 +58,7 @@ TEST_CASE("the tree of boxes finds the hit that trying every triangle finds, bit
       RayHit nearest;
       bool found = false;
       for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        auto hit = ShearedRay(ray).meet(triangles[t]);
+        auto hit = ShearedRay(ray).intersect(triangles[t]);
         if (!hit || hit->distance >= nearest.distance) continue;
         nearest = *hit;
         nearest.triangle = t;
@@ -101,7 +101,7 @@ TEST_CASE("a hit is where the ray meets the triangle's plane, and inside") {
     // The weighted mean of the corners is on the plane up to the rounding of three products and two
     // sums: 8 u of the largest coordinate, here 18, along each axis, and as much for the check
     // itself.
-    const Eigen::Vector3d at = caster.place(*hit), normal = a.cross(b).normalized();
+    const Eigen::Vector3d at = caster.hit_point(*hit), normal = a.cross(b).normalized();
     CHECK(std::abs(normal.dot(at - corners[0])) < 2 * 8 * kRounding * 18 * std::sqrt(3.0));
     // After the shear, coordinates have an error of 4 u M, where M is the largest coordinate
     // relative to the origin, and an edge function, two products, has an error of 48 u M^2. A point
@@ -160,11 +160,11 @@ TEST_CASE("a ray that meets an edge or a corner exactly has a triangle there") {
         const Ray ray{origin, to - origin.cast<double>()};
         int meet = 0;
         for (const TriangleCorners& triangle : around)
-          meet += ShearedRay(ray).meet(triangle).has_value();
+          meet += ShearedRay(ray).intersect(triangle).has_value();
         CHECK(meet == (along == 0 ? 8 : 2));  // on an edge both neighbours are hit
         const auto hit = caster.cast(ray, kAll);
         REQUIRE(hit);
-        CHECK(caster.place(*hit) == to);
+        CHECK(caster.hit_point(*hit) == to);
       }
     }
   }
@@ -177,7 +177,7 @@ TEST_CASE("parts of a sampling have all of its rays, each once, and none has man
     RayParts parts(sampling);
     std::uint64_t all = 0, stratum = 0;
     int done = 0;
-    Random random = random_of(stratum_of(0, sampling.strata), sampling.strata);
+    Random random = stratum_random(stratum_of(0, sampling.strata), sampling.strata);
     while (const auto part = parts.next()) {
       CHECK(part->strata * std::uint64_t(part->rays) <= std::uint64_t(kRaysOfPart));
       all += part->strata * std::uint64_t(part->rays);
@@ -186,13 +186,13 @@ TEST_CASE("parts of a sampling have all of its rays, each once, and none has man
       Random own = part->random;
       CHECK(own.bits() == Random(random).bits());
       for (int i = 0; i < part->rays; ++i)
-        numbers_in(stratum_of(stratum, sampling.strata), sampling.strata, random);
+        stratified_numbers(stratum_of(stratum, sampling.strata), sampling.strata, random);
       done += part->rays;
       if (done < sampling.rays) continue;
       done = 0;
       stratum += part->strata;
       if (all < sampling.count())
-        random = random_of(stratum_of(stratum, sampling.strata), sampling.strata);
+        random = stratum_random(stratum_of(stratum, sampling.strata), sampling.strata);
     }
     CHECK(all == sampling.count());
   }
@@ -207,9 +207,9 @@ TEST_CASE("rays are spread as the cosine law asks, and each in its stratum") {
     const std::array<int, 4> stratum{number / (kStrata * kStrata * kStrata),
                                      number / (kStrata * kStrata) % kStrata,
                                      number / kStrata % kStrata, number % kStrata};
-    Random random = random_of(stratum, kStrata);
+    Random random = stratum_random(stratum, kStrata);
     for (int i = 0; i < kRays; ++i) {
-      const auto numbers = numbers_in(stratum, kStrata, random);
+      const auto numbers = stratified_numbers(stratum, kStrata, random);
       for (std::size_t k = 0; k < 4; ++k) REQUIRE(int(numbers[k] * kStrata) == stratum[k]);
       const Ray ray = ray_of(numbers, 0.5);
       CHECK(ray.origin.z() == -0.5f);
@@ -297,7 +297,7 @@ TEST_CASE("a hit has the colour that the rasterizer gives the same point") {
     INFO(name);
     const Scene scene = name == "mirrored lamp" ? mirrored_lamp() : make_builtin(name).value();
     const Camera camera =
-        scene.cameras.empty() ? frame(scene, 64.0 / 48).value() : scene.cameras[0];
+        scene.cameras.empty() ? framing_camera(scene, 64.0 / 48).value() : scene.cameras[0];
     const View view = make_view(camera, 64, 48).value();
     const RenderSettings settings;
     const Image<Rgba8> drawn =
@@ -311,7 +311,7 @@ TEST_CASE("a hit has the colour that the rasterizer gives the same point") {
         ray.direction = {(2 * (x + 0.5) / 64 - 1) / view.clip_from_eye.at(0, 0),
                          (1 - 2 * (y + 0.5) / 48) / view.clip_from_eye.at(1, 1), -1};
         const auto hit = surfaces.caster().cast(
-            ray, [&](const RayHit& candidate) { return surfaces.shows(candidate); });
+            ray, [&](const RayHit& candidate) { return surfaces.is_drawn_at(candidate); });
         if (!hit) continue;
         ++hits;
         const Rgba8 there = surfaces.color(*hit), here = drawn.at(x, y);

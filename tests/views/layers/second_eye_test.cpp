@@ -79,8 +79,9 @@ struct Stage {
 };
 Stage stage_of(const char* name, int width, int height, const StereoPair& pair) {
   Scene scene = make_builtin(name).value();
-  const Camera camera =
-      scene.cameras.empty() ? frame(scene, double(width) / height).value() : scene.cameras[0];
+  const Camera camera = scene.cameras.empty()
+                            ? framing_camera(scene, double(width) / height).value()
+                            : scene.cameras[0];
   const View view = make_view(camera, width, height).value();
   return {std::move(scene), view, pair};
 }
@@ -282,7 +283,7 @@ TEST_CASE("glass before the background is seen by both eyes, with glass before a
     Renderer renderer(scene, Transfer::kNone, EngineKind::kTile, {.target = target});
     settings.transfer = Transfer::kNone;
     SecondEye second;
-    PairByWarp both;
+    WarpedPair both;
     render_pair_by_warp(renderer, view, eyes, settings, {.target = target}, second, both);
     const Image<Rgba8>&left = both.rendering.left.color, &right = both.rendering.right.color;
     for (const Rgba8& color : {Rgba8{128, 30, 0, 255}, Rgba8{128, 0, 128, 255}}) {
@@ -354,7 +355,7 @@ TEST_CASE("with no separation there is one picture, and what cannot be warped is
   const Stage stage = stage_of("cube", 32, 24, {0, 3});
   Renderer renderer(stage.scene, Transfer::kSrgb);
   SecondEye second;
-  PairByWarp pair;
+  WarpedPair pair;
   render_pair_by_warp(renderer, stage.view, stage.pair, {}, {}, second, pair);
   CHECK(pair.rendering.left.color == pair.rendering.right.color);
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "tests/views/matching/sample.h"
+#include "tests/views/matching/known_pairs.h"
+#include "views/matching/cost_aggregation.h"
 #include "views/matching/costs.h"
-#include "views/matching/support.h"
 
 namespace glassbox::views {
 namespace {
@@ -16,7 +16,7 @@ constexpr int kAcross = 37, kRows = 11;
 
 // The picture with a sixth of its contrast in the left half, so that some neighbours are alike and
 // some are not.
-Planes half_faint(Image<Rgba8> image) {
+ColorPlanes half_faint(Image<Rgba8> image) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width / 2; ++x) {
       Rgba8& pixel = image.at(x, y);
@@ -24,14 +24,15 @@ Planes half_faint(Image<Rgba8> image) {
         *channel = std::uint8_t(100 + *channel / 6);
     }
   }
-  return planes_of(image);
+  return color_planes(image);
 }
 
 struct NoisePair {
-  Planes left = half_faint(noise(kAcross, kRows, 3)), right = half_faint(noise(kAcross, kRows, 4));
+  ColorPlanes left = half_faint(noise(kAcross, kRows, 3)),
+              right = half_faint(noise(kAcross, kRows, 4));
 };
 
-int grey(const Planes& planes, int x, int y) {
+int grey(const ColorPlanes& planes, int x, int y) {
   x = std::clamp(x, 0, kAcross - 1);
   y = std::clamp(y, 0, kRows - 1);
   return planes.grey[std::size_t(y * kAcross + x)];
@@ -43,12 +44,12 @@ int color_difference(const NoisePair& pair, int x, int right_x, int y) {
          std::abs(pair.left.b[a] - pair.right.b[b]);
 }
 
-bool is_alike(const Planes& planes, int x, int y, int dx, int dy) {
-  const auto at = [&](const LineVector<std::uint8_t>& plane, int column, int row) {
+bool is_alike(const ColorPlanes& planes, int x, int y, int dx, int dy) {
+  const auto at = [&](const CacheAlignedVector<std::uint8_t>& plane, int column, int row) {
     column = std::clamp(column, 0, kAcross - 1), row = std::clamp(row, 0, kRows - 1);
     return int(plane[std::size_t(row * kAcross + column)]);
   };
-  const auto is_near = [&](const LineVector<std::uint8_t>& plane) {
+  const auto is_near = [&](const CacheAlignedVector<std::uint8_t>& plane) {
     return std::abs(at(plane, x + dx, y + dy) - at(plane, x, y)) <= 30;
   };
   return is_near(planes.r) && is_near(planes.g) && is_near(planes.b);
@@ -64,7 +65,7 @@ void for_neighbours(const One& one) {
   }
 }
 
-int count_alike(const Planes& planes, int x, int y) {
+int count_alike(const ColorPlanes& planes, int x, int y) {
   int count = 0;
   for_neighbours([&](int dx, int dy) { count += is_alike(planes, x, y, dx, dy); });
   return count;
@@ -165,7 +166,7 @@ TEST_CASE("S2-04: the average of a square is the mean of the rows' means, to a r
   const CostVolume single = pixel_costs(pair.left, pair.right, settings);
   for (const Target target : available_targets()) {
     CostVolume averaged = single;
-    average_costs(averaged, square_arms(kAcross, kRows, 2), FirstAlong::kRows, target);
+    average_costs(averaged, square_arms(kAcross, kRows, 2), AggregationOrder::kRows, target);
     for (int y = 0; y < kRows; ++y) {
       for (int x = 0; x < kAcross; ++x) {
         const int i = (x + y) % 8;
@@ -190,7 +191,7 @@ TEST_CASE("arms stop where the colour changes") {
   for (int y = 0; y < 3; ++y) {
     for (int x = 20; x < 50; ++x) image.at(x, y) = {100, 121, 100, 255};
   }
-  const Image<Arms> arms = adaptive_arms(planes_of(image));
+  const Image<Arms> arms = adaptive_arms(color_planes(image));
   CHECK(int(arms.at(10, 1).right) == 9);
   CHECK(int(arms.at(10, 1).left) == 10);
   CHECK(int(arms.at(20, 1).left) == 0);

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/views/matching/sample.h"
+#include "tests/views/matching/known_pairs.h"
 #include "views/matching/calibration.h"
-#include "views/matching/evaluate.h"
+#include "views/matching/disparity_errors.h"
 #include "views/matching/match.h"
 #include "views/matching/winner.h"
 
@@ -45,7 +45,7 @@ double wrong_share(const Image<float>& disparity, int d) {
 
 TEST_CASE("D-20: the same bytes for every instruction set and number of threads") {
   const Image<Rgba8> left = noise(71, 150, 5), right = moved_left(left, 6, 6);
-  for (auto& [name, settings] : every_way({-3, 33})) {
+  for (auto& [name, settings] : settings_of_every_path({-3, 33})) {
     settings.target = Target::kScalar;
     settings.threads = 1;
     // The single sweep uses three bands here.
@@ -58,7 +58,7 @@ TEST_CASE("D-20: the same bytes for every instruction set and number of threads"
         INFO(name << ", " << name_of(target) << ", " << threads << " threads");
         CHECK(match.disparity == reference.disparity);
         CHECK(match.confidence == reference.confidence);
-        CHECK(match.doubts == reference.doubts);
+        CHECK(match.invalid_reasons == reference.invalid_reasons);
       }
     }
   }
@@ -68,7 +68,7 @@ TEST_CASE("S2-04: a wall of noise stands where it was put, before the window and
   const Image<Rgba8> left = noise(90, 40, 7);
   for (const int d : {0, 11, -7}) {
     const Image<Rgba8> right = moved_left(left, d, 8);
-    for (const auto& [name, settings] : every_way({-12, 20})) {
+    for (const auto& [name, settings] : settings_of_every_path({-12, 20})) {
       INFO(name << ", disparity " << d);
       const DenseMatch match = matched(left, right, settings);
       CHECK(wrong_share(match.disparity, d) == 0);
@@ -148,7 +148,7 @@ TEST_CASE("C-113: what the range or the picture does not hold is invalid, not cl
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 10; ++x) {
       CHECK(match.disparity.at(x, y) == kNoDisparity);
-      CHECK(match.doubts.at(x, y) == Doubt::kOutside);
+      CHECK(match.invalid_reasons.at(x, y) == InvalidReason::kOutside);
     }
     for (int x = 0; x < 60; ++x) {
       const float d = match.disparity.at(x, y);

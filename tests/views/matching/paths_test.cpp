@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tests/views/matching/sample.h"
+#include "tests/views/matching/known_pairs.h"
 #include "views/matching/byte_sweep.h"
 #include "views/matching/costs.h"
 #include "views/matching/paths.h"
@@ -17,7 +17,7 @@ constexpr int kPathColumns = 13, kPathRows = 9, kCount = 20;
 using Table = std::vector<int>;  // the disparities of each pixel
 
 // Adds the path costs of one direction to the sums; values are limited to `highest`.
-void add_direction(const CostVolume& costs, const Planes& picture, int dx, int dy, Table& sums,
+void add_direction(const CostVolume& costs, const ColorPlanes& picture, int dx, int dy, Table& sums,
                    const Penalties& penalties = {}, int highest = 65535) {
   const auto jumps = jump_penalties(penalties);
   Table values(sums.size());
@@ -50,8 +50,8 @@ void add_direction(const CostVolume& costs, const Planes& picture, int dx, int d
 }
 
 TEST_CASE("D-20: sums along 2, 4, 8 and 16 paths are the recursion's, on every instruction set") {
-  const Planes left = planes_of(noise(kPathColumns, kPathRows, 1)),
-               right = planes_of(noise(kPathColumns, kPathRows, 2));
+  const ColorPlanes left = color_planes(noise(kPathColumns, kPathRows, 1)),
+                    right = color_planes(noise(kPathColumns, kPathRows, 2));
   MatchSettings settings;
   settings.range = {0, kCount - 1};
   const CostVolume costs = pixel_costs(left, right, settings);
@@ -93,13 +93,13 @@ MatchSettings fast(DisparityRange range) {
   return settings;
 }
 
-CostVolume volume_of(const Planes& picture, const DisparityRange& range) {
+CostVolume volume_of(const ColorPlanes& picture, const DisparityRange& range) {
   return {picture.width, picture.height, range.first, range.count()};
 }
 
 TEST_CASE("D-20: sums in bytes are the recursion's, of at most 24 bits, on every instruction set") {
-  const Planes left = planes_of(noise(kPathColumns, kPathRows, 1)),
-               right = planes_of(noise(kPathColumns, kPathRows, 2));
+  const ColorPlanes left = color_planes(noise(kPathColumns, kPathRows, 1)),
+                    right = color_planes(noise(kPathColumns, kPathRows, 2));
   // Some of the range is outside the picture, on either side.
   MatchSettings settings = fast({-4, kCount - 5});
   REQUIRE(fits_bytes(settings));
@@ -129,8 +129,8 @@ TEST_CASE("D-20: winners of sums in bytes are those of the same sums in a volume
   // One of the ranges has disparity numbers that do not fit a byte.
   for (const DisparityRange range :
        {DisparityRange{-4, 15}, DisparityRange{0, 63}, DisparityRange{-20, 290}}) {
-    const Planes left = planes_of(noise(310, 3, 1)),
-                 right = planes_of(moved_left(noise(310, 3, 1), 9, 2));
+    const ColorPlanes left = color_planes(noise(310, 3, 1)),
+                      right = color_planes(moved_left(noise(310, 3, 1), 9, 2));
     for (const Target target : available_targets()) {
       MatchSettings settings = fast(range);
       settings.target = target;

@@ -7,8 +7,8 @@
 
 #include <glassbox/mesh/ply/load.h>
 
-#include "tests/views/matching/sample.h"
-#include "views/matching/evaluate.h"
+#include "tests/views/matching/known_pairs.h"
+#include "views/matching/disparity_errors.h"
 #include "views/matching/match.h"
 #include "views/matching/surface.h"
 #include "views/matching/winner.h"
@@ -110,7 +110,7 @@ TEST_CASE("what a picture does not show has no disparity, on either side") {
     for (int x = 0; x < 20; ++x) left.at(x, y) = {0, 0, 0, 0};
     for (int x = 60; x < 90; ++x) right.at(x, y) = {0, 0, 0, 0};
   }
-  for (auto& [name, settings] : every_way({0, 20})) {
+  for (auto& [name, settings] : settings_of_every_path({0, 20})) {
     settings.fill = false;
     const auto match = match_pictures(left, right, settings);
     REQUIRE(match);
@@ -125,7 +125,7 @@ TEST_CASE("what a picture does not show has no disparity, on either side") {
 
 TEST_CASE("kept sums are those that the winner was sought in") {
   const Image<Rgba8> left = noise(60, 70, 5), right = moved_left(left, 6, 6);
-  for (auto& [name, settings] : every_way({0, 15})) {
+  for (auto& [name, settings] : settings_of_every_path({0, 15})) {
     settings.median = settings.smooth = settings.subpixel = settings.fill = false;
     settings.left_right.reset();
     settings.keep_sums = true;

@@ -10,7 +10,7 @@
 
 #include "tests/views/voxels/rig.h"
 #include "views/polygons/coloring.h"
-#include "views/polygons/live_surface.h"
+#include "views/polygons/editable_surface.h"
 #include "views/polygons/mesh_check.h"
 #include "views/polygons/mesh_scene.h"
 #include "views/texture/unlit_renderer.h"
@@ -172,15 +172,15 @@ TEST_CASE(
   Random random(23);
   const VoxelGrid grid = grid_of({{0, 0, 0}, {6, 6, 6}}, 1, Matrix3d::Identity()).value();
   const PictureSet set = empty_ring(grid, 5, 40);
-  LiveSurface surface(set, random_solid(grid, random), 1);
+  EditableSurface surface(set, random_solid(grid, random), 1);
   for (int edit = 0; edit < 600; ++edit) {
     const auto any = [&] { return int(random.integer(0, 5)); };
-    const VoxelAt voxel{any(), any(), any()};
+    const VoxelPosition voxel{any(), any(), any()};
     const bool full = surface.occupancy().has(voxel);
-    const auto changed = surface.edit(voxel, !full);
+    const auto changed = surface.set_voxel(voxel, !full);
     for (const PolygonId id : changed) REQUIRE(surface.has(id));
     if (edit % 40 != 39) continue;
-    const LiveSurface anew(set, surface.occupancy(), edit % 3);
+    const EditableSurface anew(set, surface.occupancy(), edit % 3);
     REQUIRE(surface.layers() == anew.layers());
     REQUIRE(surface.polygons() == anew.polygons());
   }
@@ -206,8 +206,8 @@ TEST_CASE("polygons and layered images that take more memory than is allowed are
   const VoxelGrid grid = grid_of({{0, 0, 0}, {12, 12, 12}}, 1, Matrix3d::Identity()).value();
   const PictureSet set = empty_ring(grid, 4, 120);
   const Occupancy solid = random_solid(grid, random);
-  const LiveSurface surface(set, solid, 1);
-  CHECK(std::size_t(LiveSurface::count_polygons(solid)) == surface.polygons().size());
+  const EditableSurface surface(set, solid, 1);
+  CHECK(std::size_t(EditableSurface::count_polygons(solid)) == surface.polygons().size());
   // A list for each pixel and at least eight bytes for each sample, and at most three times that
   // with the overhead of the allocator.
   const double pixels = 4 * 120 * 120;
@@ -279,7 +279,7 @@ TEST_CASE("polygons have the colours that pictures show, and voxels that are too
   for (int z = 0; z < grid.count[2]; ++z) {
     for (int y = 0; y < grid.count[1]; ++y) {
       for (int x = 0; x < grid.count[0]; ++x) {
-        const VoxelAt at{x, y, z};
+        const VoxelPosition at{x, y, z};
         if (!solid.has(at) || carved->solid.has(at)) continue;
         lost += truth.has(at);
         lost_within += std::ranges::none_of(set.pictures, [&](const CalibratedPicture& picture) {
@@ -385,7 +385,7 @@ TEST_CASE("surfaces that cannot be made are refused with a reason") {
   CHECK_FALSE(color_polygons(set, Occupancy(grid), {}));
   VoxelGrid large = grid;
   large.count = {1000, 1000, 1000};
-  CHECK(LiveSurface::is_too_large(large));
+  CHECK(EditableSurface::is_too_large(large));
   // Voxels of 0.01 at a distance of a million units.
   const WorldBox far_box{{1e6, 0, 0}, {1e6 + 0.04, 0.04, 0.04}};
   const VoxelGrid far_grid = grid_of(far_box, 0.01, Matrix3d::Identity()).value();

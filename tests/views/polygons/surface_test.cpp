@@ -117,8 +117,8 @@ TEST_CASE(
       if (!check.is_closed() || check.degenerate != 0 || check.duplicates != 0 ||
           check.pinched != 0 || check.euler % 2 != 0 || check.volume < 0) {
         CHECK(check.holes == 0);
-        CHECK(check.crowded == 0);
-        CHECK(check.turned == 0);
+        CHECK(check.non_manifold_edges == 0);
+        CHECK(check.misoriented_edges == 0);
         CHECK(check.degenerate == 0);
         CHECK(check.duplicates == 0);
         CHECK(check.pinched == 0);
@@ -183,10 +183,10 @@ TEST_CASE("a check of a mesh finds what is wrong with it") {
   CHECK(check_mesh(open).holes == 3);
   PolygonMesh turned_over = mesh;
   std::swap(turned_over.polygons.front()[0], turned_over.polygons.front()[1]);
-  CHECK(check_mesh(turned_over).turned == 3);
+  CHECK(check_mesh(turned_over).misoriented_edges == 3);
   PolygonMesh doubled = mesh;
   doubled.polygons.push_back(doubled.polygons.front());
-  CHECK(check_mesh(doubled).crowded == 3);
+  CHECK(check_mesh(doubled).non_manifold_edges == 3);
   PolygonMesh flat = mesh;
   flat.positions[flat.polygons[0][0]] = flat.positions[flat.polygons[0][1]];
   CHECK(check_mesh(flat).degenerate >= 1);

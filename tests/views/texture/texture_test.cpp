@@ -242,8 +242,8 @@ TEST_CASE(
   const Vector3d middle = (ring[0] + ring[1]).normalized(), aside = 1e-9 * (ring[1] - ring[0]);
   const auto jump = [&](Blend blend) {
     const ViewBlend views(blend, ring);
-    return difference(views.from((middle - aside).normalized()).weights(kAll),
-                      views.from((middle + aside).normalized()).weights(kAll));
+    return difference(views.from_direction((middle - aside).normalized()).weights(kAll),
+                      views.from_direction((middle + aside).normalized()).weights(kAll));
   };
   CHECK(jump(Blend::kNearest) == 1);
   CHECK(jump(Blend::kBarycentric) < 1e-8);
@@ -262,7 +262,7 @@ TEST_CASE(
       for (std::size_t v = 0; v < sees.size(); ++v) sees[v] = random.integer(0, 3) == 0;
       const Vector3d direction = any_direction(random);
       const auto weights =
-          views.from(direction).weights([&](std::size_t v) { return bool(sees[v]); });
+          views.from_direction(direction).weights([&](std::size_t v) { return bool(sees[v]); });
       if (std::ranges::none_of(sees, [](bool b) { return b; })) {
         CHECK(weights.empty());
         continue;
@@ -273,9 +273,9 @@ TEST_CASE(
                                : blend == Blend::kBarycentric ? 3
                                                               : 5));
     }
-    CHECK(views.from(directions[0]).weights([](std::size_t) { return false; }).empty());
+    CHECK(views.from_direction(directions[0]).weights([](std::size_t) { return false; }).empty());
     // In a view's own direction only that view counts, if it sees the polygon.
-    CHECK(difference(views.from(directions[7]).weights(kAll), {{7, 1}}) < 1e-9);
+    CHECK(difference(views.from_direction(directions[7]).weights(kAll), {{7, 1}}) < 1e-9);
   }
 }
 
@@ -284,7 +284,7 @@ TEST_CASE("at the place of a picture a textured surface is that picture, byte fo
   const Scene real = test::speckled_sphere(8, 4), coarse = *make_builtin("sphere:3");
   const PictureSet set = shiny_ring(real, 6, 72);
   for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
-    const auto surface = TexturedSurface::of(coarse, set, blend);
+    const auto surface = TexturedSurface::create(coarse, set, blend);
     REQUIRE(surface);
     for (const CalibratedPicture& picture : set.pictures) {
       const auto drawn = surface->draw(picture.camera, 72, 72, {0, 0, 0, 255});
@@ -311,10 +311,10 @@ TEST_CASE(
   set.pictures.erase(set.pictures.begin() + 13);
   std::map<Blend, double> psnr;
   for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
-    const auto surface = TexturedSurface::of(scene, set, blend);
+    const auto surface = TexturedSurface::create(scene, set, blend);
     const auto drawn = surface->draw(left_out.camera, 72, 72, {0, 0, 0, 255});
     REQUIRE(drawn);
-    const TextureErrors errors = compare(*drawn, left_out);
+    const TextureErrors errors = textured_picture_errors(*drawn, left_out);
     CHECK(errors.covered > 0.99);
     psnr[blend] = errors.psnr;
     if (blend != Blend::kBarycentric) continue;
@@ -327,7 +327,7 @@ TEST_CASE(
     TexturedPicture again = *drawn;
     again.color =
         renderer.render(*view_of(left_out.camera, 72, 72, box_of(scene)), settings).buffers.color;
-    CHECK(compare(again, left_out).psnr > errors.psnr - 6);
+    CHECK(textured_picture_errors(again, left_out).psnr > errors.psnr - 6);
   }
   CHECK(psnr[Blend::kBarycentric] > psnr[Blend::kNearest]);
   CHECK(psnr[Blend::kBarycentric] > 25);
@@ -346,9 +346,9 @@ TEST_CASE(
   const PictureSet right = pictures_by(scene, {eye}, kSize);
   for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
     INFO(name_of(blend));
-    const auto surface = TexturedSurface::of(scene, set, blend);
+    const auto surface = TexturedSurface::create(scene, set, blend);
     for (std::uint32_t polygon = 0; polygon < 2; ++polygon)
-      REQUIRE(surface->seen().sees(0, polygon));
+      REQUIRE(surface->visible_polygons().sees(0, polygon));
     const auto drawn = surface->draw(eye, kSize, kSize, {0, 0, 0, 255});
     int floor = 0, wrong = 0;
     for (std::size_t i = 0; i < drawn->id.pixels.size(); ++i) {
@@ -362,7 +362,7 @@ TEST_CASE(
   }
   // With only the picture from above, no view sees the places under the lid.
   const PictureSet above = pictures_by(scene, {camera_above(0, kSize)}, kSize);
-  const auto surface = TexturedSurface::of(scene, above, Blend::kBarycentric);
+  const auto surface = TexturedSurface::create(scene, above, Blend::kBarycentric);
   CHECK(surface->draw(eye, kSize, kSize, {0, 0, 0, 255})->without_view > 50);
 }
 
@@ -370,24 +370,25 @@ TEST_CASE("a mirrored surface has the pictures of its own side, drawn anew and a
   Scene scene = test::speckled_sphere(6, 4);
   scene.nodes[scene.instances[0].node].world_from_node.at(0, 0) *= -1;
   const PictureSet set = shiny_ring(scene, 8, 64);
-  const auto surface = TexturedSurface::of(scene, set, Blend::kBarycentric);
-  for (const PlacedTriangle& triangle : placed_triangles(scene))
+  const auto surface = TexturedSurface::create(scene, set, Blend::kBarycentric);
+  for (const WorldTriangle& triangle : world_triangles(scene))
     // Away from the origin, the centre of the ball.
     CHECK(triangle.normal().dot(triangle.corners[0]) > 0);
   const Scene fixed = with_static_texture(scene, *surface, 8, 0x1p30).value();
   const CalibratedPicture& picture = set.pictures[3];
   const Framebuffer drawn = UnlitRenderer(fixed).draw(picture.camera, 64, 64).value();
   const TexturedPicture again{drawn.color, drawn.id};
-  const TextureErrors errors = compare(again, picture);
+  const TextureErrors errors = textured_picture_errors(again, picture);
   CHECK(errors.covered > 0.99);
   // The result is as good as for the same ball without mirroring.
   const Scene plain = test::speckled_sphere(6, 4);
   const PictureSet plain_set = shiny_ring(plain, 8, 64);
-  const auto plain_surface = TexturedSurface::of(plain, plain_set, Blend::kBarycentric);
+  const auto plain_surface = TexturedSurface::create(plain, plain_set, Blend::kBarycentric);
   const Scene plain_fixed = with_static_texture(plain, *plain_surface, 8, 0x1p30).value();
   const Framebuffer plain_drawn =
       UnlitRenderer(plain_fixed).draw(plain_set.pictures[3].camera, 64, 64).value();
-  const double psnr = compare({plain_drawn.color, plain_drawn.id}, plain_set.pictures[3]).psnr;
+  const double psnr =
+      textured_picture_errors({plain_drawn.color, plain_drawn.id}, plain_set.pictures[3]).psnr;
   INFO(errors.psnr << " and " << psnr);
   CHECK(errors.psnr > psnr - 1);
 }
@@ -398,10 +399,10 @@ TEST_CASE("a blend that leaves a picture out is that of a set that never had it"
   PictureSet others = set;
   others.pictures.erase(others.pictures.begin() + 7);
   const CalibratedPicture& picture = set.pictures[7];
-  const auto all = TexturedSurface::of(scene, set, Blend::kNearest);
+  const auto all = TexturedSurface::create(scene, set, Blend::kNearest);
   for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
-    const auto anew = TexturedSurface::of(scene, others, blend, 3);
-    CHECK(all->blended_by(blend, 3, 7).draw(picture.camera, 48, 48, {})->color.pixels ==
+    const auto anew = TexturedSurface::create(scene, others, blend, 3);
+    CHECK(all->with_blend(blend, 3, 7).draw(picture.camera, 48, 48, {})->color.pixels ==
           anew->draw(picture.camera, 48, 48, {})->color.pixels);
   }
 }
@@ -409,7 +410,7 @@ TEST_CASE("a blend that leaves a picture out is that of a set that never had it"
 TEST_CASE("a static texture that would take too many bytes is refused before it is made") {
   const Scene scene = test::speckled_sphere(6, 4);
   const PictureSet set = shiny_ring(scene, 3, 32);
-  const auto surface = TexturedSurface::of(scene, set, Blend::kBarycentric);
+  const auto surface = TexturedSurface::create(scene, set, Blend::kBarycentric);
   const auto refused = with_static_texture(scene, *surface, 64, 0x1p20);
   REQUIRE(!refused);
   CHECK(refused.error().message().starts_with("--texels: "));

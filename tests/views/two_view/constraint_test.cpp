@@ -10,7 +10,7 @@
 #include <glassbox/pipeline/view.h>
 
 #include "exact/number.h"
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/camera.h"
 #include "views/two_view/constraint.h"
 

@@ -9,10 +9,10 @@
 #include <tuple>
 #include <utility>
 
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/constraint.h"
 #include "views/two_view/linear_fit.h"
-#include "views/two_view/minimal.h"
+#include "views/two_view/minimal_solvers.h"
 #include "views/two_view/polynomial.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/residual.h"
@@ -21,8 +21,8 @@
 namespace glassbox::views {
 namespace {
 
-using test::apart;
 using test::calibrated;
+using test::matrix_distance;
 using test::random_matches;
 using test::random_rig;
 
@@ -58,14 +58,15 @@ TEST_CASE("eight matches and more give back the matrix that they were made with"
       const auto e = fit_essential(calibrated(pixels, rig), how);
       REQUIRE(e);
       // Rounding errors times the condition of the system.
-      CHECK(apart(e->matrix, true_essential(rig)) < 64 * 0x1p-53 * e->system.condition());
+      CHECK(matrix_distance(e->matrix, true_essential(rig)) < 64 * 0x1p-53 * e->system.condition());
     }
     const auto f = fit_fundamental(pixels, Conditioning::kNormalised);
     REQUIRE(f);
     // Compared as E, because pixel coordinates are much larger than 1 and the entries of F differ
     // greatly in size.
     const Matrix3d as_essential = rig.right_intrinsic.transpose() * f->matrix * rig.left_intrinsic;
-    CHECK(apart(as_essential, true_essential(rig)) < 64 * 0x1p-53 * f->system.condition());
+    CHECK(matrix_distance(as_essential, true_essential(rig)) <
+          64 * 0x1p-53 * f->system.condition());
   }
 }
 
@@ -160,7 +161,8 @@ TEST_CASE("seven matches: one of at most three matrices is right, and all fulfil
     REQUIRE(!found->empty());
     CHECK(found->size() <= 3);
     double nearest = 1;
-    for (const Matrix3d& f : *found) nearest = std::min(nearest, apart(f, fundamental_of(rig)));
+    for (const Matrix3d& f : *found)
+      nearest = std::min(nearest, matrix_distance(f, fundamental_of(rig)));
     CHECK(nearest < 1e-6);
   }
 }
@@ -175,7 +177,7 @@ TEST_CASE("five calibrated matches: one of at most ten matrices is right, and al
     CHECK(found->size() <= 10);
     double nearest = 1;
     for (const Matrix3d& e : *found) {
-      nearest = std::min(nearest, apart(e, true_essential(rig)));
+      nearest = std::min(nearest, matrix_distance(e, true_essential(rig)));
       for (const Match& m : matches) {
         CHECK(std::abs(m.right.homogeneous().dot(e * m.left.homogeneous())) < 1e-10);
       }
@@ -195,12 +197,14 @@ TEST_CASE("five matches of a plane, a pure step along an axis, and rectified pic
       Matches pixels;
       for (int i = 0; i < 5; ++i) {
         const Vector3d point = test::random_point(random, rig);
-        pixels.push_back(test::seen(flat ? Vector3d(5 * point / point.z()) : point, rig));
+        pixels.push_back(
+            test::projected_match(flat ? Vector3d(5 * point / point.z()) : point, rig));
       }
       const auto found = five_point(calibrated(pixels, rig));
       REQUIRE(found);
       double nearest = 1;
-      for (const Matrix3d& e : *found) nearest = std::min(nearest, apart(e, true_essential(rig)));
+      for (const Matrix3d& e : *found)
+        nearest = std::min(nearest, matrix_distance(e, true_essential(rig)));
       INFO(step.transpose() << " " << flat);
       CHECK(nearest < 1e-5);
     }
@@ -219,7 +223,8 @@ TEST_CASE("one of the four poses sees all matches in front of both cameras (C-10
     CHECK(direction_error(chosen->pose.translation, rig.pose.translation) < 1e-13);
     // Each of the four poses gives E up to its sign.
     for (const RelativePose& pose : poses_of(true_essential(rig))) {
-      CHECK(apart(essential<double>(pose.rotation, pose.translation), true_essential(rig)) < 1e-14);
+      CHECK(matrix_distance(essential<double>(pose.rotation, pose.translation),
+                            true_essential(rig)) < 1e-14);
     }
   }
 }
@@ -244,7 +249,7 @@ TEST_CASE("a plane leaves rank 6, which is reported (C-102)") {
   Matches pixels;
   for (int i = 0; i < 20; ++i) {
     const Vector3d point = test::random_point(random, rig);
-    pixels.push_back(test::seen(5 * point / point.z(), rig));
+    pixels.push_back(test::projected_match(5 * point / point.z(), rig));
   }
   CHECK(linear_fit(normalised(pixels)->matches)->rank() == 6);
   CHECK(linear_fit(normalised(random_matches(random, rig, 20))->matches)->rank() == 8);

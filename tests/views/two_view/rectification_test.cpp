@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/rectification.h"
 
 namespace glassbox::views {
@@ -28,7 +28,7 @@ TEST_CASE("rectified matches lie on one row, and their distance is f B/Z") {
     REQUIRE(found);
     for (int k = 0; k < 20; ++k) {
       const Vector3d point = test::random_point(random, rig);
-      const Match match = test::seen(point, rig);
+      const Match match = test::projected_match(point, rig);
       const Vector2d left = (found->left * match.left.homogeneous()).hnormalized();
       const Vector2d right = (found->right * match.right.homogeneous()).hnormalized();
       CHECK(std::abs(left.y() - right.y()) < 1e-9);

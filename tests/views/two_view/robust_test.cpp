@@ -6,11 +6,11 @@
 
 #include <glassbox/base/trig.h>
 
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/constraint.h"
 #include "views/two_view/estimate.h"
 #include "views/two_view/linear_fit.h"
-#include "views/two_view/model.h"
+#include "views/two_view/pair_kind.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/ransac.h"
 #include "views/two_view/refinement.h"
@@ -20,9 +20,9 @@
 namespace glassbox::views {
 namespace {
 
+using test::projected_match;
 using test::random_matches;
 using test::random_rig;
-using test::seen;
 
 TEST_CASE("as many samples as the law says (D-22)") {
   CHECK(std::ceil(samples_needed(0.5, 5, 0.99)) == 146);  // 145.05
@@ -36,7 +36,7 @@ TEST_CASE("Sampson's distance is how far the nearest pair is, to first order") {
   std::mt19937 random(30);
   for (int i = 0; i < 100; ++i) {
     const StereoRig rig = random_rig(random);
-    Match pixels = seen(test::random_point(random, rig), rig);
+    Match pixels = projected_match(test::random_point(random, rig), rig);
     pixels.left += test::noise(random, 1);
     pixels.right += test::noise(random, 1);
     const Matrix3d f = fundamental_of(rig);
@@ -60,17 +60,18 @@ struct Estimated {
   double rotation, direction;  // errors in degrees
 };
 
-struct Off {
+struct PoseErrors {
   double rotation, direction;  // errors in degrees
 };
 
-std::optional<Off> pose_off(const StereoRig& rig, const Matches& pixels, Estimator estimator,
-                            const RansacOptions& options) {
+std::optional<PoseErrors> pose_errors(const StereoRig& rig, const Matches& pixels,
+                                      Estimator estimator, const RansacOptions& options) {
   const auto found =
       estimate_pose(pixels, rig.left_intrinsic, rig.right_intrinsic, estimator, options);
   if (!found) return {};
-  return Off{degrees_from_radians(rotation_error(found->pose.rotation, rig.pose.rotation)),
-             degrees_from_radians(direction_error(found->pose.translation, rig.pose.translation))};
+  return PoseErrors{
+      degrees_from_radians(rotation_error(found->pose.rotation, rig.pose.rotation)),
+      degrees_from_radians(direction_error(found->pose.translation, rig.pose.translation))};
 }
 
 TEST_CASE("half outliers and a pixel of noise: within 0.2 and 1 degree on 95 of 100 seeds") {
@@ -83,7 +84,7 @@ TEST_CASE("half outliers and a pixel of noise: within 0.2 and 1 degree on 95 of 
     RansacOptions options;
     options.threshold = 3;
     options.seed = seed;
-    const auto off = pose_off(rig, pixels, Estimator::kFivePoint, options);
+    const auto off = pose_errors(rig, pixels, Estimator::kFivePoint, options);
     const bool is_good = off && off->rotation <= 0.2 && off->direction <= 1;
     good += is_good;
     if (!is_good && off)
@@ -121,7 +122,7 @@ TEST_CASE("refinement lessens the distances, and finds what has none") {
 }
 
 PairKind kind_of(const Matches& pixels, const StereoRig& rig, double sigma) {
-  const auto judged = judge_pair(pixels, rig.left_intrinsic, rig.right_intrinsic, sigma);
+  const auto judged = classify_pair(pixels, rig.left_intrinsic, rig.right_intrinsic, sigma);
   REQUIRE(judged);
   UNSCOPED_INFO(judged->cost_of_fundamental << " " << judged->cost_of_homography << " "
                                             << judged->cost_of_rotation << " "
@@ -139,7 +140,8 @@ TEST_CASE("a turned camera, a plane and a critical surface are named (C-101 to C
 
     StereoRig turned = rig;
     turned.pose.translation.setZero();
-    CHECK(kind_of(random_matches(random, turned, 60, kSigma), turned, kSigma) == PairKind::kTurned);
+    CHECK(kind_of(random_matches(random, turned, 60, kSigma), turned, kSigma) ==
+          PairKind::kPureRotation);
 
     const Vector3d normal =
         (Vector3d(0, 0, -1) + 0.3 * test::random_direction(random)).normalized();
@@ -147,7 +149,7 @@ TEST_CASE("a turned camera, a plane and a critical surface are named (C-101 to C
     for (int k = 0; k < 60; ++k) {
       const Vector3d ray = test::random_point(random, rig);
       const Vector3d point = ray * (-6 / ray.dot(normal));
-      Match match = seen(point, rig);
+      Match match = projected_match(point, rig);
       match.left += test::noise(random, kSigma);
       match.right += test::noise(random, kSigma);
       flat.push_back(match);
@@ -168,7 +170,7 @@ TEST_CASE("points on a ruled quadric through both centres leave a second matrix 
     while (pixels.size() < 60) {
       const double x = test::uniform(random, -1.5, 2.5), z = test::uniform(random, 4, 8);
       const double y = -(x * x - x) / z;
-      Match match = seen({x, y, z}, rig);
+      Match match = projected_match({x, y, z}, rig);
       match.left += test::noise(random, sigma);
       match.right += test::noise(random, sigma);
       pixels.push_back(match);

@@ -6,22 +6,22 @@
 
 #include <Eigen/LU>
 
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/triangulation.h"
 
 namespace glassbox::views {
 namespace {
 
+using test::projected_match;
 using test::random_point;
 using test::random_rig;
-using test::seen;
 
 TEST_CASE("without noise every triangulator gives the point, and rays have no gap") {
   std::mt19937 random(20);
   for (int i = 0; i < 300; ++i) {
     const StereoRig rig = random_rig(random);
     const Vector3d point = random_point(random, rig);
-    const Match pixels = seen(point, rig);
+    const Match pixels = projected_match(point, rig);
     const double angle = std::acos(
         std::min(1.0, point.normalized().dot((point - rig.pose.translation).normalized())));
     if (angle < 0.01) continue;  // nearly along the baseline: rounding errors grow by 1/angle^2
@@ -40,7 +40,7 @@ TEST_CASE("corrected pixels fulfil the constraint, and no pair nearer to the giv
   std::mt19937 random(21);
   for (int i = 0; i < 300; ++i) {
     const StereoRig rig = random_rig(random);
-    Match pixels = seen(random_point(random, rig), rig);
+    Match pixels = projected_match(random_point(random, rig), rig);
     pixels.left += test::noise(random, 1);
     pixels.right += test::noise(random, 1);
     const Matrix3d f = fundamental_of(rig).normalized();
@@ -103,7 +103,7 @@ TEST_CASE("sigma_Z = Z^2 sqrt(2) sigma/(f B), and all triangulators have it (S2-
     for (const Triangulator how : kTriangulators) {
       std::vector<double> z, x;
       for (int i = 0; i < kSamples; ++i) {
-        Match pixels = seen(point, rig);
+        Match pixels = projected_match(point, rig);
         pixels.left += test::noise(random, kSigma);
         pixels.right += test::noise(random, kSigma);
         const Vector4d found = triangulate(how, pixels, rig).point;

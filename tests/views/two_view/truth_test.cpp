@@ -8,7 +8,7 @@
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/render/stereo/disparity.h>
 
-#include "tests/views/two_view/sample.h"
+#include "tests/views/two_view/random_rigs.h"
 #include "views/two_view/estimate.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/residual.h"
@@ -27,8 +27,8 @@ Scene room() {
 }
 
 View centre_of(const Scene& scene) {
-  const auto view =
-      make_view(scene.cameras.empty() ? *frame(scene, 4.0 / 3) : scene.cameras[0], kWidth, kHeight);
+  const auto view = make_view(
+      scene.cameras.empty() ? *framing_camera(scene, 4.0 / 3) : scene.cameras[0], kWidth, kHeight);
   REQUIRE(view);
   return *view;
 }
@@ -71,12 +71,12 @@ TEST_CASE("of a parallel pair the places are those of the disparity map") {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const TrueMatch& match = truth.at(x, y);
-      if (match.fate == OtherEye::kNothingDrawn) continue;
+      if (match.visibility == OtherEyeVisibility::kNothingDrawn) continue;
       ++drawn_pixels;
       // Positions in the map are floats of some hundred pixels.
       CHECK(std::abs(double(match.x) - (x + 0.5 + double(disparity.at(x, y)))) < 1e-3);
       CHECK(std::abs(double(match.y) - (y + 0.5)) < 1e-4);
-      alike += match.fate == maps.left.at(x, y);
+      alike += match.visibility == maps.left.at(x, y);
     }
   }
   // The disparity map looks only along one row.
@@ -95,7 +95,7 @@ TEST_CASE("what the right eye sees, it sees the left one see") {
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const TrueMatch& match = there.at(x, y);
-        if (match.fate != OtherEye::kSeesIt) continue;
+        if (match.visibility != OtherEyeVisibility::kVisible) continue;
         ++seen;
         const TrueMatch& again = back.at(int(match.x), int(match.y));
         returned += std::hypot(double(again.x) - x - 0.5, double(again.y) - y - 0.5) < 1.5;

@@ -1,15 +1,15 @@
 // Requests of voxel colouring are carried out or refused.
 #include <tests/support/catch.h>
 
-#include "tests/views/voxels/flatland.h"
+#include "tests/views/voxels/flat_scene.h"
 
 namespace glassbox::views {
 
 using namespace test;
 
 TEST_CASE("what does not fit into memory is computed and refused before it is taken") {
-  FlatScene flat = flatland(8, 1, 4, {-1, 1});
-  flat.request.order = Order::kCarve;
+  FlatScene flat = make_flat_scene(8, 1, 4, {-1, 1});
+  flat.request.order = ColoringOrder::kCarve;
   flat.request.voxel_size = 8.0 / 4096;
   flat.request.box.high = {8, 8, 8};
   flat.request.most_bytes = std::uint64_t(1) << 30;
@@ -30,8 +30,8 @@ TEST_CASE("what does not fit into memory is computed and refused before it is ta
 }
 
 TEST_CASE("cameras whose numbers no float has are refused, and none is taken for a pixel") {
-  FlatScene flat = flatland(8, 1, 4, {-1, 1});
-  for (const Order order : {Order::kSweep, Order::kCarve}) {
+  FlatScene flat = make_flat_scene(8, 1, 4, {-1, 1});
+  for (const ColoringOrder order : {ColoringOrder::kSweep, ColoringOrder::kCarve}) {
     for (const Footprint footprint : {Footprint::kCentre, Footprint::kBox, Footprint::kHull}) {
       flat.request.order = order;
       flat.request.settings.sampled = footprint;
@@ -64,8 +64,8 @@ TEST_CASE("cameras whose numbers no float has are refused, and none is taken for
 }
 
 TEST_CASE("what a request asks for is done or refused, and the result says what was done") {
-  FlatScene flat = flatland(8, 1, 4, {-1, 1});
-  paint(flat, {at(3, 0, 2, kRed)});
+  FlatScene flat = make_flat_scene(8, 1, 4, {-1, 1});
+  paint(flat, {colored_voxel(3, 0, 2, kRed)});
   flat.request.direction = std::array<int, 2>{0, -1};
   const auto along_x = color_voxels(flat.set, flat.request);
   REQUIRE(along_x);
@@ -88,7 +88,7 @@ TEST_CASE("what a request asks for is done or refused, and the result says what 
     return refused.error().message();
   };
   ColoringRequest request = flat.request;
-  request.order = Order::kCarve;
+  request.order = ColoringOrder::kCarve;
   CHECK(refusal(request).find(
             "--direction: is for a single sweep, but carving sweeps along all six") !=
         std::string::npos);
@@ -99,9 +99,9 @@ TEST_CASE("what a request asks for is done or refused, and the result says what 
   flat.set.pictures[0].camera.centre = {-100, 0.5, 2};
   flat.set.pictures[1].camera.centre = {100, 0.5, 2};
   request = flat.request;
-  request.order = Order::kAuto;
+  request.order = ColoringOrder::kAuto;
   CHECK(refusal(request).find("cameras all around the box need carving") != std::string::npos);
-  request.order = Order::kSweep;
+  request.order = ColoringOrder::kSweep;
   CHECK(plan_coloring(flat.set, request));
 }
 

@@ -1,7 +1,7 @@
 // Voxel colouring of rings: pictures of a ball whose surface is known.
 #include <tests/support/catch.h>
 
-#include "tests/views/voxels/flatland.h"
+#include "tests/views/voxels/flat_scene.h"
 #include "tests/views/voxels/rig.h"
 
 namespace glassbox::views {
@@ -24,10 +24,10 @@ TEST_CASE("every target and every number of threads finds the same voxels, in ev
        }},
       {"lab", [](ColoringRequest& r) { r.settings.space = ColorSpace::kLab; }},
       {"levels", [](ColoringRequest& r) { r.levels = 1; }},
-      {"carving", [](ColoringRequest& r) { r.order = Order::kCarve; }},
+      {"carving", [](ColoringRequest& r) { r.order = ColoringOrder::kCarve; }},
       {"hulls, voxel after voxel", [](ColoringRequest& r) {
          r.settings.sampled = r.settings.hidden = Footprint::kHull;
-         r.settings.update = Update::kVoxel;
+         r.settings.update = OcclusionUpdate::kVoxel;
        }}};
   for (const Way& way : ways) {
     ColoringRequest request = request_for(set, 0.1);
@@ -46,7 +46,7 @@ TEST_CASE("every target and every number of threads finds the same voxels, in ev
         INFO(name_of(target) << ", " << threads << " threads");
         CHECK(again->voxels == first->voxels);
         CHECK(again->counts == first->counts);
-        CHECK(again->judged == first->judged);
+        CHECK(again->examined == first->examined);
       }
     }
   }
@@ -54,7 +54,7 @@ TEST_CASE("every target and every number of threads finds the same voxels, in ev
 
 TEST_CASE("with masks no voxel is coloured outside of the visual hull (S1-20)") {
   const PictureSet set = ring_of(speckled_sphere(6, 5), ring_options(9, {30}, 64));
-  for (const Order order : {Order::kSweep, Order::kCarve}) {
+  for (const ColoringOrder order : {ColoringOrder::kSweep, ColoringOrder::kCarve}) {
     ColoringRequest request = request_for(set, 0.05);
     request.order = order;
     const auto found = color_voxels(set, request);
@@ -86,8 +86,8 @@ TEST_CASE(
   Coloring carved, swept;
   const double by_carving = iou_of(scene, set, request, &carved);
   CHECK(carved.traversal == TraversalKind::kSurrounded);
-  CHECK(carved.order == Order::kCarve);
-  request.order = Order::kSweep;
+  CHECK(carved.order == ColoringOrder::kCarve);
+  request.order = ColoringOrder::kSweep;
   const double by_sweep = iou_of(scene, set, request, &swept);
   INFO("IoU " << by_carving << " and " << by_sweep);
   CHECK(by_carving > 0.8);
@@ -103,9 +103,9 @@ TEST_CASE(
   request.settings.threshold = 60;
   Coloring found;
   CHECK(iou_of(scene, set, request, &found) >= 0.95);
-  const SeenSurface seen = seen_surface(set, true_distances(scene, set).value(), found.grid);
+  const VisibleSurface seen = visible_surface(set, true_distances(scene, set).value(), found.grid);
   CHECK(surface_errors(found.voxels, seen).from_truth_most <= 3);
-  CHECK(seen.twice.size() > 10000);
+  CHECK(seen.in_two_pictures.size() > 10000);
   // With a threshold below the variation of the speckle within a pixel, one wrongly carved voxel
   // exposes those behind it.
   request.settings.threshold = 25;
@@ -120,17 +120,17 @@ TEST_CASE("coarse to fine finds nearly all, and looks at a small part") {
   request.levels = 2;
   const auto fine = color_voxels(set, request);
   REQUIRE(fine);
-  const auto all = places_of(full->voxels), some = places_of(fine->voxels);
+  const auto all = positions_of(full->voxels), some = positions_of(fine->voxels);
   std::size_t both = 0;
-  for (const Place& place : some) both += all.contains(place);
+  for (const VoxelTuple& position : some) both += all.contains(position);
   CHECK(double(both) > 0.9 * double(all.size()));
-  CHECK(fine->judged < full->judged / 2);
+  CHECK(fine->examined < full->examined / 2);
 }
 
 TEST_CASE("carving that is stopped says so") {
   const PictureSet set = ring_of(speckled_sphere(6, 6), ring_options(8, {0}, 32));
   ColoringRequest request = request_for(set, 0.15);
-  request.order = Order::kCarve;
+  request.order = ColoringOrder::kCarve;
   const auto whole = color_voxels(set, request);
   REQUIRE(whole);
   CHECK(whole->is_finished);

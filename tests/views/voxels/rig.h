@@ -11,7 +11,7 @@
 
 #include "views/rings/draw_ring.h"
 #include "views/voxels/coloring.h"
-#include "views/voxels/draw.h"
+#include "views/voxels/draw_voxels.h"
 #include "views/voxels/truth.h"
 
 namespace glassbox::views::test {

@@ -1,7 +1,7 @@
 // A sweep over rows and blocks of voxels, compared with one that examines each voxel by itself.
 #include <tests/support/catch.h>
 
-#include "tests/views/voxels/flatland.h"
+#include "tests/views/voxels/flat_scene.h"
 #include "tests/views/voxels/rig.h"
 #include "views/voxels/tiles.h"
 
@@ -12,7 +12,7 @@ using namespace test;
 namespace {
 
 struct OneByOne {
-  std::set<Place> colored;
+  std::set<VoxelTuple> colored;
   std::int64_t hidden = 0, alone = 0, background = 0;
 };
 
@@ -24,7 +24,7 @@ OneByOne one_by_one(const PictureSet& set, const ColoringSettings& settings, con
   std::vector<PackedPicture> pictures;
   std::vector<GridPicture> lenses;
   for (const CalibratedPicture& picture : set.pictures) {
-    pictures.push_back(pack(picture, settings));
+    pictures.push_back(pack_picture(picture, settings));
     lenses.push_back(grid_picture(grid, pictures.back()));
   }
   const PlaneLayers planes(grid, direction);
@@ -48,9 +48,9 @@ OneByOne one_by_one(const PictureSet& set, const ColoringSettings& settings, con
           const PackedPicture& picture = pictures[p];
           const Projected centre =
               projected(row_of(lenses[p], run.first, run.axis), run.begin() + i);
-          const PixelOf at = centre_pixel(centre, lenses[p].width, lenses[p].height);
+          const PixelPosition at = centre_pixel(centre, lenses[p].width, lenses[p].height);
           if (at.column < 0) {
-            is_background = is_background || picture.has_whole;
+            is_background = is_background || picture.shows_whole_object;
             continue;
           }
           const std::size_t pixel =
@@ -71,7 +71,7 @@ OneByOne one_by_one(const PictureSet& set, const ColoringSettings& settings, con
                 ? settings.k1 * (spread / double(sums.count)) + settings.k2 * kCodesPerLevel
                 : settings.threshold * kCodesPerLevel;
         if (!(sums.variance() < threshold * threshold)) continue;
-        const VoxelAt voxel = run.at(i);
+        const VoxelPosition voxel = run.at(i);
         result.colored.emplace(voxel.x, voxel.y, voxel.z);
         hide(run, i);
       }
@@ -103,7 +103,7 @@ TEST_CASE(
         const auto rows = color_voxels(*set, request);
         REQUIRE(rows);
         const OneByOne right = one_by_one(*set, settings, rows->grid, rows->direction, request.box);
-        CHECK(right.colored == places_of(rows->voxels));
+        CHECK(right.colored == positions_of(rows->voxels));
         CHECK(right.hidden == rows->counts[std::size_t(Verdict::kHidden)]);
         CHECK(right.alone == rows->counts[std::size_t(Verdict::kAlone)]);
         CHECK(right.colored.size() > 200);
@@ -121,8 +121,8 @@ TEST_CASE("tiles say of a block of voxels what every one of its pixels says") {
   const VoxelGrid grid = plan_coloring(set, request).value().grid;
   int backgrounds = 0, hiddens = 0, tight = 0;
   for (const CalibratedPicture& shown : set.pictures) {
-    PackedPicture picture = pack(shown, request.settings);
-    picture.has_whole = random.integer(0, 1) == 1;
+    PackedPicture picture = pack_picture(shown, request.settings);
+    picture.shows_whole_object = random.integer(0, 1) == 1;
     PixelTiles tiles(picture);
     // The pixels of a disc are hidden, some of them twice.
     for (int y = 0; y < 64; ++y) {
@@ -156,17 +156,18 @@ TEST_CASE("tiles say of a block of voxels what every one of its pixels says") {
                                v >= double(rect->top) && v < double(rect->bottom) + 1;
             REQUIRE(is_in);
             tight += x0 == x1 && y0 == y1 && z0 == z1 && rect->right - rect->left == 2;
-            const PixelOf at = centre_pixel(p, lens.width, lens.height);
+            const PixelPosition at = centre_pixel(p, lens.width, lens.height);
             const bool is_beside = at.column < 0;
             const std::uint32_t word =
                 is_beside ? 0 : picture.words[std::size_t(at.row) * 64 + std::size_t(at.column)];
             if (is_background) {
-              const bool agrees = is_beside ? picture.has_whole : (word & kBackground) != 0;
+              const bool agrees =
+                  is_beside ? picture.shows_whole_object : (word & kBackground) != 0;
               REQUIRE(agrees);
             }
             if (is_hidden) {
-              const bool agrees =
-                  is_beside ? !picture.has_whole : (word & (kHidden | kBackground)) == kHidden;
+              const bool agrees = is_beside ? !picture.shows_whole_object
+                                            : (word & (kHidden | kBackground)) == kHidden;
               REQUIRE(agrees);
             }
           }

@@ -7,9 +7,9 @@
 #include <glassbox/base/random.h>
 
 #include "views/voxels/footprint.h"
-#include "views/voxels/layers_of.h"
 #include "views/voxels/statistics.h"
 #include "views/voxels/traversal.h"
+#include "views/voxels/voxel_layers.h"
 
 namespace glassbox::views {
 namespace {
@@ -118,7 +118,9 @@ TEST_CASE(
   const std::vector<Vector3d> cameras{{8.5, 7.5, 5.5}, {10.5, 6.2, 5.1}, {9.9, 8.8, 6.7}};
   const ShellLayers shells(grid, cameras);
   std::vector<int> shell_of(std::size_t(grid.voxels()), -1);
-  const auto index = [&](const VoxelAt& at) { return std::size_t((at.z * 15 + at.y) * 20 + at.x); };
+  const auto index = [&](const VoxelPosition& at) {
+    return std::size_t((at.z * 15 + at.y) * 20 + at.x);
+  };
   std::int64_t visited = 0;
   for (int k = 0; k < shells.count(); ++k) {
     for (const VoxelRun& run : shells.runs(k)) {
@@ -295,7 +297,7 @@ TEST_CASE("footprints have the pixels that brute force finds, and at least the c
       for (int i = 0; i < 8; ++i)
         corners[std::size_t(i)] = project(camera, grid.world(i & 1, i >> 1 & 1, i >> 2)).head<2>();
       Image<int> found[3] = {{64, 64, 0}, {64, 64, 0}, {64, 64, 0}};
-      const PixelOf pixel = centre_pixel(centre, 64, 64);
+      const PixelPosition pixel = centre_pixel(centre, 64, 64);
       for (const Footprint footprint : {Footprint::kCentre, Footprint::kBox, Footprint::kHull}) {
         for_each_pixel(lens, centre, footprint,
                        [&](int x, int y) { ++found[std::size_t(footprint)].at(x, y); });

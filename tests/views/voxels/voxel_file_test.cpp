@@ -3,7 +3,7 @@
 
 #include <glassbox/mesh/ply/load.h>
 
-#include "tests/views/voxels/flatland.h"
+#include "tests/views/voxels/flat_scene.h"
 #include "tests/views/voxels/rig.h"
 #include "views/voxels/voxel_file.h"
 
@@ -14,7 +14,8 @@ using namespace test;
 TEST_CASE("voxels are written as cubes without inner faces, which are read again") {
   VoxelGrid grid;
   grid.size = 0.5;
-  const std::vector<ColoredVoxel> voxels{at(0, 0, 0, kRed), at(1, 0, 0, kBlue)};
+  const std::vector<ColoredVoxel> voxels{colored_voxel(0, 0, 0, kRed),
+                                         colored_voxel(1, 0, 0, kBlue)};
   const auto scene = load_ply_memory(voxels_ply(grid, voxels, VoxelShape::kCubes));
   REQUIRE(scene);
   REQUIRE(scene->meshes.size() == 1);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "labs/framework/vary.h"
+#include "labs/framework/varied_inputs.h"
 
 inline std::vector<double> inputs() {
   return {1, -3, 0.5, 8};

@@ -1,0 +1,39 @@
+#include <glassbox/compare/report/heat_map_file.h>
+
+#include <glassbox/compare/metrics/flip.h>
+#include <glassbox/compare/pixels/explanation.h>
+#include <glassbox/compare/pixels/heat_map.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox {
+
+Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKind of) {
+  if (!comparison.differences) {
+    return fail(comparison.name, "the two pictures cannot be compared pixel by pixel",
+                "give both the same size, channels and format");
+  }
+  const auto reference = read_stored(comparison.reference.path);
+  if (!reference) return tl::unexpected(reference.error());
+  const auto test = read_stored(comparison.test.path);
+  if (!test) return tl::unexpected(test.error());
+  if (!explain_format_mismatch(*reference, *test).empty()) {
+    return fail(comparison.name, "a file has changed since it was compared", "compare again");
+  }
+  const auto selection = selection_of(*reference, comparison.ignore, comparison.mask);
+  if (!selection) return tl::unexpected(selection.error());
+  const PicturePair pair{*reference, *test, *selection, comparison.nan_equals_nan};
+  if (of == HeatMapKind::kSteps) return heat_map(pair);
+  if (std::holds_alternative<std::vector<float>>(reference->samples)) {
+    return fail(comparison.name, "FLIP is not defined for pictures of floats",
+                "leave --heat flip out");
+  }
+  return flip_heat_map(pair);
+}
+
+Result<void> write_heat_map(const std::string& path, const Comparison& comparison, HeatMapKind of) {
+  const auto levels = heat_levels(comparison, of);
+  if (!levels) return tl::unexpected(levels.error());
+  return write_image(path, heat_picture(*levels));
+}
+
+}  // namespace glassbox

@@ -1,0 +1,27 @@
+// The heat map of a comparison as a picture file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox {
+
+enum class HeatMapKind : std::uint8_t {
+  kSteps,  // the largest difference of a channel
+  kFlip,   // the error that FLIP computes
+};
+
+// Returns the levels of compare/pixels/heat_map.h, one per pixel. Both files are read again. An
+// error where the two cannot be compared pixel by pixel.
+Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison,
+                                        HeatMapKind of = HeatMapKind::kSteps);
+
+// Writes these levels as a picture, .png or .ppm.
+Result<void> write_heat_map(const std::string& path, const Comparison& comparison,
+                            HeatMapKind of = HeatMapKind::kSteps);
+
+}  // namespace glassbox

@@ -1,0 +1,148 @@
+#include "labs/framework/judge_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "labs/framework/slips.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& failure) {
+  failure.text = answer.text;
+  switch (answer.state) {
+    case CaseAnswer::State::kMissing:
+      return Verdict::kMissing;
+    case CaseAnswer::State::kThrew:
+      return Verdict::kThrew;
+    case CaseAnswer::State::kCrashed:
+      return Verdict::kCrash;
+    case CaseAnswer::State::kTimeout:
+      return Verdict::kTimeout;
+    case CaseAnswer::State::kLimit:
+      return Verdict::kLimit;
+    case CaseAnswer::State::kMalformed:
+      return Verdict::kMalformed;
+    case CaseAnswer::State::kAnswered:
+      break;
+  }
+  failure.divergence = judge_case(input, answer.answer);
+  return failure.divergence ? Verdict::kWrong : Verdict::kRight;
+}
+
+// Adds the field that diverges, from which a report makes its pictures and map.
+void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
+  if (!failure.divergence) return;
+  const auto* actual = find_field(answer, failure.divergence->field);
+  if (actual != nullptr) failure.actual = *actual;
+  for (const Expected& expected : input.expected) {
+    if (expected.field != failure.divergence->field) continue;
+    failure.expected = expected;
+    if (!input.judge && actual != nullptr) failure.comparison = compare(expected, *actual);
+  }
+}
+
+// A check's result before any case of it is judged.
+CheckResult unjudged_result(const Check& check, std::size_t cases, double points) {
+  return {.name = check.name,
+          .task = check.task,
+          .stage = check.stage,
+          .hidden = check.hidden,
+          .all_or_nothing = check.all_or_nothing,
+          .max_score = points * double(cases)};
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  constexpr const char* kNames[] = {
+      "right",   "wrong answer",   "no answer",        "exception", "crash",
+      "timeout", "limit exceeded", "malformed output", "not built", "not written yet"};
+  static_assert(std::size(kNames) == std::size_t(Verdict::kUntouched) + 1);
+  return kNames[int(verdict)];
+}
+
+CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
+                        const CheckAnswers& answers, double points) {
+  CheckResult result = unjudged_result(check, cases.size(), points);
+  result.printed = answers.printed;
+  result.seconds = answers.seconds;
+  const CaseAnswer none;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CaseAnswer& answer = i < answers.cases.size() ? answers.cases[i] : none;
+    FirstFailure failure;
+    failure.index = i;
+    const Verdict verdict = verdict_of(cases[i], answer, failure);
+    result.cases.push_back(verdict);
+    if (verdict == Verdict::kRight) {
+      ++result.right;
+      continue;
+    }
+    if (result.first) continue;
+    failure.verdict = result.verdict = verdict;
+    failure.where = cases[i].where;
+    failure.restated = cases[i].restated;
+    add_field(cases[i], answer.answer, failure);
+    if (verdict == Verdict::kMissing) failure.text = answers.malformed;
+    result.first = std::move(failure);
+  }
+  // A line that is no answer at all costs the cases that it should have answered; they count as
+  // missing.
+  if (result.verdict == Verdict::kMissing && !answers.malformed.empty()) {
+    result.verdict = result.first->verdict = Verdict::kMalformed;
+  }
+  // If all cases are right, the score is the full marks exactly, without rounding errors.
+  result.score = result.right == cases.size() ? result.max_score
+                 : check.all_or_nothing       ? 0
+                                              : points * double(result.right);
+  if (result.first) result.slips = find_slips(cases, answers.cases);
+  return result;
+}
+
+bool same_answers(const CheckAnswers& a, const CheckAnswers& b) {
+  const auto same_number = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  const auto same_field = [&](const Answer::Field& x, const Answer::Field& y) {
+    return x.name == y.name && std::equal(x.values.begin(), x.values.end(), y.values.begin(),
+                                          y.values.end(), same_number);
+  };
+  return std::equal(a.cases.begin(), a.cases.end(), b.cases.begin(), b.cases.end(),
+                    [&](const CaseAnswer& x, const CaseAnswer& y) {
+                      const auto &f = x.answer.fields(), &g = y.answer.fields();
+                      return x.state == y.state && x.text == y.text &&
+                             std::equal(f.begin(), f.end(), g.begin(), g.end(), same_field);
+                    });
+}
+
+CheckResult not_built_check(const Check& check, std::size_t cases, double points) {
+  CheckResult result = unjudged_result(check, cases, points);
+  result.verdict = Verdict::kNotBuilt;
+  result.cases.assign(cases, Verdict::kNotBuilt);
+  return result;
+}
+
+LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
+  LabResult result{.number = lab.number, .folder = lab.folder, .title = lab.title};
+  for (const Task& task : lab.tasks) {
+    TaskResult sum{task.id, task.title, 0, 0};
+    for (const CheckResult& check : checks) {
+      if (check.task != task.id) continue;
+      sum.score += check.score;
+      sum.max_score += check.max_score;
+    }
+    result.score += sum.score;
+    result.max_score += sum.max_score;
+    result.hidden_points += task.points - sum.max_score;
+    result.tasks.push_back(sum);
+  }
+  // A remainder caused by rounding does not mean that there is a hidden check.
+  if (result.hidden_points < 1e-9) result.hidden_points = 0;
+  result.checks = std::move(checks);
+  return result;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,109 @@
+#include <glassbox/render/trace/coverage_miss.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glassbox/base/elementary.h>
+#include <glassbox/raster/snap.h>
+
+namespace glassbox {
+
+namespace {
+
+// Finds the edge whose line the centre is furthest outside of; the distance is negative if the
+// centre is inside all edges. As a function of x the distance is convex: the largest of three
+// linear functions.
+CentreMiss furthest_outside(const TriangleSetup& triangle, int x, int y) {
+  const std::int64_t centre_x = std::int64_t(x) * kSubpixels + kPixelCentre;
+  const std::int64_t centre_y = std::int64_t(y) * kSubpixels + kPixelCentre;
+  CentreMiss miss{x, y, 0, 0, -std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeFunction& edge = triangle.edges[k];
+    const std::int64_t value = edge.at(centre_x, centre_y);
+    const double outside = -double(value) / hypotenuse(double(edge.a), double(edge.b));
+    const bool unowned_tie = outside == miss.subpixels && value == 0 && !edge.owns_zero;
+    if (outside > miss.subpixels || unowned_tie) {
+      miss.edge = k;
+      miss.value = value;
+      miss.subpixels = outside + 0.0;  // never -0
+    }
+  }
+  return miss;
+}
+
+CentreMiss nearest_in_row(const TriangleSetup& triangle, int x0, int x1, int y) {
+  while (x1 - x0 > 1) {
+    const int middle = x0 + (x1 - x0) / 2;
+    const bool falling = furthest_outside(triangle, middle, y).subpixels <
+                         furthest_outside(triangle, middle - 1, y).subpixels;
+    (falling ? x0 : x1) = middle;
+  }
+  return furthest_outside(triangle, x0, y);
+}
+
+}  // namespace
+
+bool contains(const PixelRect& pixels, int x, int y) {
+  return x >= pixels.x0 && x < pixels.x1 && y >= pixels.y0 && y < pixels.y1;
+}
+
+PixelRect pixels_touched(std::span<const ScreenVertex> vertices) {
+  PixelRect box{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
+                std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
+  for (const ScreenVertex& vertex : vertices) {
+    // The guard band keeps positions well inside the range of int.
+    const int x = int(std::floor(vertex.position.x)), y = int(std::floor(vertex.position.y));
+    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
+           std::max(box.y1, y + 1)};
+  }
+  return box;
+}
+
+std::optional<CentreMiss> miss_at(const TriangleSetup& triangle, int x, int y) {
+  const CentreMiss miss = furthest_outside(triangle, x, y);
+  if (triangle.edges[miss.edge].covers(miss.value)) return std::nullopt;
+  return miss;
+}
+
+CentreMiss nearest_miss(const TriangleSetup& triangle, const PixelRect& pixels) {
+  CentreMiss nearest;
+  nearest.subpixels = std::numeric_limits<double>::infinity();
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    const CentreMiss miss = nearest_in_row(triangle, pixels.x0, pixels.x1, y);
+    if (miss.subpixels < nearest.subpixels) nearest = miss;
+  }
+  return nearest;
+}
+
+// Two convex figures have no area in common if and only if the line through a side of one of them
+// separates them.
+std::optional<OutsideDistances> outside_distances(const TracedPiece& piece,
+                                                  const PixelRect& picture) {
+  const std::array<SnappedVertex, 3> v{snap(piece.vertices[0]), snap(piece.vertices[1]),
+                                       snap(piece.vertices[2])};
+  const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+  const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+  const std::int64_t x0 = std::int64_t(picture.x0) * kSubpixels;
+  const std::int64_t x1 = std::int64_t(picture.x1) * kSubpixels;
+  const std::int64_t y0 = std::int64_t(picture.y0) * kSubpixels;
+  const std::int64_t y1 = std::int64_t(picture.y1) * kSubpixels;
+  if (right <= x0 || left >= x1 || bottom <= y0 || top >= y1) {
+    const auto beyond = [](std::int64_t by) { return std::max<std::int64_t>(by, 0); };
+    return OutsideDistances{
+        beyond(x0 - right), beyond(y0 - bottom), beyond(left - x1), beyond(top - y1), {}};
+  }
+  for (const EdgeFunction& edge : piece.setup->edges) {
+    std::int64_t nearest = std::numeric_limits<std::int64_t>::min();
+    for (const std::int64_t x : {x0, x1}) {
+      for (const std::int64_t y : {y0, y1}) nearest = std::max(nearest, edge.at(x, y));
+    }
+    if (nearest > 0) continue;
+    OutsideDistances outside;
+    outside.beyond_edge = -double(nearest) / hypotenuse(double(edge.a), double(edge.b));
+    return outside;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glassbox

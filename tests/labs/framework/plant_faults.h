@@ -1,0 +1,36 @@
+// Plants a lab's faults (faults.json) in its solution, each by itself or all in one program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labs/framework/lab.h"
+#include "labs/framework/sources.h"
+
+namespace glassbox::labs {
+
+// A violated sentence of a contract: `find`, which occurs once in the solution, becomes `replace`.
+struct Fault {
+  std::string name;  // describes what is wrong
+  std::string find, replace;
+  std::string task;
+  std::string slip = {};  // slip that a report must name; if empty, it must name none
+  bool headline = false;  // violates the task's main requirement: a visible check must find it
+  // stage that a report must name; only for faults that are compiled by themselves
+  std::string stage = {};
+};
+
+// Returns the faults in the order of the file.
+std::vector<Fault> faults_of(const Sources& sources, const Lab& lab);
+
+std::string with_fault(const std::string& solution, const Fault& fault);
+
+// Returns one student.cpp with all faults, which needs only one compilation. The solution is a
+// class with the functions of student.h, each fault is a class that overrides what it changes, and
+// the environment variable kPlanted is the number of the class to call; 0 or unset means the
+// solution.
+inline constexpr const char* kPlanted = "GLASSBOX_PLANTED";
+std::string solution_with_all_faults(const std::string& header, const std::string& solution,
+                                     const std::vector<Fault>& faults);
+
+}  // namespace glassbox::labs

@@ -1,0 +1,34 @@
+// Averages costs over pixels that are likely to be on the same surface.
+#pragma once
+
+#include <cstdint>
+
+#include <glassbox/images/image.h>
+
+#include "views/matching/color_planes.h"
+#include "views/matching/cost_volume.h"
+#include "views/matching/settings.h"
+
+namespace glassbox::views {
+
+// The number of pixels in each arm of a pixel's cross, without the pixel itself.
+struct Arms {
+  std::uint8_t left = 0, right = 0, up = 0, down = 0;
+};
+
+// Arms that stop where a channel differs from the centre's by more than 20, or, beyond 17 pixels,
+// by more than 6. They have at most `longest` pixels, up to 255 (lengths and thresholds are those
+// of Mei et al. 2011).
+inline constexpr int kLongestArm = 34;  // px
+Image<Arms> adaptive_arms(const ColorPlanes& picture, int longest = kLongestArm);
+
+// Arms of a square window, cut off at the picture's edge.
+Image<Arms> square_arms(int width, int height, int radius);
+
+// Each cost becomes a mean along its pixel's row, and then the mean of these along the column; or
+// the column first.
+enum class AggregationOrder : std::uint8_t { kRows, kColumns };
+void average_costs(CostVolume& volume, const Image<Arms>& arms, AggregationOrder first,
+                   Target target);
+
+}  // namespace glassbox::views
