@@ -59,6 +59,9 @@ if(GLASSBOX_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_compile_options(${sanitizers})
   add_link_options(${sanitizers})
+  # The standard library then ends the program if an empty std::optional is read, or an element that
+  # is not there: the sanitizers see neither, if the memory is the program's own.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
 if(GLASSBOX_SOME_TESTS)
   add_compile_definitions(GLASSBOX_FEW_TARGETS)  # see raster/lanes/compiled_targets.h

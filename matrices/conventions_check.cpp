@@ -69,8 +69,8 @@ struct SetupFacts {
   }
 };
 
-// Adds evidence for a change (positive weight) or against it (negative), with a sentence for the
-// report if there is one.
+// Adds evidence for a change (positive weight) or against it (negative weight), with a sentence for
+// the report if there is one.
 void add_reason(Alternative& found, double weight, std::string reason = "") {
   found.score += weight;
   if (!reason.empty()) found.reasons.push_back(std::move(reason));
@@ -124,7 +124,7 @@ void weigh_hand(const MatrixSetup& changed, const ProjectedPoints& before,
   if (changed.world) {
     add_reason(found, *changed.world == *drawn ? 4 : -4,
                *changed.world == *drawn ? "the handedness of your world then fits" : "");
-  } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
+  } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL or Vulkan
     add_reason(found, *drawn == Handedness::kRight ? 1 : -1);
   }
 }
@@ -137,24 +137,24 @@ void weigh_range(const SetupFacts& before, const MatrixSetup& changed, Alternati
                  planes_text(*likely) + ", which are round numbers");
 }
 
-void weigh(SetupChange change, const MatrixSetup& changed, const SetupFacts& judged,
+// Adds the evidence for one change. `facts` are those of the setup that the change was made to.
+void weigh(SetupChange change, const MatrixSetup& changed, const SetupFacts& facts,
            const ProjectedPoints& before, const ProjectedPoints& after, Alternative& found) {
   switch (change) {
     case SetupChange::kEyeHand:
     case SetupChange::kTurnRound:
       return weigh_hand(changed, before, after, found);
     case SetupChange::kDepthRange:
-      return weigh_range(judged, changed, found);
+      return weigh_range(facts, changed, found);
     case SetupChange::kDegrees:
       return add_reason(found, 6,
                         "[1][1] is the cotangent of half of " +
-                            std::to_string(*judged.projection.degrees_taken_as_radians) +
+                            std::to_string(*facts.projection.degrees_taken_as_radians) +
                             " radians");
     case SetupChange::kRadians:
-      if (!judged.projection.radians_taken_as_degrees) return;
       return add_reason(found, 6,
                         "the angle of view is " +
-                            std::to_string(*judged.projection.radians_taken_as_degrees) +
+                            std::to_string(*facts.projection.radians_taken_as_degrees) +
                             " degrees in radians");
     case SetupChange::kClearCorner:
       return add_reason(found, 6, "[3][3] is 1, as in the identity");
@@ -163,7 +163,8 @@ void weigh(SetupChange change, const MatrixSetup& changed, const SetupFacts& jud
   }
 }
 
-// The map of a setup from points to clip space. Different setups can have the same one.
+// The map from points to clip space that a setup makes. Different setups can make the same map,
+// which is tried only once.
 struct Map {
   glm::dmat4 clip_from_object;
   bool z_from_minus_w;
@@ -219,7 +220,8 @@ private:
   }
 
   // With two changes a single point can be moved nearly anywhere. So a pair of changes is reported
-  // only if the matrices show evidence for it, or if it shows all of at least three points.
+  // only if the matrices show evidence for it, or if it makes all points visible and there are at
+  // least three.
   bool is_credible(const Alternative& pair) const {
     constexpr double kSomethingInTheMatrices = 4;
     return pair.score >= kSomethingInTheMatrices ||
@@ -229,6 +231,7 @@ private:
   void try_changes(const ConventionMistake& mistake, const ConventionMistake* second) {
     MatrixSetup changed = setup_;
     if (!mistake.undo(changed)) return;
+    const MatrixSetup between = changed;
     if (second != nullptr && !second->undo(changed)) return;
     const Map map(changed);
     if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
@@ -256,7 +259,9 @@ private:
     weigh_soundness(given_facts_, judged, found);
     weigh_eyepoint(given_facts_, judged, found);
     weigh(mistake.change, changed, given_facts_, before_, after, found);
-    if (second != nullptr) weigh(second->change, changed, given_facts_, before_, after, found);
+    // The evidence of the second mistake shows only when the first one is undone.
+    if (second != nullptr)
+      weigh(second->change, changed, SetupFacts(between), before_, after, found);
     if (second != nullptr && !is_credible(found)) return;
     report_.alternatives.push_back(std::move(found));
   }

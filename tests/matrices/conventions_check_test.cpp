@@ -277,6 +277,28 @@ TEST_CASE("two slips at once are found together") {
   CHECK(found > tried * 9 / 10);
 }
 
+TEST_CASE("the evidence of a second slip is taken from the matrices in which it shows") {
+  Random random(442);
+  int found = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Scene s = random_scene(random);
+    const auto degrees = std::lround(s.fovy / book::radians(1));
+    const Rows slipped = book::perspective_gl(double(degrees), s.aspect, s.near, s.far);
+    const MatrixSetup set = setup(s.model(), s.view(), book::transposed(slipped));
+    const ConventionsReport report = check_conventions(set, kWindow, s.points);
+    const std::string angle = "half of " + std::to_string(degrees) + " radians";
+    for (const Alternative& one : report.alternatives) {
+      if (one.change != SetupChange::kDegrees && one.second != SetupChange::kDegrees) continue;
+      ++found;
+      CAPTURE(i, degrees, one.reasons);
+      CHECK(std::any_of(one.reasons.begin(), one.reasons.end(), [&](const std::string& reason) {
+        return reason.find(angle) != std::string::npos;
+      }));
+    }
+  }
+  CHECK(found > 50);
+}
+
 TEST_CASE(
     "with the pixel where it is expected, mirrors and windows that count from the other edge "
     "show") {
